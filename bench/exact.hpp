@@ -1,4 +1,4 @@
-// From doubles to the exact number types of the specification, and back for print.
+// Conversions of doubles to the exact number types of the specification, and back for print.
 #pragma once
 
 #include <cmath>
@@ -10,15 +10,15 @@
 
 namespace mmverify::bench {
 
-/// The number itself.  Domain: finite x.
+/// The exact value of x.  Domain: finite x.
 inline spec::Rational exact_rational(double x) {
   int exponent = 0;
   const auto significand = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
   return spec::scaled(significand, exponent - 53);
 }
 
-/// Calls algorithm(point) with the two doubles exact: in 128-bit fixed point where its 100 fraction bits hold
-/// them, else as rationals.  Domain: u and v in [0, 1].
+/// Calls algorithm(point) with the two doubles exact: in 128-bit fixed point if its 100 fraction bits
+/// represent them, else as rationals.  Domain: u and v in [0, 1].
 template <class Algorithm>
 auto on_exact(double u, double v, Algorithm algorithm) {
   static_assert(spec::Fixed128::fraction_bits == 100);

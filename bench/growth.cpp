@@ -12,7 +12,7 @@ namespace {
 // Over less than two octaves of levels the two laws look alike, and noise would choose.
 constexpr std::uint32_t least_spread = 4;
 
-// 2^0.15: what is called doubling lies between 1.8 and 2.2 times.
+// A slope within 0.15 of 1 counts as doubling: 2^0.15 is a factor between 1.8 and 2.2.
 constexpr double near_doubling = 0.15;
 
 Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {

@@ -1,4 +1,4 @@
-// Which law a figure follows from level to level.
+// The law that a figure follows from level to level.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct LevelValue {
   double value;
 };
 
-/// A straight line through points, and how far off it is.
+/// A straight line through points, and its distance from them.
 struct Line {
   double slope = 0, intercept = 0;
   double residual = 0;  ///< root of the mean squared difference, in units of y
@@ -22,7 +22,7 @@ struct Line {
 
 enum class GrowthLaw : std::uint8_t {
   none,         ///< no value above zero
-  too_few,      ///< above zero on fewer than three levels: no line to speak of
+  too_few,      ///< above zero on fewer than three levels, too few for a line
   flat,         ///< less than a factor of two over the whole range
   exponential,  ///< value = 2^(intercept + slope level)
   power,        ///< value = 2^intercept level^slope
@@ -30,15 +30,16 @@ enum class GrowthLaw : std::uint8_t {
 
 struct Growth {
   GrowthLaw law = GrowthLaw::none;
-  std::size_t levels = 0;             ///< how many the lines were drawn through
+  std::size_t levels = 0;             ///< the number of levels that the lines fit
   std::uint32_t first = 0, last = 0;  ///< the first and last of them
   Line exponential;                   ///< log2(value) against level
   Line power;                         ///< log2(value) against log2(level)
 };
 
-/// Least squares on log2(value), against level and against log2(level). A law that grows or shrinks is the
-/// one with the smaller residual; a power law only where the last level is at least four times the first.
-/// Domain: at most one value a level.  Values of zero and level 0 are left out, as neither has a logarithm.
+/// Fits lines by least squares to log2(value), against level and against log2(level).  A law that grows or
+/// shrinks is the one with the smaller residual; a power law only if the last level is at least four times
+/// the first.
+/// Domain: at most one value a level.  Values of zero and level 0 are left out, since they have no logarithm.
 Growth fit_growth(std::span<const LevelValue> values);
 
 /// "doubles each level", "x1.41 each level", "as level^2.0", "flat", "none found" or "too few to fit".

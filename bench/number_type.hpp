@@ -1,4 +1,4 @@
-// The number types that index functions receive their points in, by what rounding to them means.
+// The number types in which index functions receive their points, by their rounding.
 #pragma once
 
 #include <string_view>
@@ -18,7 +18,7 @@ struct NumberType {
   /// x to the nearest number, ties to even.  Domain: x in [0, 2).
   double rounded(double x) const;
 
-  /// The number `steps` numbers above x, below it where negative; zero where that would be negative.
+  /// The number `steps` numbers above x, or below it if negative; zero if that would be negative.
   /// Domain: representable x in [0, 1], |steps| small.
   double neighbour(double x, int steps) const;
 };

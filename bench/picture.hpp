@@ -16,11 +16,11 @@ enum class Shape : std::uint8_t { disc, circle, square, open_square, triangle, t
 
 struct Point {
   double x, y;
-  std::string label = {};  ///< beside the mark, off the other marks and labels of the panel
+  std::string label = {};  ///< beside the mark, apart from the other marks and labels of the panel
 };
 
 struct Series {
-  std::string name = {};  ///< in the key; empty: not there
+  std::string name = {};  ///< in the key; empty: not in it
   std::string colour = {};
   Shape shape = Shape::disc;
   bool marks = true, joined = true;
@@ -31,7 +31,7 @@ struct Series {
 struct Axis {
   std::string title = {};
   bool logarithmic = false;
-  std::optional<double> least = {}, most = {};  ///< from the points where not given
+  std::optional<double> least = {}, most = {};  ///< from the points if not given
   bool whole = false;                           ///< a tick at each whole number
 };
 
@@ -47,7 +47,7 @@ struct Panel {
   std::string title = {};
   Axis x = {}, y = {};
   std::vector<Series> series = {};
-  Key key = Key::none;  ///< below_all: one for the whole picture
+  Key key = Key::none;  ///< below_all: one key for the whole picture
   std::vector<Threshold> thresholds = {};
   std::string note = {};  ///< in the lower right corner
 };

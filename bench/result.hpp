@@ -1,4 +1,4 @@
-// What a bench returns.
+// The result of a bench.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Tables of figures: what a bench returns, each figure described once for whoever prints or writes it.
+// Tables of figures, the results of benches.  Each figure is described once for all printers and writers.
 #pragma once
 
 #include <cstdint>
@@ -13,24 +13,25 @@ namespace mmverify::bench {
 struct Value;
 using Row = std::vector<Value>;
 
-/// What stands in one cell: nothing, a whole number, a real one, a text, whole numbers, or the rows of a table within.
+/// The value of a cell: nothing, a whole number, a real one, a text, whole numbers, or the rows of a table
+/// within.
 struct Value : std::variant<std::monostate, std::uint64_t, double, std::string, std::vector<std::uint64_t>,
                             std::vector<Row>> {
   using variant::variant;
 };
 
-/// How a real number is printed: value * factor.  Whole numbers are printed with commas.
+/// The format of a printed real number: value * factor.  Whole numbers are printed with commas.
 struct Print {
   int digits = 2;
   char type =
-      'f';  ///< printf's f, e or g: digits after the point, the same of a power of ten, or all that count
+      'f';  ///< printf's f, e or g: `digits` after the point, with a power of ten for e; significant for g
   double factor = 1;
-  const char* unit = "";   ///< of what is printed, where the factor makes it another
-  const char* none = "-";  ///< where there is no value
+  const char* unit = "";   ///< the printed unit, if the factor changes the unit
+  const char* none = "-";  ///< printed if there is no value
 };
 inline constexpr double per_cent = 100, millions = 1e-6;
 
-/// What the rows of a table are in JSON.
+/// The form of a table's rows in JSON.
 enum class Form : std::uint8_t {
   list,     ///< a list of objects
   object,   ///< an object: the first column names its members
@@ -38,19 +39,19 @@ enum class Form : std::uint8_t {
   printed,  ///< nothing: the table is printed alone
 };
 
-/// How the rows of a table within are printed.
+/// The printed form of the rows of a table within.
 enum class Within : std::uint8_t {
   below,   ///< a line each
   beside,  ///< side by side: each figure under the names of the rows
 };
 
 struct Column {
-  std::string key = {};      ///< in JSON; "a.b" is b of an object a; empty: printed alone
-  std::string heading = {};  ///< empty: written alone
-  std::string unit = {};     ///< of the value as it is written
+  std::string key = {};      ///< in JSON; "a.b" is b of an object a; empty: printed only
+  std::string heading = {};  ///< empty: written only
+  std::string unit = {};     ///< of the value as written
   Print print = {};
   std::string group = {};            ///< columns of one group are printed together, below its name
-  bool leads = false;                ///< says what a row is about: begins each line of the table
+  bool leads = false;                ///< names the subject of a row: begins each line of the table
   std::vector<Column> columns = {};  ///< of a table within; its rows are the value
   Within within = Within::below;
   Form form = Form::list;  ///< of a table within
@@ -62,10 +63,10 @@ struct Table {
   Form form = Form::list;
   std::vector<Column> columns = {};
   std::vector<Row> rows = {};
-  bool beside = false;  ///< rows that differ in the last leading column alone are printed side by side
+  bool beside = false;  ///< rows that differ only in the last leading column are printed side by side
 };
 
-/// One column, and where a figure of type T has its value.
+/// A column, and the function that takes its value from a figure of type T.
 template <class T>
 struct Field {
   Column column;
@@ -91,7 +92,7 @@ std::vector<Row> rows_of(const Fields<T>& fields, const std::vector<T>& figures)
   return rows;
 }
 
-/// A table as `frame`, a row a figure.
+/// A table like `frame`, with a row for each figure.
 template <class T>
 Table table_of(Table frame, const Fields<T>& fields, const std::vector<T>& figures) {
   frame.columns = columns_of(fields);
@@ -99,7 +100,7 @@ Table table_of(Table frame, const Fields<T>& fields, const std::vector<T>& figur
   return frame;
 }
 
-/// A table within as `column`, of the figures that a T has.
+/// A column like `column` with a table within, of the figures that a T has.
 template <class T, class U>
 Field<T> within(Column column, const Fields<U>& fields, std::function<std::vector<U>(const T&)> figures) {
   column.columns = columns_of(fields);

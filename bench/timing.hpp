@@ -1,4 +1,4 @@
-// How a bench takes times.
+// The clocks and medians of benches.
 #pragma once
 
 #include <time.h>
@@ -9,22 +9,22 @@
 
 namespace mmverify::bench {
 
-/// Processor time of this thread in ns: it stands still while others run in its place.  That they share caches,
-/// a core, or the machine below this one may still be seen in it.
+/// The processor time of this thread in ns: it stands still while others run in its place.  Shared caches, a
+/// shared core, or the machine below this one may still disturb it.
 inline double thread_ns() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) * 1e9 + static_cast<double>(t.tv_nsec);
 }
 
-/// The middle one, of an even number the upper.  Domain: not empty.
+/// The middle number, of an even count the upper.  Domain: not empty.
 inline double median(std::vector<double> x) {
   const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
   std::nth_element(x.begin(), middle, x.end());
   return *middle;
 }
 
-/// Of one round, in ns.
+/// The time of one round in ns.
 template <class Work>
 double once_ns(const Work& work) {
   const double start = thread_ns();

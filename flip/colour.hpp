@@ -37,7 +37,7 @@ inline constexpr Matrix relative_xyz_of_rgb = [] {
   return m;
 }();
 
-/// The inverse, by cofactors.
+/// The inverse of a matrix, by cofactors.
 inline constexpr Matrix inverse(const Matrix& m) {
   const auto cofactor = [&m](std::size_t i, std::size_t j) {
     const std::size_t a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
@@ -51,7 +51,7 @@ inline constexpr Matrix inverse(const Matrix& m) {
 }
 inline constexpr Matrix rgb_of_relative_xyz = inverse(relative_xyz_of_rgb);
 
-/// CIE L*a*b* is linear below the third power of this.
+/// The bound of CIE L*a*b*: its curve is linear below the third power of lab_delta.
 inline constexpr double lab_delta = 6. / 29;
 inline double lab_f(double t) {
   return t > lab_delta * lab_delta * lab_delta ? std::cbrt(t) : t / (3 * lab_delta * lab_delta) + 4. / 29;
@@ -73,7 +73,7 @@ inline double hyab(const Vector& a, const Vector& b) {
 // Source: the paper, 4.1 and 4.2: exponents q_c and q_f, and the point (p_c of the greatest difference, p_t) at which the
 // line that maps differences to [0, 1] has its bend.
 inline constexpr double q_c = 0.7, p_c = 0.4, p_t = 0.95, q_f = 0.5;
-/// Degrees that an edge or a point takes, as people detect them.
+/// The width in degrees of an edge or a point, as people detect them.
 inline constexpr double feature_width = 0.082;
 
 /// The greatest difference of two colours of sRGB, that of green and blue, to the power of q_c.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double square(double x) { return x * x; }
 
-/// The sum over both sides.
+/// The sum of a filter's weights on both sides.
 double sum_of(const std::vector<double>& half) {
   double sum = half[0];
   for (std::size_t k = 1; k < half.size(); ++k) sum += 2 * half[k];

@@ -6,15 +6,15 @@
 
 namespace mmverify::flip::detail {
 
-/// A filter that is even or odd: weight k is of the texels at distance k.
+/// An even or odd filter: weight k is for the texels at distance k.
 using Half = std::vector<float>;
 
 /// Contrast sensitivity of the eye, as a sum of Gaussians over the distance d in degrees:
 ///   g(d) = a sqrt(pi / b) e^(-pi^2 d^2 / b)
 ///   luminance  a = 1, b = 0.0047;  red-green  a = 1, b = 0.0053;
 ///   blue-yellow  a = 34.1, b = 0.04 and a = 13.5, b = 0.025
-/// The sum over all texels of the plane is 1.  Of the two of blue-yellow each is a product by itself, of the square root of
-/// its factor; so only the sum of their products is 1.
+/// The weights over all texels of the plane sum to 1.  Each of the two filters of blue-yellow is a product by
+/// itself, of the square root of its factor; only the sum of their products is 1.
 /// Radius: three standard deviations of the widest, ceil(3 sqrt(0.04 / (2 pi^2)) pixels per degree).
 /// Source: the paper, 4.1.1 and table 1.
 struct SpatialFilters {

@@ -18,7 +18,7 @@ namespace {
 
 using namespace detail;
 
-/// Rows that one task does: of each `2 radius` more are filtered along x.
+/// The rows of one task, which filters `2 radius` more along x.
 constexpr std::size_t rows_of_task = 128;
 
 void check(const Picture& picture, const char* which) {
@@ -34,7 +34,7 @@ void check(const Picture& picture, const char* which) {
         std::to_string(picture.height) + " texels of 3");
 }
 
-/// What each code value of each channel adds to each opponent channel.
+/// The amount that each code value of each channel adds to each opponent channel.
 struct OpponentTable {
   float of[3][256][opponents];
 
@@ -99,7 +99,8 @@ class Planes {
   std::unique_ptr<float[]> values_;
 };
 
-/// The rows around the one in hand, filtered along x: as many as a power of 2 of them, each written over an older one.
+/// The rows around the current one, filtered along x.  Their number is a power of 2, and each is written over
+/// an older one.
 class Ring {
  public:
   Ring(const Filters& filters, const Planes& planes, Part part, std::size_t x, std::size_t radius,

@@ -26,7 +26,8 @@ HWY_INLINE V plus_product(V sum, V a, V b) { return hn::Add(sum, hn::Mul(a, b));
 // Functions
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Domain: x normal and positive.  A first guess from the bits, then Halley's step twice: 3e-2, 2e-5, rounding.
+/// The cube root.  Domain: x normal and positive.  A first guess from the bits, then Halley's step twice:
+/// errors 3e-2, 2e-5, rounding.
 HWY_INLINE V cube_root(V x) {
   const hn::RebindToSigned<Floats> integers;
   const V third = hn::Mul(hn::ConvertTo(Floats(), hn::BitCast(integers, x)), all(1. / 3));
@@ -41,7 +42,7 @@ HWY_INLINE V cube_root(V x) {
 /// log2 x = e + log2 m, 1/sqrt 2 <= m < sqrt 2, by the series of artanh at t = (m - 1)/(m + 1), |t| < 0.172.
 HWY_INLINE V log2_of(V x) {
   const hn::RebindToSigned<Floats> integers;
-  // Of 1/sqrt 2; what is above it in the bits of x counts from there.
+  // The bits of 1/sqrt 2.  e counts the powers of 2 from there.
   const auto root = hn::Set(integers, 0x3f3504f3);
   const auto bits = hn::BitCast(integers, x);
   const auto e = hn::ShiftRight<23>(hn::Sub(bits, root));
@@ -64,7 +65,7 @@ HWY_INLINE V exp2_of(V y) {
   return hn::Mul(sum, hn::BitCast(Floats(), power));
 }
 
-/// x^p, 0 <= p <= 1; 0 where x is below every normal number.
+/// x^p, 0 <= p <= 1; 0 if x is below every normal number.
 HWY_INLINE V power(V x, V p) {
   const V least = all(0x1p-126);
   const V value = exp2_of(hn::Max(all(-126), hn::Mul(p, log2_of(hn::Max(x, least)))));
@@ -94,7 +95,7 @@ void along_x(const Filters& filters, const std::array<const float*, opponents>& 
       wide = plus_product(wide, weight(s.blue_yellow[0], k), sides_yz);
       narrow = plus_product(narrow, weight(s.blue_yellow[1], k), sides_yz);
     }
-    // The weights of `point` sum to 0, so the centre is taken off first: nothing is left of a constant but 0.
+    // The weights of `point` sum to 0, so the centre is subtracted first: a constant gives exactly 0.
     V smooth = hn::Mul(weight(g.smooth, 0), centre), edge = hn::Zero(f), point = hn::Zero(f);
     const V twice = hn::Add(centre, centre);
     for (std::size_t k = 1; k <= g.radius; ++k) {
@@ -165,7 +166,7 @@ HWY_INLINE V difference_of_lengths(const V (&m)[2], const V (&d)[2]) {
   return hn::Div(product, hn::Max(both, all(0x1p-126)));
 }
 
-/// Of both pictures, and the difference between them, which has its own rounding alone.
+/// The values of both pictures, and their difference, which has only its own rounding.
 struct Both {
   V a, b, difference;
 };

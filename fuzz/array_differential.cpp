@@ -1,8 +1,8 @@
 // Arrays of many triangles: a file read twice, or maps built, changed and written twice.
 //
-// Input: a byte, even: the rest is a file; odd: a byte of choices, an encoding, a base triangle, a bound, how many of the
-// maps are there before, and maps: a byte each of level (two bits), format and "filled", then packed bytes or the one that
-// fills it.  Bytes that are missing are zeros.
+// Input: a byte.  If it is even, the rest is a file.  If it is odd, a byte of choices, an encoding, a base triangle, a
+// bound, the number of maps that exist before, and maps: each a byte of level (two bits), format and "filled", then
+// packed bytes, or the one byte that fills it.  Missing bytes are zeros.
 //
 // Covers: impl/array/api.hpp impl/array/build.* impl/array/change.* impl/array/container.*
 #include <algorithm>
@@ -80,7 +80,7 @@ void read_file(const Bytes& file) {
   if (!right) fail("what is no file is read");
   same(*right, got, "reading");
   if (fast::written(got, file[8]) != file) fail("what is read is written as other bytes");
-  // Whatever records and indices say: both change it alike, or both refuse.
+  // Records and indices may have any values: both sides change the file alike, or both refuse.
   for (const auto& [spec, impl] :
        {std::pair(&slow::compacted, &fast::compacted), std::pair(&slow::reordered, &fast::reordered)}) {
     std::optional<fast::Bundle> changed;
@@ -88,7 +88,7 @@ void read_file(const Bytes& file) {
       changed = impl(got);
     } catch (const std::logic_error&) {
     }
-    // The specification's domain is arrays whose references are there.
+    // The specification's domain is arrays whose references exist.
     bool sound = true;
     for (const slow::Part& p : right->parts)
       for (std::uint64_t t = 0; t < slow::triangles(p); ++t)
@@ -129,7 +129,7 @@ void build(Reader& reader) {
     const bool filled = (head & 8) != 0;
     const Bytes bytes = filled ? Bytes(size, reader.byte()) : reader.bytes(size);
     all.push_back({level, f, maps::unpack(bytes, f, count)});
-    packed.push_back(bytes);  // its padding as it comes
+    packed.push_back(bytes);  // its padding as given
   }
   const std::size_t first = std::min(before, all.size());
   o.base = base % static_cast<std::uint32_t>(first + 1);
@@ -164,7 +164,7 @@ void build(Reader& reader) {
       (right->geometry_counts && !same_counts(*got->geometry_counts, *right->geometry_counts)))
     fail("another histogram of the geometry");
 
-  // What a triangle resolves to is what was baked, or more unknown.
+  // A triangle resolves to its baked map, or to one with more unknown states.
   for (std::size_t t = 0; t + first < all.size(); ++t) {
     const maps::Map& baked = all[first + t];
     const slow::Target to = slow::target(bundle, bundle.parts[0], t);

@@ -1,12 +1,12 @@
 // Files of attribute micromaps, and packed maps, on raw bytes: a refusal, or maps that write back to the very same bytes.
 //
-// Input: a byte, its remainder by 4 how the rest is taken:
+// Input: a byte, whose remainder by 4 names the form of the rest:
 //   0  a file
-//   1  a file whose checksum is put right first, so that what lies behind it is reached
-//   2  codes to pack; 3 packed bytes.  Both begin with a shape: a byte whose bit 0 says vertices, bits 1..2 the level,
+//   1  a file whose checksum is corrected first, so that the reader reaches the bytes behind it
+//   2  codes to pack; 3 packed bytes.  Both begin with a shape: a byte whose bit 0 means vertices, bits 1..2 the level,
 //      0..3, bits 3..4 the channels less one, bits 5..6 the maps less one; then an error for each channel, its remainder by
-//      128.  Codes that are missing are zeros.
-// With PLANTED the harness's reader of files lets the flags of no triangle pass where flags mean means.
+//      128.  Missing codes are zeros.
+// With PLANTED the harness's reader of files accepts the flags of no triangle if flags mean means.
 //
 // Covers: impl/attribute/container.* impl/attribute/compress.hpp impl/attribute/compress/*
 #include <algorithm>
@@ -36,7 +36,7 @@ slow::PackedShape specified(const fast::PackedShape& s) {
   return {static_cast<slow::MapAt>(s.at), s.level, s.channels, s.maps, s.error};
 }
 
-/// Codes of packed bytes; nothing where they are refused.  What is taken is what the specification takes.
+/// The codes of packed bytes; none if they are refused.  The specification must accept the same bytes.
 std::optional<Bytes> unpacked(const fast::PackedShape& shape, const Bytes& bytes) {
   std::optional<Bytes> codes;
   try {
@@ -70,7 +70,7 @@ void packed(const fast::PackedShape& shape, Bytes codes) {
   require(entropy >= 0 && entropy <= 16.0 * static_cast<double>(codes.size()), "an entropy of no residuals");
 }
 
-/// CRC-32C, a bit at a time, of all but itself.
+/// CRC-32C, a bit at a time, of all bytes but its own.
 std::uint32_t crc32c(const Bytes& bytes) {
   std::uint32_t crc = ~0u;
   for (std::size_t k = 0; k < bytes.size(); ++k) {
@@ -87,7 +87,7 @@ void put_right(Bytes& bytes) {
   for (std::size_t k = 0; k < 4; ++k) bytes[40 + k] = static_cast<std::uint8_t>(crc >> 8 * k);
 }
 
-/// The reader under test; with PLANTED one that is wrong.
+/// The reader under test; with PLANTED a wrong one.
 fast::AttributeMaps read(const Bytes& bytes) {
 #ifdef PLANTED
   Bytes other = bytes;
@@ -112,7 +112,7 @@ void file(const Bytes& bytes) {
     return;
   }
   require(fast::write_attributes(maps) == bytes, "other bytes of the same maps");
-  // The header once more, by its places.
+  // The header is read once more, by its byte positions.
   std::uint32_t checksum = 0;
   for (std::size_t at = 44; at-- > 40;) checksum = checksum << 8 | bytes[at];
   require(crc32c(bytes) == checksum, "a wrong checksum taken");

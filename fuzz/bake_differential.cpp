@@ -1,6 +1,6 @@
-// Any texture under any triangle: impl's map is the specification's, micro-triangle by micro-triangle.
+// Any texture under any triangle: impl's map must be the specification's, micro-triangle by micro-triangle.
 //
-// Input, bytes that are missing being 0:
+// Input; missing bytes are 0:
 //   0  width - 1 (bits 0..2), height - 1 (bits 3..5), texels of 8 bits, 16, binary32 (bits 6..7: 0 1 2, 3 is
 //      0)
 //   1  the wraps' numbers u + 5 v, modulo 25
@@ -15,7 +15,7 @@
 //   then texels, of 8 bits as they are, of 16 and binary32 a byte each that stands for byte 257, or for
 //      (byte - 64) / 64
 //
-// With PLANTED what is compared is spoiled: with mirror-once along u, a border above 0 and a level above 1
+// With PLANTED the compared states are spoiled: with mirror-once along u, a border above 0 and a level above 1
 // the last unknown is opaque.
 //
 // Covers: impl/bake/* impl/common/binary.hpp impl/common/wide.hpp
@@ -74,7 +74,7 @@ struct Case {
   std::array<float, 6> uv;
 };
 
-/// Within (-2, 2), so that the specification's rows are few; what is not finite is 0.
+/// A coordinate within (-2, 2), so that the specification's rows are few; 0 if it is not finite.
 float bounded(float x) { return std::isfinite(x) ? std::fmod(x, 2.0f) : 0; }
 
 Case read(Bytes& in, std::uint32_t sides) {
@@ -138,7 +138,7 @@ std::uint8_t specified(const Case& c, const std::vector<slow::TextureOf<Exact>>&
   return static_cast<std::uint8_t>(state);
 }
 
-/// In 128 bits where they will do.
+/// The specification's state, in 128 bits if they suffice.
 template <class Exact>
 std::uint8_t expected(const Case& c, const std::vector<slow::TextureOf<Exact>>& mips, std::uint32_t index) {
   try {
@@ -191,7 +191,7 @@ void judge(const Case& c, Bytes in) {
   baker.bake({{{c.uv[0], c.uv[1]}, {c.uv[2], c.uv[3]}, {c.uv[4], c.uv[5]}}}, c.level, map);
   for (std::uint32_t k = 0; k < count; ++k) states[k] = map[k / 4] >> 2 * (k % 4) & 3;
   planted(c, states);
-  // Of level 3 a fifth: the specification takes its time.
+  // Level 3 judges a fifth of the states, since the specification is slow.
   for (std::uint32_t k = 0; k < count; k += c.level < 3 ? 1 : 5)
     if (const std::uint8_t state = expected(c, exact, k); states[k] != state) {
       std::fprintf(stderr, "bake: level %u, micro-triangle %u: %u, expected %u\n", c.level, k, states[k],

@@ -1,11 +1,12 @@
 // Graphs: a container from raw bytes, and maps that are added.
 //
-// Input: a byte says what the rest is.
-//   even  a container, and one whose checksum is put right first, so that what lies behind it is reached: an error with its
-//         place, or a graph that saves to the very same bytes; and where the maps are of level 6 or less, what is taken is what
-//         the specification takes
-//   odd   maps: bit 1 says four states; then for each a byte of level (remainder by 7), a byte with the share of the rest
-//         that is its words, in 1/16, the others are zero.  The specification's container; each state, alone and in a batch
+// Input: a byte that names the form of the rest.
+//   even  a container, also with its checksum corrected first, so that the reader reaches the bytes behind it: an
+//         error with its place, or a graph that saves to the very same bytes; if the maps are of level 6 or less, the
+//         specification must accept the same containers
+//   odd   maps: bit 1 means four states; then for each map a byte of level (remainder by 7), and a byte with the share
+//         of the rest that is its words, in 1/16; other words are zero.  The container must be the specification's, and
+//         each state, alone and in a batch
 //
 // Covers: impl/dag/* impl/common/crc32c.hpp
 #include <algorithm>

@@ -63,7 +63,7 @@ void require_same_corners(const char* what, const Record& r, const A& expected, 
   }
 }
 
-// The finite number with the same answer: NaN counts as 0, and an infinity is clamped like anything beyond
+// The finite number with the same answer: NaN counts as 0, and an infinity is clamped like any number beyond
 // [0,1].
 float finite_twin(float x) {
   if (std::isnan(x)) return 0;

@@ -1,8 +1,8 @@
-// Arrays of micromaps: two validators on whatever the bytes say, builders on maps made of them, and a breach
-// planted in what was built.
+// Arrays of micromaps: two validators on arbitrary fields, builders on maps from the bytes, and a breach
+// planted in the built array.
 //
-// Input: a byte, even: a Reader's numbers are the fields of an Input, and its bytes the buffers; odd: they
-// are maps and options to build, then the breach and where to plant it.  Bytes that are missing are zeros.
+// Input: a byte.  If it is even, a Reader's numbers are the fields of an Input, and its bytes the buffers; if
+// odd, they are maps and options to build, then the breach and its place.  Missing bytes are zeros.
 //
 // Covers: impl/micromap/array.* impl/micromap/histogram.hpp impl/micromap/rules.hpp impl/micromap/validate.*
 #include <cstddef>
@@ -33,7 +33,7 @@ class Reader {
     --left_;
     return *data_++;
   }
-  /// One byte for what is small; 255 announces eight that may be anything.
+  /// One byte for a small number; 255 announces eight bytes with any number.
   std::uint64_t number() {
     const std::uint8_t first = byte();
     if (first != 255) return first;
@@ -70,7 +70,7 @@ std::string text(const std::vector<slow::Violation>& found) {
   return lines.empty() ? "\n  nothing" : lines;
 }
 
-// What both list.
+// Checks that both validators list the same violations, and returns them.
 std::vector<slow::Violation> validated(const slow::Input& in) {
   const auto expected = slow::validate(in), got = to_slow(validate_fast(in));
   if (got != expected) fail("the specification lists" + text(expected) + "\nand impl" + text(got));
@@ -130,7 +130,7 @@ struct Built {
   std::vector<slow::UsageCount> array_counts;
 };
 
-// The same maps built twice; false where the encoding cannot hold an index.
+// Builds the same maps twice; false if the encoding cannot represent an index.
 bool build(Reader& reader, Built& b) {
   const std::uint8_t flags = reader.byte();
   b.options = {slow::encodings[reader.byte() % 5], 0, (flags & 1) != 0, (flags & 2) != 0};
@@ -144,7 +144,7 @@ bool build(Reader& reader, Built& b) {
         (head & 8) != 0 ? Bytes{} : reader.bytes(static_cast<std::size_t>(slow::packed_bytes(count, f)));
     bytes.resize(static_cast<std::size_t>(slow::packed_bytes(count, f)), (head & 8) != 0 ? reader.byte() : 0);
     b.maps.push_back({level, f, slow::unpack(bytes, f, count)});
-    packed.push_back(bytes);  // its padding as it comes
+    packed.push_back(bytes);  // its padding as given
   }
   std::vector<fast::PackedMap> views;
   for (std::size_t t = 0; t < packed.size(); ++t)
@@ -193,7 +193,7 @@ slow::Input handed(const Built& b) {
   return in;
 }
 
-// Breaks one rule, if there is something to break; which.
+// Breaks one rule, if that is possible, and returns the rule.
 std::optional<Rule> plant(Built& b, slow::Input& in, std::uint8_t breach, std::uint8_t where) {
   const std::size_t records = b.array.records.size(), size = slow::width(in.encoding) / 8;
   const std::size_t r = records == 0 ? 0 : where % records;
@@ -277,7 +277,7 @@ void built(Reader& reader) {
     for (const slow::Violation& v : validated(in))
       if (v.rule != Rule::index_encoding) fail("what was built is not clean:" + text({v}));
   }
-  // Two states of each map: fetching walks all before them.
+  // Two states of each map are fetched, since fetching walks all states before them.
   for (std::size_t t = 0; t < b.maps.size(); ++t)
     for (const std::size_t i : {where % b.maps[t].states.size(), b.maps[t].states.size() - 1})
       if (slow::fetch(b.array, b.geometry, b.options.encoding, 0, t, i) != b.maps[t].states[i])

@@ -1,4 +1,4 @@
-// One input for both validators, and one list of what they find.
+// One input for both validators, and one list of their findings.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ inline std::vector<slow::Violation> to_slow(const std::vector<fast::Violation>& 
   return out;
 }
 
-/// What `judge` says of impl's form of an input.
+/// The answer of `judge` on impl's form of an input.
 template <class Judge>
 auto with_fast(const slow::Input& in, const Judge& judge) {
   fast::Input to;

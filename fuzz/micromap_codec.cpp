@@ -63,7 +63,7 @@ Bytes room(std::uint64_t count, slow::Format f) {
   return Bytes(static_cast<std::size_t>(slow::packed_bytes(count, f)), 0xa5);
 }
 
-/// The corners of a micro-triangle, in whatever order, on a triangle whose vertex k is vertex order[k].
+/// The corners of a micro-triangle, in any order, on a triangle whose vertex k is vertex order[k].
 using Place = std::array<std::pair<std::uint32_t, std::uint32_t>, 3>;
 Place place(std::uint32_t index, mmverify::spec::Level n, const fast::VertexOrder& order) {
   Place out;
@@ -79,7 +79,7 @@ Place place(std::uint32_t index, mmverify::spec::Level n, const fast::VertexOrde
   return out;
 }
 
-/// In every order of the vertices, a piece of the surface keeps its state.
+/// Checks that a piece of the surface keeps its state in every order of the vertices.
 void check_orders(const Map& map, mmverify::spec::Level n) {
   fast::VertexOrder order{0, 1, 2};
   const auto count = static_cast<std::uint32_t>(map.count);
@@ -97,7 +97,7 @@ void check_orders(const Map& map, mmverify::spec::Level n) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
-/// The two first words of the bytes, and the codes of all states, as codes of indices.
+/// Checks codes of indices: the first two words of the bytes, and codes at and below those of all states.
 void check_codes(const Map& map) {
   for (const slow::Encoding e : slow::encodings) {
     const auto encoding = static_cast<fast::Encoding>(e);
@@ -161,7 +161,7 @@ void check(const Map& map) {
             "down", map);
   }
 
-  // Of few micro-triangles: each is looked for among all.
+  // Maps with few micro-triangles alone: each micro-triangle is searched among all.
   for (mmverify::spec::Level n = 0; n <= 3; ++n)
     if (count == slow::micro_triangles(n)) check_orders(map, n);
 

@@ -36,7 +36,7 @@ void replay(const fs::path& file) {
   const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
   if (!in.is_open() || in.bad()) throw std::runtime_error(file.string() + ": cannot be read");
   const std::vector<std::uint8_t> input(bytes.begin(), bytes.end());
-  // Named before it runs: a finding aborts, and this line then says where.
+  // The name is printed before the run: a finding aborts, and this line then names the file.
   std::fprintf(stderr, "replaying %s (%zu bytes)\n", file.c_str(), input.size());
   LLVMFuzzerTestOneInput(input.data(), input.size());
 }

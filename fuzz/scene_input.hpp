@@ -1,7 +1,7 @@
-// A glTF file out of a fuzzer's bytes.
+// A glTF file made from a fuzzer's bytes.
 //
 // Input: 'r', then a file as it is; or anything else, then JSON up to a zero byte, then the BIN chunk, which
-// a GLB is made of here: or few inputs would get past a container's lengths.
+// are put into a GLB here, since few inputs would get past a container's lengths.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// Reading glTF: whatever the bytes say, a scene that keeps its promises, or one line that says what is wrong.
-// And writing it: what was read, with micromaps, reads as the same scene, and keeps the extension's rules.
+// Reading glTF: from any bytes, a scene that keeps its promises, or one line with the fault.
+// Writing it: the scene that was read, with micromaps, reads as the same scene, and keeps the extension's
+// rules.
 //
 // Input: scene_input.hpp.
 //
@@ -86,7 +87,8 @@ void check(const Plan& planned, const Scene& scene) {
     require(!sentence(primitive.why).empty(), "left out without a reason");
 }
 
-/// Codes for the triangles of a plan, in an encoding that the file's length chooses; which, does not matter.
+/// The file with codes for the triangles of a plan, in an encoding that the file's length chooses
+/// arbitrarily.
 Bytes written(const Bytes& file, const Scene& scene, const Plan& planned) {
   const micromap::Array array{{{0, 1, 2}, {1, 0, 1}}, {0xe4, 1}};
   const auto encoding = static_cast<micromap::Encoding>(file.size() % 5);
@@ -125,7 +127,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Bytes glb;
   try {
     glb = written(file, scene, planned);
-  } catch (const BadScene& bad) {  // of what nothing that was read needs: a view outside, an unknown picture
+  } catch (const BadScene& bad) {  // of unused parts: a view outside its buffer, an unknown picture
     check_one_line(bad);
     return 0;
   }

@@ -1,6 +1,6 @@
-// Mutations of a scene_input.hpp that keep its JSON JSON: one value of it becomes a number that lies, another
-// type, a copy of another value, or goes.  Bytes of the BIN chunk, and every fourth input as a whole, are
-// libFuzzer's.
+// Mutations of a scene_input.hpp that keep its JSON valid: one value becomes a wrong number, another type, or
+// a copy of another value, or is removed.  libFuzzer mutates the bytes of the BIN chunk, and every fourth
+// input as a whole.
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -15,7 +15,7 @@ using Random = std::minstd_rand;
 
 std::size_t below(std::size_t end, Random& random) { return random() % end; }
 
-/// Every value, in one list; the root is the first.
+/// Collects all values in one list, the root first.
 void collect(Json& json, std::vector<Json*>& all) {
   all.push_back(&json);
   if (json.is_structured())

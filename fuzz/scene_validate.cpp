@@ -1,5 +1,5 @@
-// The validator of EXT_mesh_opacity_micromap: it comes back from all bytes, with lines of known rules; and
-// what it finds nothing wrong with, a reader can read that checks nothing.
+// The validator of EXT_mesh_opacity_micromap: it returns from all bytes, with lines of known rules; and a
+// file without findings can be read by a reader that checks nothing.
 //
 // Input: scene_input.hpp.
 //
@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 
 const char* const extension_name = "EXT_mesh_opacity_micromap";
 
-/// Reads every state of every triangle.  What it reads beyond, the sanitizer sees.
+/// A reader of every state of every triangle.  The sanitizer sees reads beyond the bounds.
 class TrustingReader {
  public:
   TrustingReader(Json json, Bytes binary) : json_(std::move(json)), binary_(std::move(binary)) {}
@@ -33,7 +33,7 @@ class TrustingReader {
   std::uint64_t opaque() const { return opaque_; }
 
  private:
-  /// A copy of its own, so that a byte more is out of bounds; none of another buffer than the BIN chunk.
+  /// A copy of the view, so that one byte more is out of bounds; unknown unless it is in the BIN chunk.
   Bytes view(std::size_t number, bool& known) const {
     const Json& view = json_["bufferViews"][number];
     known &= view["buffer"] == 0 && !json_["buffers"][0].contains("uri");

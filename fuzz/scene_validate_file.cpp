@@ -1,9 +1,9 @@
-// What `mmverify validate` does with a file of any kind: it comes back from all bytes, with findings of known codes; and
-// of what it finds no error in, others take as much.
+// `mmverify validate` on a file of any kind: it returns from all bytes, with findings of known codes; and
+// other readers accept a file without errors.
 //
-// Input: a byte says what the rest is.
+// Input: a byte that names the form of the rest.
 //   's'   a sidecar's JSON up to a zero byte, then the bytes that every file beside it has
-//   'a'   an array file of version 2, whose checksum is put right first
+//   'a'   an array file of version 2, whose checksum is corrected first
 //   else  a file as it is, with nothing beside it
 //
 // Covers: scene/validate/build.* scene/validate/container.* scene/validate/file.* scene/validate/issues.* scene/validate/sidecar.*
@@ -21,7 +21,7 @@ using namespace mmverify::fuzz::scene;
 using namespace mmverify::scene;
 using Json = nlohmann::json;
 
-/// Reads every state of every triangle of a raw array.  What it reads beyond, the sanitizer sees.
+/// A reader of every state of every triangle of a raw array.  The sanitizer sees reads beyond the bounds.
 class TrustingReader {
  public:
   TrustingReader(const Json& json, const Bytes& beside) : json_(json), beside_(beside) {}
@@ -33,7 +33,7 @@ class TrustingReader {
       const auto base = geometry.value("baseTriangle", std::uint64_t{0});
       const bool indexed = geometry.contains("indices") && !geometry["indices"].is_null();
       const Bytes indices = indexed ? buffer(geometry["indices"]) : Bytes();
-      // Whoever has a million triangles in so few bytes has one over and over.
+      // A million triangles in so few bytes are one triangle over and over.
       const auto triangles = std::min(geometry["triangles"].get<std::uint64_t>(), std::uint64_t{1} << 16);
       for (std::uint64_t t = 0; t < triangles; ++t) {
         const auto index = indexed ? index_at(geometry["indices"], indices, t) : t;
@@ -44,7 +44,7 @@ class TrustingReader {
   std::uint64_t opaque() const { return opaque_; }
 
  private:
-  /// A copy of its own, so that a byte more is out of bounds.
+  /// A copy of the buffer, so that one byte more is out of bounds.
   Bytes buffer(const Json& json) const {
     const auto offset = json.value("offset", std::uint64_t{0}),
                bytes = json.value("bytes", beside_.size() - offset);
@@ -52,7 +52,7 @@ class TrustingReader {
     return {first, first + static_cast<std::ptrdiff_t>(bytes)};
   }
 
-  /// None for a special index.
+  /// The index of a triangle; none for a special index.
   static std::optional<std::uint64_t> index_at(const Json& json, const Bytes& indices, std::uint64_t t) {
     const std::string type = json["type"];
     const std::size_t width = type == "u8" ? 1 : type.ends_with("16") ? 2 : 4;
@@ -81,7 +81,7 @@ class TrustingReader {
   std::uint64_t opaque_ = 0;
 };
 
-/// The FNV-1a sum of all but the last four bytes, in these.
+/// Writes the FNV-1a sum of all but the last four bytes into those four.
 void seal(Bytes& file) {
   if (file.size() < 4) return;
   const std::uint32_t sum = mmverify::spec::array::checksum(std::span(file).first(file.size() - 4));

@@ -1,9 +1,9 @@
 // Someone else's codec or index function under attack: the shared library that MMVERIFY_SUBJECT names, behind
 // sdk/mmverify_subject.h.  Build it with -fsanitize=fuzzer-no-link,address and the fuzzer sees its branches
-// and its overruns; without, it still sees its answers.
+// and its overruns; without the flags, it still sees its answers.
 //
-// Input: a byte that chooses what is asked, and what to ask.  Entry points that the library lacks are passed
-// over.
+// Input: a byte that chooses the question, and the question's arguments.  Entry points that the library lacks
+// are skipped.
 #include <dlfcn.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ const mmverify_subject_t& subject() {
                    path == nullptr ? "set MMVERIFY_SUBJECT to the shared library to attack" : dlerror());
       std::_Exit(4);
     }
-    // One that was built against an older header is shorter; what it lacks is null here.
+    // A subject built against an older header is shorter; its missing members are null here.
     static mmverify_subject_t whole{};
     const mmverify_subject_t* const given = entry();
     if (given == nullptr || given->abi != MMVERIFY_SUBJECT_ABI) {
@@ -58,7 +58,7 @@ const mmverify_subject_t& subject() {
   return *loaded;
 }
 
-/// What is left of the input; zeros after its end.
+/// The rest of the input; zeros after its end.
 class Input {
  public:
   Input(const std::uint8_t* data, std::size_t size) : at_(data), end_(data + size) {}
@@ -72,7 +72,7 @@ class Input {
     std::memcpy(&x, &bits, sizeof x);
     return x;
   }
-  /// k / (4 2^level), moved by up to 4 ulps.
+  /// A coordinate k / (4 2^level), moved by up to 4 ulps.
   float near_grid(std::uint32_t level) {
     std::uint32_t k = 0;
     for (int byte = 0; byte < 3; ++byte) k |= std::uint32_t{next()} << (8 * byte);
@@ -100,13 +100,13 @@ Bytes drawn_map(Input& in, std::uint32_t level, std::uint32_t bits) {
   return map;
 }
 
-/// In a block of its own, so that a sanitizer sees one byte too many.
+/// A buffer of its own, so that a sanitizer sees one byte too many.
 std::unique_ptr<std::uint8_t[]> room(std::size_t size) { return std::make_unique<std::uint8_t[]>(size); }
 
-/// Of several hits at once: buffers of just that length.
+/// Judges the indices of several hits in one call, in buffers of exactly their length.
 void indices_of_hits(Input& in) {
   const std::uint32_t how = in.next(), level = how % 17;
-  // Any floats; or such as lie on the level's lines and between, give or take some ulps.
+  // The floats are arbitrary, or lie on the level's lines and between, up to some ulps.
   const bool any = how >= 170;
   std::vector<float> u, v;
   for (const std::size_t most = 1 + in.next() % 33u; u.size() < most && (u.empty() || in.left());) {
@@ -129,7 +129,8 @@ void indices_of_hits(Input& in) {
   }
 }
 
-/// The code of a map, which one without an encoder has from Algorithm 1 where that is its form; empty else.
+/// The code of a map.  Without an encoder it comes from Algorithm 1, if that is the subject's form; else it
+/// is empty.
 Bytes code_of(std::uint32_t level, std::uint32_t bits, const Bytes& map) {
   const bool stream = (subject().flags & MMVERIFY_TREE_STREAM) != 0;
   Bytes algorithm_1;
@@ -139,7 +140,7 @@ Bytes code_of(std::uint32_t level, std::uint32_t bits, const Bytes& map) {
     algorithm_1.insert(algorithm_1.end(), paper.data.begin(), paper.data.end());
   }
   if (subject().tree_encode == nullptr) return algorithm_1;
-  // An address it must be, even where no byte fits.
+  // The address must be valid, even if no byte fits.
   const std::size_t size = subject().tree_encode(level, bits, map.data(), room(0).get(), 0);
   if (size == 0) wrong("tree.round_trip", "a map without a code");
   const auto code = room(size);
@@ -150,7 +151,8 @@ Bytes code_of(std::uint32_t level, std::uint32_t bits, const Bytes& map) {
   return written;
 }
 
-/// Some 64 micro-triangles all over the map, asked at once, by their numbers and by a point within each.
+/// Looks up about 64 micro-triangles all over the map in one call, by their numbers and by a point within
+/// each.
 void look_up(std::uint32_t level, std::uint32_t bits, const Bytes& map, const Bytes& code) {
   std::vector<std::uint32_t> asked;
   std::vector<float> u, v;
@@ -182,7 +184,7 @@ void look_up(std::uint32_t level, std::uint32_t bits, const Bytes& map, const By
     });
 }
 
-/// Mostly of levels whose maps take no time; sometimes of higher ones.
+/// A level whose maps take little time, and sometimes a higher one.
 std::uint32_t drawn_level(Input& in) {
   const unsigned drawn = in.next();
   return drawn < 250 ? drawn % 7 : 7 + drawn % 3;
@@ -211,12 +213,12 @@ void tree_from_any_bytes(Input& in) {
   const std::size_t bytes = ((std::size_t{1} << (2 * level)) * bits + 7) / 8;
   const auto map = room(bytes);
   if (subject().tree_decode(level, bits, code.get(), given.size(), map.get()) == 0) return;
-  // What it takes is a map's code, and a map has one.
+  // An accepted code is a map's code, and a map has one code.
   const Bytes again = code_of(level, bits, {map.get(), map.get() + bytes});
   if (!again.empty() && again != given) wrong("tree.malformed", "it took a code that is no map's");
 }
 
-/// law: "vq2.region_is_map" or that of vq4.
+/// Judges a block.  law: "vq2.region_is_map" or that of vq4.
 void square_block(Input& in, const char* law, auto decode, auto region, auto ours, std::size_t bytes,
                   std::uint32_t side) {
   fast::vq::Block4 padded{};
@@ -244,7 +246,7 @@ void square_block(Input& in, const char* law, auto decode, auto region, auto our
       wrong(law, "another state than the map's");
 }
 
-/// law: "vq2.conservative" or that of vq4.
+/// Judges a map.  law: "vq2.conservative" or that of vq4.
 void square_map(Input& in, const char* law, auto encode, auto ours, std::size_t bytes, std::uint32_t side) {
   if (encode == nullptr) return;
   const auto map = room(side * side);
@@ -264,7 +266,7 @@ void square_map(Input& in, const char* law, auto encode, auto ours, std::size_t 
   }
 }
 
-/// What a block holds is a map that a block can hold.
+/// Judges that a map decoded from a block is encoded without loss.
 void held_map(Input& in, const char* law, auto encode, auto ours, std::size_t bytes, std::uint32_t side) {
   if (encode == nullptr || (subject().flags & MMVERIFY_VQ_KEEPS) == 0) return;
   fast::vq::Block4 padded{};
@@ -277,7 +279,7 @@ void held_map(Input& in, const char* law, auto encode, auto ours, std::size_t by
   if (ours(padded) != held) wrong(law, "a map that a block holds is not kept");
 }
 
-/// Of a map whose padding is set.
+/// Judges substitution on a map whose padding bits are set.
 void substituted(Input& in) {
   const std::uint32_t level = drawn_level(in);
   if (subject().micromap_substitute == nullptr) return;

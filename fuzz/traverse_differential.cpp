@@ -1,10 +1,10 @@
 // impl/traverse/ against the specification, on any words.
 //
-// Input: records of 16 bytes, four little-endian words.  Each is a decision: who traces and whether it is set up for
-// micromaps, the candidate, the instance's flags, the ray's; and a hit: its distance and whether it is accepted, of
-// the first word, and its value, the second.  Bytes after the last whole record are ignored.  Decisions are judged alone,
-// then all as spans.  All hits are one ray's, in the order of their records; its payload is the last word of all, its
-// operation that word's lowest byte, by its remainder.
+// Input: records of 16 bytes, four little-endian words.  A record is a decision: the API and its setup for micromaps,
+// the candidate, the instance's flags, the ray's.  It is also a hit: the first word has its distance and whether it is
+// accepted, the second its value.  Bytes after the last whole record are ignored.  Decisions are judged alone, then all
+// as spans.  All hits belong to one ray, in the order of their records; the ray's payload is the last word of all, its
+// operation the remainder of that word's lowest byte.
 //
 // Covers: impl/traverse/*
 #include <cstddef>
@@ -39,8 +39,8 @@ void require_equal(const char* what, const Record& r, std::uint32_t expected, st
   std::abort();
 }
 
-/// The combination that words mean; bits that mean nothing are left out.  What is held is a special index or of a map: the
-/// words do not tell, and the decision does not depend on it.
+/// The combination that words encode; unused bits are ignored.  The words do not tell a special index from a
+/// map, and the decision does not depend on it.
 slow::Combination combination(const Record& r) {
   const auto bit = [](std::uint32_t word, std::uint32_t value) { return (word & value) != 0; };
   slow::Combination c;
@@ -87,7 +87,7 @@ void blends(const std::vector<Record>& records) {
   std::vector<fast::Hit> hits;
   std::vector<slow::Hit> slow_hits;
   for (const Record& r : records) {
-    // Distances that binary32 holds.
+    // binary32 represents these distances exactly.
     const std::uint32_t distance = r.who >> 9;
     const bool accepted = (r.who & 0x80) != 0;
     hits.push_back({static_cast<float>(distance), accepted, r.candidate});

@@ -1,8 +1,8 @@
-// The decoders on raw bytes: an error, or a map that writes back to the very same bytes.
+// The decoders on raw bytes: an error, or a map that is written back to the very same bytes.
 //
-// Input, taken in three ways at once:
-//   as a container, and as one whose checksum is put right first, so that what lies behind it is reached;
-//   as a stream: a byte of level (its remainder by 13), a byte whose lowest bit says four states and whose
+// Input, read in three ways at once:
+//   as a container, and as one whose checksum is corrected first, so that the reader reaches the bytes behind it;
+//   as a stream: a byte of level (its remainder by 13), a byte whose lowest bit means four states and whose
 //   rest, times 4 and plus 1, is the number of nodes, then the tree's bytes, then the states'.
 //
 // Covers: impl/tree/bits.hpp impl/tree/container.* impl/tree/decode.hpp impl/tree/stream.*
@@ -67,7 +67,7 @@ void stream(const std::uint8_t* data, std::size_t size) {
   const std::size_t split = std::min<std::size_t>(size, (s.nodes + 7) / 8);
   s.tree.assign(data, data + split);
   s.data.assign(data + split, data + size);
-  // Of the size that it announces, no more: a sanitizer sees any step beyond.
+  // The map has exactly the announced size: a sanitizer sees any step beyond.
   const std::uint64_t count = std::uint64_t{1} << (2 * n);
   for (const std::uint64_t k : {std::uint64_t{0}, count / 3, count / 2, count - 1})
     require(tree::lookup_stream(n, bits, s, k) < 2 * b, "a state that the format lacks");
@@ -76,14 +76,14 @@ void stream(const std::uint8_t* data, std::size_t size) {
   if (good) require(tree::encode_stream(n, bits, map) == s, "a second stream of one map");
   if (n > 5) return;
 
-  // The specification takes the same and nothing else.
+  // The specification accepts the same streams and no others.
   const auto format = b == 1 ? spec::micromap::Format::two_state : spec::micromap::Format::four_state;
   Bytes all = s.tree;
   all.insert(all.end(), s.data.begin(), s.data.end());
   const auto exact = spec::tree::from_bytes(all, format);
   const auto expected = exact ? spec::tree::decode(*exact, n, format) : std::nullopt;
   if (good) require(expected.has_value(), "the specification refuses what decode_stream takes");
-  // Sequences that end before the announced nodes do are another stream to it.
+  // Sequences that end before the announced nodes are another stream to the specification.
   if (expected && exact->tree.size() == s.nodes)
     require(good, "decode_stream refuses what the specification takes");
   if (!good) return;

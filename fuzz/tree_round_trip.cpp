@@ -1,9 +1,9 @@
-// A map through every form of the tree, against the map and the specification.
+// A map through every form of the tree, compared with the map and the specification.
 //
 // Input: a byte of level (its remainder by 8; the rest chooses the depths of a second form), a byte whose
-// lowest bit says four states and whose rest says how the map is drawn: bit 1, flat bytes as they are; else
-// runs, a byte each: its low bits the state, the rest an exponent of 2 for the length.  What is missing is
-// transparent.
+// lowest bit means four states and whose rest chooses the form of the map: with bit 1, flat bytes as they are;
+// else runs, a byte each: its low bits the state, the rest an exponent of 2 for the length.  Missing states
+// are transparent.
 //
 // Covers: impl/tree/*
 #include <algorithm>
@@ -62,7 +62,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (std::uint64_t k = 0; k < count; ++k)
     map[k * b / 8] = static_cast<std::uint8_t>(map[k * b / 8] | states[k] << (k * b % 8));
 
-  // The stream, bit for bit the specification's; which takes its time beyond level 5.
+  // The stream is the specification's, bit for bit; the specification is slow beyond level 5.
   const tree::Stream stream = tree::encode_stream(n, bits, map);
   if (n <= 5) {
     std::vector<spec::micromap::State> exact;
@@ -101,12 +101,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (std::uint32_t k = 0; k < count; ++k) which[k] = k * 5 / 8 % 2;
   tree::lookup(forms, which, index, found);
   require(found == states, "lookup in many", n, b);
-  // Algorithm 3 takes time: every 1st, 2nd, 4th ... so that all levels cost alike.
+  // Algorithm 3 is slow: every 1st, 2nd, 4th ... state is looked up, so that all levels cost alike.
   for (std::uint64_t k = 0; k < count; k += 1 + count / 512)
     require(tree::lookup_stream(n, bits, stream, k) == states[k] && form[k] == states[k], "a lookup", n, b,
             k);
   for (std::uint32_t k = 0; k < count; k += 1 + static_cast<std::uint32_t>(count / 64)) {
-    // The middle of a micro-triangle: thirds are no floats, but lie far from every line.
+    // The middle of a micro-triangle: thirds are no floats, but far from every line.
     const auto corner = mmverify::impl::index::corners(k, n);
     const float N = static_cast<float>(1u << n) * 3;
     const float u = static_cast<float>(corner[0].i + corner[1].i + corner[2].i) / N;

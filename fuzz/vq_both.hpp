@@ -1,4 +1,5 @@
-// What the harnesses of topic vq share: the specification's words for impl's, and how an encoding is judged.
+// The shared parts of the harnesses of topic vq: the specification in impl's types, and the judgement of an
+// encoding.
 #pragma once
 
 #include <array>
@@ -19,13 +20,13 @@ namespace slow = mmverify::spec::vq;
 template <class Format>
 using States = std::array<fast::State, std::tuple_size_v<slow::Map<Format>>>;
 
-/// What a block means, by the specification.
+/// The map that a block encodes, by the specification.
 template <class Format>
 States<Format> meant(const slow::BlockBytes<Format>& block) {
   return std::bit_cast<States<Format>>(slow::decode(slow::from_bytes<Format>(block)));
 }
 
-/// Aborts with what did not hold, the format and the region.
+/// Aborts with the failed requirement, the format and the region.
 inline void require(bool holds, const std::string& what, std::size_t side, std::size_t region = 0) {
   if (holds) return;
   std::fprintf(stderr, "vq%zu: %s, region %zu,%zu\n", side, what.c_str(), region % (8 * side),
@@ -38,7 +39,7 @@ void require_same(const States<Format>& expected, const States<Format>& got, con
   for (std::size_t k = 0; k < got.size(); ++k) require(got[k] == expected[k], what, Format::side, k);
 }
 
-/// T and O have become themselves or C, C is C; how many substitutions.
+/// The number of substitutions.  Aborts unless T and O stay or become C, and C stays.
 template <class Format>
 std::uint32_t substitutions(const States<Format>& was, const States<Format>& is, const std::string& who) {
   std::uint32_t count = 0;

@@ -1,9 +1,9 @@
 // Any block: impl's decoders against the specification, hits in the middles of regions, and its map encoded
 // again without a substitution.
 //
-// Input: a byte that chooses how, then the block: VQ4 where more than 32 bytes follow, else VQ2; what is
-// missing is 0.  The first byte: of VQ4 the encoder that encodes it again, by its remainder by 4: fast,
-// balanced, thorough, none; of VQ2 none where it is odd.
+// Input: a byte that chooses an encoder, then the block: VQ4 if more than 32 bytes follow, else VQ2; missing
+// bytes are 0.  The encoder encodes the decoded map again: for VQ4, by the byte's remainder by 4, fast,
+// balanced, thorough, none; for VQ2 none if the byte is odd.
 //
 // Covers: impl/vq/*/decode.cpp impl/vq/*/layout.hpp impl/vq/hit.cpp impl/vq/transform.hpp
 #include <algorithm>
@@ -20,7 +20,7 @@ States<Format> decoded(const slow::BlockBytes<Format>& block) {
   constexpr auto size = static_cast<std::uint32_t>(8 * Format::side);
   const States<Format> expected = meant<Format>(block), map = fast::decode(block);
   require_same<Format>(expected, map, "decode is not the specification's");
-  // A region's middle is a binary32 number, as is its distance from 1.
+  // A region's middle is a binary32 number, and so is its distance from 1.
   const auto middle = [](std::uint32_t at) {
     return (static_cast<float>(at) + 0.5f) / static_cast<float>(size);
   };

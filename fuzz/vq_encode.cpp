@@ -1,5 +1,5 @@
-// Any map through every encoder: only O and T become C, as many as it counts; its own block loses nothing
-// more; more effort is never worse.  And its discontinuous vectors are those of the specification.
+// Any map through every encoder: only O and T become C, as many as the encoder counts; its own block loses
+// nothing more; more effort is never worse.  The map's discontinuous vectors are the specification's.
 //
 // Input: a byte of the format (bit 0: VQ4) and of how the map is drawn (bits 1 and 2), a byte that chooses
 // the encoders (VQ2, by its low two bits: 1 the optimum, 2 Algorithm 1, else both; VQ4: fast unless bit 1,
@@ -9,11 +9,11 @@
 //   1  regions, two bits each
 //   2  a byte k, k % 12 + 1 vectors of a byte each that hashes to its code words, then for each of the map's
 //      vectors a byte: which of them, by its low five bits, and the transform it is turned by, the high three
-//   3  a block's bytes: the map is what it means
-// What is missing is T; of the last two, bytes that those before decide.
+//   3  a block's bytes, whose decoded map is the map
+// Missing regions are T; missing bytes of the last two ways derive from the bytes before.
 //
-// With PLANTED the harness's encoders are broken on purpose: where BR is rotated by 270, the first
-// entry in use there has one C less.  A fuzzer that does not find that looks in the wrong place.
+// With PLANTED the harness's encoders are broken on purpose: if BR is rotated by 270, the first
+// entry in use there has one C less.  A fuzzer that does not find this looks in the wrong place.
 //
 // Covers: impl/vq/*/encode.cpp impl/vq/*/paper.cpp impl/vq/*/search.* impl/vq/*/sets.* impl/vq/continuity.cpp
 // Covers: impl/vq/transform.hpp impl/vq/vq.hpp
@@ -27,8 +27,8 @@ namespace {
 
 using namespace mmverify::fuzz;
 
-/// The bytes of an input, and after them zeros, or ones that all of its bytes decide: a short input is a
-/// whole map then, and each change of it another.
+/// The bytes of an input, followed by zeros, or by bytes that all of its bytes determine: a short input is
+/// then a whole map, and each change to it gives another map.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
@@ -101,7 +101,7 @@ States<Format> drawn(std::uint32_t how, Bytes in) {
   return map;
 }
 
-/// Vectors that are not continuous, counted by both.
+/// Compares the counts of vectors that are not continuous.
 template <class Format>
 void check_continuity(const States<Format>& map) {
   constexpr std::size_t side = Format::side;
@@ -116,7 +116,7 @@ void check_continuity(const States<Format>& map) {
   require(fast::discontinuous_vectors(map) == count, "discontinuous vectors are others", side);
 }
 
-/// What PLANTED does to a block.
+/// The block after PLANTED has spoiled it.
 template <class Format>
 slow::BlockBytes<Format> planted(const slow::BlockBytes<Format>& block) {
 #ifdef PLANTED
@@ -138,7 +138,7 @@ slow::BlockBytes<Format> planted(const slow::BlockBytes<Format>& block) {
   return block;
 }
 
-/// One encoder on one map; gives the number of substitutions.
+/// Judges one encoder on one map, and returns the number of substitutions.
 template <class Format, class Encode>
 std::uint32_t judge(const States<Format>& map, bool block_holds_it, bool keeps_what_fits,
                     const std::string& who, Encode encode) {
@@ -176,7 +176,7 @@ void vq2(std::uint32_t how, std::uint8_t which, Bytes in) {
 void vq4(std::uint32_t how, std::uint8_t which, Bytes in) {
   const fast::Map4 map = drawn<slow::Vq4>(how, in);
   check_continuity<slow::Vq4>(map);
-  // The slow ones take half a second under sanitizers; the others are to be asked more often.
+  // The slow encoders take half a second under sanitizers; the fast ones run more often.
   const bool asked[] = {(which & 2) == 0, (which & 2) != 0 || (which & 1) != 0, (which & 12) == 12};
   std::uint32_t before = ~0u;
   constexpr const char* names[] = {"fast", "balanced", "thorough"};

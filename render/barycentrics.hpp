@@ -1,4 +1,4 @@
-// Where on a triangle a ray hit it.
+// The point at which a ray hits a triangle.
 #pragma once
 
 #include <algorithm>
@@ -7,15 +7,16 @@
 
 namespace mmverify::render {
 
-/// u and v belong to the second and the third vertex, as Embree has them; w = 1 - u - v to the first.
+/// u and v belong to the second and the third vertex, as in Embree; w = 1 - u - v belongs to the first.
 struct Barycentrics {
   float u, v;
   friend constexpr bool operator==(const Barycentrics&, const Barycentrics&) = default;
 };
 
-/// A hit that rounding put beside its triangle, put back: each of u and v clamped to [0,1]; then v kept and u lowered
-/// to the greatest float with u + v <= 1, exactly.  A point of the triangle stays as it is.
-/// Texture and micromap are asked about one and the same point; the rule beyond the diagonal is the reference code's.
+/// Moves a hit that rounding put beside its triangle into the triangle.  u and v are clamped to [0,1]; then u
+/// is lowered to the greatest float with u + v <= 1, exactly.  A point of the triangle stays as it is.
+/// Texture and micromap thus decide about the same point.  The rule beyond the diagonal is the reference
+/// code's.
 /// Domain: every bit pattern; NaN counts as 0.
 inline Barycentrics in_triangle(float u, float v) noexcept {
   u = std::min(std::max(0.0f, u), 1.0f);
@@ -28,9 +29,10 @@ inline Barycentrics in_triangle(float u, float v) noexcept {
   return {double{most} > room ? std::nextafter(most, 0.0f) : most, v};
 }
 
-/// floor(N b), at most N - 1, of a barycentric b = w, u or v (number 0, 1, 2), and ceil(N b) - 1, at least 0; N = 2^n.
-/// Exact: N u and N v are, a fraction only drops leading bits, and whether two fractions make up 1 is asked as
-/// lesser <= 1 - greater, as impl/index/index.hpp asks.
+/// The grid cell of a barycentric b = w, u or v (number 0, 1, 2), N = 2^n: floor(N b), at most N - 1, and
+/// ceil(N b) - 1, at least 0.
+/// Both are exact: N u and N v are exact, and a fraction only drops leading bits.  The test whether two
+/// fractions sum to 1 is lesser <= 1 - greater, as in impl/index/index.hpp.
 /// Domain: a point of the triangle, n in 0..16.
 struct GridPlace {
   std::uint32_t floor, below;

@@ -1,4 +1,4 @@
-// Hits that blend into a ray's payload in the place of ending it.
+// Hits that blend into a ray's payload instead of ending the ray.
 #pragma once
 
 #include <cstdint>
@@ -10,41 +10,43 @@
 
 namespace mmverify::render {
 
-/// Who blends what micromaps call opaque.
+/// The stage that blends a hit that its micromap calls opaque.
 enum class BlendedBy : std::uint8_t {
   shader,  ///< the any-hit shader, as in Vulkan today: instances have FORCE_NO_OPAQUE, and only T calls no shader
   fixed,  ///< traversal, by a fixed function with the colour micromap's value: only unknown states call the shader
 };
 
-/// A ray goes through every triangle with a surface; where the texture makes it opaque, its colour is blended.  Triangles
-/// without a surface are accepted.
+/// The rules of blending.  A ray goes through every triangle with a surface, and blends the triangle's colour
+/// if the texture makes the hit opaque.  A triangle without a surface is accepted.
 struct Blending {
   impl::traverse::Operation operation = impl::traverse::Operation::max;
   BlendedBy by = BlendedBy::fixed;
-  const ColourMaps* colours = nullptr;  ///< that outlive it; a geometry without maps blends its number's grey
+  const ColourMaps* colours =
+      nullptr;  ///< must outlive this; a geometry without maps blends grey_of(its colour number)
 };
 
-/// What changes no value: 255 of min and multiply, else 0.
+/// The payload that blending starts from, which changes no value: 255 a channel for min and multiply, else 0.
 std::uint32_t neutral(impl::traverse::Operation operation);
 
-/// A colour where a geometry has no maps.
+/// The grey that a geometry without maps blends.
 std::uint32_t grey_of(std::uint32_t colour_number);
 
-/// What a ray met that blends or is accepted.
+/// The hits along one ray that blend, and the hit that is accepted.
 struct BlendHits {
-  /// Those that blend, in the order in which they were met, each once; then the accepted one, if there is one.
+  /// The blending hits in the order in which the ray met them, each once; then the accepted hit, if there is
+  /// one.
   std::vector<impl::traverse::Hit> hits;
   Met accepted;
-  Barycentrics at{0, 0};  ///< of the accepted one on its triangle
+  Barycentrics at{0, 0};  ///< the accepted hit on its triangle
   Asked asked;
 };
 
 struct BlendPixel {
   Met accepted;
   Barycentrics at{0, 0};
-  std::uint32_t payload = 0;  ///< blended before the closest accepted hit
+  std::uint32_t payload = 0;  ///< the hits before the closest accepted hit, blended
   std::uint32_t as_met =
-      0;  ///< blended as hits were met: those behind the accepted one as well, if they came first
+      0;  ///< all hits blended in the order met: also hits behind the accepted one that came first
   float shade = 0;
   Asked asked;
 };
@@ -56,9 +58,10 @@ struct BlendFrame {
   double seconds = 0, cpu_seconds = 0;
 };
 
-/// Pixels whose payload or accepted hit is another one.  Domain: frames of one size, else std::invalid_argument.
+/// The number of pixels whose payload or accepted hit differs.  Domain: frames of one size, else
+/// std::invalid_argument.
 std::uint64_t differing(const BlendFrame& a, const BlendFrame& b);
-/// Pixels whose payload would be another one if hits were blended as they are met.
+/// The number of pixels whose payload would differ if hits were blended in the order met.
 std::uint64_t spoiled_as_met(const BlendFrame& frame);
 
 }  // namespace mmverify::render

@@ -8,14 +8,14 @@
 namespace mmverify::render {
 namespace {
 
-/// Of its longest side.
+/// The length of a box's longest side.
 float size_of(const Box& box) {
   return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
 }
 
 constexpr float half_angle = 0.35f;  // some 39 degrees from bottom to top
 
-/// A number in [0,1).
+/// The next pseudo-random number in [0,1).
 float share(std::uint64_t& state) {
   state = mixed(state);
   return static_cast<float>(state >> 40) * 0x1p-24f;
@@ -47,12 +47,12 @@ Camera overview(const Box& box, float aspect) {
   const Point middle{(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2,
                      (box.low[2] + box.high[2]) / 2};
   const Point towards = unit({0.45f, 0.35f, 1});
-  // Beside large coordinates a step of 1 would be rounded to another direction.
+  // Far from the origin, a step of length 1 would be rounded to another direction.
   const float most = std::max({std::fabs(middle[0]), std::fabs(middle[1]), std::fabs(middle[2])});
   Camera camera =
       looking(plus(middle, times(towards, most > 0x1p14f ? most : 1.0f)), middle, half_angle, aspect);
   const Point right = unit(camera.right), up = unit(camera.up);
-  // As near as all corners allow.
+  // The least distance at which the picture has all corners.
   float distance = 1e-3f * size_of(box);
   for (unsigned corner = 0; corner < 8; ++corner) {
     const Point p =
@@ -72,7 +72,7 @@ Camera on_path(const Box& box, std::uint64_t seed, std::uint64_t number, float a
   Point from{}, at{};
   for (std::size_t k = 0; k < 3; ++k) {
     const float size = box.high[k] - box.low[k];
-    // Out of the plane of a flat scene, which no ray within it meets.
+    // A camera views a flat scene from outside its plane: rays within the plane do not meet it.
     const bool flat = size < 1e-3f * size_of(box);
     const float beside = flat ? size_of(box) : size;
     from[k] = box.low[k] - (flat ? beside / 2 : 0) + beside * (1.5f * share(state) - 0.25f);
@@ -84,7 +84,7 @@ Camera on_path(const Box& box, std::uint64_t seed, std::uint64_t number, float a
 Ray line_through_ball(const Point& middle, float radius, std::uint64_t seed) {
   constexpr float turn = 6.2831853f;
   std::uint64_t state = seed;
-  // Evenly along an axis is evenly over the sphere (Archimedes).
+  // If z is even on the axis, the direction is even on the sphere (Archimedes).
   const float z = 2 * share(state) - 1, around = turn * share(state),
               r = std::sqrt(std::max(0.0f, 1 - z * z));
   const Point direction{r * std::cos(around), r * std::sin(around), z};

@@ -1,4 +1,4 @@
-// Where rays come from.
+// Cameras and the rays that leave them.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,8 @@
 
 namespace mmverify::render {
 
-/// A pinhole.  `right` and `up` span the picture at distance 1: from (-1, 1) at its upper left to (1, -1).
+/// A pinhole camera.  `right` and `up` span the picture at distance 1: from (-1, 1) at its upper left to (1,
+/// -1).
 struct Camera {
   Point from{}, forward{0, 0, -1}, right{1, 0, 0}, up{0, 1, 0};
 };
@@ -16,16 +17,17 @@ struct Ray {
   Point from, direction;
 };
 
-/// Through the middle of a pixel, x from the left, y from the top.
+/// The ray through the middle of pixel (x, y); x counts from the left, y from the top.
 Ray ray_of(const Camera& camera, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height);
 
-/// At `from`, looking to `at`, y up; half the vertical angle has the tangent `half`.
+/// A camera at `from` that looks at `at`, y up.  The tangent of half the vertical angle is `half`.
 Camera looking(const Point& from, const Point& at, float half, float aspect);
 
-/// All of a box in the picture, from ahead, right and above.  Domain: a box that is not empty.
+/// A camera ahead, right and above that has all of the box in its picture.  Domain: a box that is not empty.
 Camera overview(const Box& box, float aspect);
 
-/// Number `number` of a random path: somewhere in the box, enlarged by a half, looking at a point in it.
+/// Camera `number` of a random path: it stands in the box enlarged by a half, and looks at a point of the
+/// box.
 Camera on_path(const Box& box, std::uint64_t seed, std::uint64_t number, float aspect);
 
 /// A well mixed number of 64 bits.  Source: Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators.
@@ -36,7 +38,8 @@ constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
   return x ^ x >> 31;
 }
 
-/// A line through a ball, evenly over directions and over the disc that the ball shows to each.
+/// A random line through a ball, even over directions and over the disc that the ball shows to each
+/// direction.
 Ray line_through_ball(const Point& middle, float radius, std::uint64_t seed);
 
 }  // namespace mmverify::render

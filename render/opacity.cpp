@@ -26,7 +26,8 @@ std::span<const std::uint8_t> map_of(const micromap::Array& array, const Record&
   return std::span(array.data).subspan(record.offset, static_cast<std::size_t>(size));
 }
 
-/// What all forms of an array have in common: codes, of which special ones are answered here.
+/// The base of all forms of an array.  It answers special indices itself, and leaves records to the derived
+/// class.
 class OfArray : public Opacity {
  public:
   explicit OfArray(const Micromaps& micromaps) : micromaps_(micromaps) {
@@ -126,12 +127,12 @@ class Ranked final : public OfArray {
   std::vector<impl::tree::Tree> trees_;
 };
 
-/// T, O, or unknown, of which square maps have one.
+/// T, O, or the one unknown state of square maps.
 State state_of(impl::vq::State s) {
   return s == impl::vq::State::T ? State::T : s == impl::vq::State::O ? State::O : State::UT;
 }
 
-/// Maps of N x N regions, N = 2^level, as blocks; of one state, without a block.
+/// Square maps of N x N regions, N = 2^level, as blocks.  A map of one state has no block.
 template <unsigned level, class Block>
 class OfSquares final : public Opacity {
  public:
@@ -152,14 +153,14 @@ class OfSquares final : public Opacity {
     if (places.empty() || places[triangle].map == SquarePlace::none) return std::nullopt;
     const SquarePlace& place = places[triangle];
     if (uniform_[place.map]) return uniform_[place.map];
-    // The hit's barycentrics in the half's order of vertices; the upper half lies turned.
+    // x and y are in the half's order of vertices; the upper half is turned by 180 degrees.
     const GridPlace x = grid_place(b, place.order[1], level), y = grid_place(b, place.order[2], level);
     constexpr std::uint32_t last = (1u << level) - 1;
     const bool upper = place.half == impl::vq::Half::upper;
     return state_of(impl::vq::region(blocks_[block_of_[place.map]], upper ? last - x.below : x.floor,
                                      upper ? last - y.below : y.floor));
   }
-  /// A reference of 32 bits a triangle: map, half, order.
+  /// The blocks, and a reference of 32 bits a triangle: map, half, order.
   std::uint64_t bytes() const override { return blocks_.size() * sizeof(Block) + 4 * places_; }
 
  private:

@@ -21,7 +21,8 @@ void put(Picture& picture, std::uint32_t x, std::uint32_t y, const Rgb& colour) 
             picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * (std::size_t{y} * picture.width + x)));
 }
 
-/// A muted colour, far from that of the numbers around: steps of the golden section around the circle of hues.
+/// A muted colour of a number.  Steps of the golden section around the circle of hues keep near numbers
+/// apart.
 std::array<float, 3> colour_of(std::uint32_t number) {
   const float hue = 0.28f + 0.61803399f * static_cast<float>(number % 1024);
   std::array<float, 3> rgb{};
@@ -30,7 +31,7 @@ std::array<float, 3> colour_of(std::uint32_t number) {
   return rgb;
 }
 
-/// Dots of a letter, five rows of three bits from the top; blank where there is none.
+/// The dots of a letter, five rows of three bits from the top; blank if the letter has no dots.
 std::array<std::uint8_t, 5> dots_of(char letter) {
   constexpr std::string_view letters = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ-.,:/%";
   constexpr std::array<std::array<std::uint8_t, 5>, letters.size()> dots{{
@@ -69,7 +70,7 @@ std::uint32_t text_width(const std::string& text) {
 
 namespace {
 
-/// Of what a ray ended on, light or dark.
+/// The colour of the hit at which a ray ended, from dark (light 0) to full (light 1).
 std::array<float, 3> shaded(const World& world, const ColourMaps* colours, const Met& met,
                             const Barycentrics& at, float light) {
   std::array<float, 3> rgb = colour_of(world.geometries[met.geometry].colour);

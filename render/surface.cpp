@@ -18,7 +18,7 @@ cpp_int floor_of(const Rational& x) {
   return n < 0 && q * d != n ? cpp_int(q - 1) : q;
 }
 
-/// Of MASK; the quotient of Cutoff as it is.
+/// The cutoff of MASK, or the exact quotient of Cutoff.
 Rational cutoff_of(const impl::bake::AlphaMode& mode) {
   if (const auto* mask = std::get_if<impl::bake::Mask>(&mode)) return Rational(mask->cutoff);
   const auto& cutoff = std::get<impl::bake::Cutoff>(mode);
@@ -30,7 +30,7 @@ Rational cutoff_of(const impl::bake::AlphaMode& mode) {
 Surface::Surface(const impl::bake::Texels& texels, const impl::bake::Sampling& sampling,
                  const impl::bake::AlphaMode& mode)
     : texels_(texels), sampling_(sampling), mode_(mode) {
-  // Checks what it is given.
+  // The baker's constructor checks the arguments.
   const impl::bake::TriangleBaker checked(std::span(&texels_, 1), mode, sampling);
   std::uint32_t greatest = 255;
   std::visit(
@@ -50,7 +50,7 @@ Surface::Surface(const impl::bake::Texels& texels, const impl::bake::Sampling& s
   if (blend_) return;
   const Rational scaled = cutoff_of(mode) * greatest,
                  product = Rational(sampling.factors[0]) * Rational(sampling.factors[1]);
-  // The least code with code * product >= scaled; one beyond all where there is none.
+  // The least code with code * product >= scaled; greatest + 1 if there is none.
   if (product == 0) {
     least_opaque_ = scaled <= 0 ? 0 : greatest + 1;
   } else {
@@ -80,8 +80,8 @@ bool Surface::opaque(const impl::bake::BaseTriangle& uv, const Barycentrics& at,
     bool certain;
   };
   const double shift = nearest_ ? 0 : 0.5;
-  // In texels from texel 0's centre, or its corner where nearest.  Each operation is off by 2^-53 of its result, which
-  // is at most 4 size; there are eight.
+  // Coordinates are in texels from texel 0's centre, or from its corner if nearest_.  Each operation is off
+  // by 2^-53 of its result, which is at most 4 size; there are eight.
   const auto along = [&](double c0, double c1, double c2, std::uint32_t side) {
     const double p = c0 + at.u * (c1 - c0) + at.v * (c2 - c0);
     const double x = p * side - shift;

@@ -1,4 +1,4 @@
-// What an any-hit shader does: the texture, at one point, against the cutoff.
+// The alpha test of an any-hit shader: the texture at one point, against the cutoff.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace mmverify::render {
 
-/// Alpha of a surface, as its micromaps were baked of it: mip level 0 alone, no margin.
-/// The texels outlive it.
+/// The alpha of a surface, from the same inputs as its micromaps: mip level 0 alone, no margin.
+/// The texels outlive the surface.
 class Surface {
  public:
   /// Errors: std::invalid_argument for texels of 32 bits, and as of impl::bake::TriangleBaker.
@@ -17,14 +17,14 @@ class Surface {
           const impl::bake::AlphaMode& mode);
 
   /// Whether the hit is opaque.
-  ///   MASK    alpha >= cutoff, exactly: doubles with an error bound, rationals where that does not decide
-  ///   BLEND   alpha > chance: stochastic transparency, where `chance` is of 2^-25 .. 1 - 2^-25 and a function of ray
-  ///           and triangle alone; so alpha <= 0 is never and alpha >= 1 always opaque
+  ///   MASK    alpha >= cutoff, exactly: doubles with an error bound, rationals if the bound does not decide
+  ///   BLEND   alpha > chance: stochastic transparency; `chance` is in 2^-25 .. 1 - 2^-25 and a function of ray and
+  ///           triangle alone.  So alpha <= 0 is never opaque, and alpha >= 1 always
   ///   uv = w uv[0] + u uv[1] + v uv[2], exactly
   /// Domain: barycentrics of a point of the triangle; coordinates below 2^20 in size.
   bool opaque(const impl::bake::BaseTriangle& uv, const Barycentrics& at, float chance) const;
 
-  /// Texels that it reads: 4 bilinear, 1 nearest.
+  /// The number of texels that opaque() reads: 4 bilinear, 1 nearest.
   unsigned fetches() const { return nearest_ ? 1 : 4; }
 
   const impl::bake::Texels& texels() const { return texels_; }
@@ -40,9 +40,9 @@ class Surface {
   impl::bake::AlphaMode mode_;
   std::uint32_t width_ = 0, height_ = 0;
   bool nearest_ = false, blend_ = false;
-  double cutoff_ = 0;               ///< of MASK, times the greatest code, over the factors' product
-  double factor_ = 0;               ///< of a code, to alpha
-  std::uint32_t least_opaque_ = 0;  ///< codes from here on are opaque by themselves
+  double cutoff_ = 0;  ///< for MASK: the cutoff times the greatest code, over the factors' product
+  double factor_ = 0;  ///< from a code to alpha
+  std::uint32_t least_opaque_ = 0;  ///< the least code that is opaque by itself
 };
 
 }  // namespace mmverify::render

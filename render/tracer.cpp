@@ -20,42 +20,42 @@
 namespace mmverify::render {
 namespace {
 
-/// What a filter function needs of its geometry.
+/// The geometry that a filter function is called for.
 struct Filtered {
   const Geometry* geometry;
   const Surface* surface;
   std::uint32_t number;
 };
 
-/// A ray's hits that blend, and how they do.
+/// A ray's hits that blend, and the rules of blending.
 struct Gathering {
   const Blending& blending;
   std::vector<impl::traverse::Hit> hits = {};
-  std::vector<Met> met = {};  ///< the same, to see what is reported twice
+  std::vector<Met> met = {};  ///< the same hits, to find one that is reported twice
 };
 
-/// Of one ray; Embree hands its first member to filter functions.
+/// The state of one ray.  Embree passes the first member to filter functions.
 struct Context {
   RTCIntersectContext embree;
   const Opacity* opacity;
   std::uint64_t ray;
   Counts counts;
   Asked asked;
-  bool passes = false;             ///< through every candidate
-  Gathering* gathering = nullptr;  ///< none where hits do not blend
+  bool passes = false;             ///< the ray passes through every candidate
+  Gathering* gathering = nullptr;  ///< null if hits do not blend
 };
 
-/// Of geometries: who has a surface, and who has none.
+/// The masks of geometries with a surface and without one.
 constexpr unsigned with_surface = 1, without_surface = 2;
 
-/// For BLEND: 2^-25 .. 1 - 2^-25, of ray and triangle alone.
+/// The chance of BLEND, in 2^-25 .. 1 - 2^-25, a function of ray and triangle alone.
 float chance_of(std::uint64_t ray, std::uint32_t instance, std::uint32_t geometry, std::uint32_t triangle) {
   const std::uint64_t hash =
       mixed(mixed(ray) ^ (std::uint64_t{instance} << 40) ^ (std::uint64_t{geometry} << 24) ^ triangle);
   return static_cast<float>(hash >> 41) * 0x1p-23f + 0x1p-25f;
 }
 
-/// A hit blends once, however often it is reported, and the ray goes on.
+/// Adds a hit that blends, once, however often it is reported.
 void gather(Gathering& gathering, const Filtered& its, const Met& hit, const Barycentrics& b) {
   if (std::find(gathering.met.begin(), gathering.met.end(), hit) != gathering.met.end()) return;
   const ColourMaps* const colours = gathering.blending.colours;
@@ -83,7 +83,7 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
     if (const auto state = context.opacity->at(its.number, triangle, b))
       candidate = static_cast<std::uint32_t>(*state) | impl::traverse::candidate_has_micromap;
   Gathering* const gathering = context.gathering;
-  // Any-hit shaders blend nothing that traversal takes for opaque.
+  // An any-hit shader cannot blend a hit that traversal takes for opaque.
   const bool blends_in_shader = gathering != nullptr && gathering->blending.by == BlendedBy::shader;
   const std::uint32_t flags = blends_in_shader ? impl::traverse::instance_force_no_opaque : 0u;
   const auto blend = [&] {
@@ -144,7 +144,7 @@ RTCRay embree_ray(const Ray& ray, float near, float far) {
   return r;
 }
 
-/// Of this thread.
+/// The CPU time of this thread.
 double cpu_seconds() {
   timespec used{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
@@ -162,11 +162,11 @@ struct Tracer::Built {
   RTCScene scene = nullptr;
   std::vector<Filtered> filtered;  ///< by geometry
   std::vector<RTCScene> meshes;
-  float scale = 1;  ///< of the scene, for the offset of shadow rays
-  float reach = 0;  ///< the greatest coordinate of what is placed
+  float scale = 1;  ///< the scene's longest side, for the offset of shadow rays
+  float reach = 0;  ///< the greatest magnitude of a placed coordinate
 
   explicit Built(const World& w) : world(w) {
-    // Its "threads=1" would bind all of the process.
+    // Embree's "threads=1" would bind the whole process.
     device = rtcNewDevice(nullptr);
     if (device == nullptr) fail(nullptr);
     filtered.resize(world.geometries.size());
@@ -176,7 +176,7 @@ struct Tracer::Built {
         scale = std::max(k == 0 ? 0 : scale, box.high[k] - box.low[k]);
         reach = std::max({reach, std::fabs(box.low[k]), std::fabs(box.high[k])});
       }
-    // Committed by one thread: the same volumes, and so the same candidates, in each run.
+    // One thread commits, so that each run has the same volumes and the same candidates.
     oneapi::tbb::task_arena(1).execute([this] { build(); });
     if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
       throw std::runtime_error("Embree: error " + std::to_string(static_cast<int>(error)));
@@ -197,7 +197,7 @@ struct Tracer::Built {
     std::memcpy(to, from.data(), sizeof(T) * from.size());
   }
 
-  /// A mesh in its own space, or, of an instance, where that places it.
+  /// Builds a mesh in its own space, or, if there is an instance, where the instance places it.
   RTCScene build_mesh(const std::vector<std::uint32_t>& mesh, const Instance* instance) {
     const RTCScene its = rtcNewScene(device);
     meshes.push_back(its);
@@ -239,7 +239,8 @@ struct Tracer::Built {
       const RTCGeometry instance_geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
       rtcSetGeometryMask(instance_geometry, with_surface | without_surface);
       const Instance& instance = world.instances[k];
-      // Rays cannot be taken into a space that is flat, or out of all proportion: its triangles come out of it.
+      // Rays cannot be taken into a space that is flat or out of all proportion.  Such an instance gets a
+      // copy of its mesh, already placed.
       const bool own_space = has_inverse(instance, reach);
       const Instance here{};
       rtcSetGeometryInstancedScene(
@@ -411,7 +412,7 @@ Met Tracer::first_hit(const Ray& ray, const Opacity* opacity, std::uint64_t numb
 
 namespace {
 
-/// Fills a frame's pixels, counts and times: of_pixel(x, y, counts) is one.
+/// Fills a frame's pixels, counts and times; of_pixel(x, y, counts) traces one pixel.
 template <class Frame, class OfPixel>
 Frame filled(const TraceOptions& options, OfPixel of_pixel) {
   if (options.width == 0 || options.height == 0 || options.width > 16384 || options.height > 16384)

@@ -1,4 +1,4 @@
-// In the place of tracer.cpp where Embree is not there.
+// Takes the place of tracer.cpp if Embree is missing.
 #include <stdexcept>
 
 #include "render/tracer.hpp"

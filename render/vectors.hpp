@@ -15,9 +15,9 @@ inline float dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b
 inline Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-/// (0, 0, -1) of a vector without length.
+/// `a` at length 1; (0, 0, -1) if it has no length.
 inline Point unit(const Point& a) {
-  // Squares of numbers beyond these would be infinite, or lost.
+  // The squares of greater numbers would be infinite, of lesser ones lost.
   const float most = std::max({std::fabs(a[0]), std::fabs(a[1]), std::fabs(a[2])});
   if (most > 0 && (most < 0x1p-50f || most > 0x1p50f)) {
     const Point scaled{a[0] / most, a[1] / most, a[2] / most};

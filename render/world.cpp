@@ -35,9 +35,9 @@ bool has_inverse(const Instance& instance, float reach) {
   const Column a = column(0), b = column(1), c = column(2);
   const Column rows[3] = {product(b, c), product(c, a), product(a, b)};
   const double determinant = std::fabs(a[0] * rows[0][0] + a[1] * rows[0][1] + a[2] * rows[0][2]);
-  // Determinants of Embree are floats, and so are the products in them.
+  // Embree's determinants are floats, and so are the products in them.
   if (!(determinant >= 0x1p-100 && determinant <= 0x1p100)) return false;
-  // Below that, rounding makes up most of the inverse.
+  // If the determinant is smaller, rounding makes up most of the inverse.
   if (determinant < 1e-5 * length(a) * length(b) * length(c)) return false;
   // Embree takes coordinates up to 2^60; a camera may stand 2^12 times as far off as the scene is wide.
   return std::all_of(std::begin(rows), std::end(rows), [&](const Column& row) {

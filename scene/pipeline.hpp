@@ -1,4 +1,4 @@
-// From a scene to its micromaps: plan, levels, maps, arrays, pairs and square maps, in one call.
+// The pipeline from a scene to its micromaps in one call: plan, levels, maps, arrays, pairs and square maps.
 #pragma once
 
 #include <functional>
@@ -19,12 +19,12 @@ struct PipelineOptions {
   LevelRequest levels = {};
   unsigned level_limit = finest_level;  ///< the finest level of a request that leaves levels open
   BakeOptions bake = {};
-  /// Told once, before a texel is looked at; where it answers false, or there is nothing to bake, the maps,
+  /// Called once, before a texel is read.  If it returns false, or there is nothing to bake, the maps,
   /// arrays, pairs and square maps stay empty.
   std::function<bool(const Plan&, const Levels&)> planned = {};
 };
 
-/// All that is made of a scene.
+/// All results of the pipeline.
 struct SceneMicromaps {
   Plan plan;
   Levels levels;
@@ -35,11 +35,11 @@ struct SceneMicromaps {
   double bake_seconds = 0;  ///< of `baked` alone
 };
 
-/// The same for any number of threads.
-/// Errors: std::invalid_argument as of levels() and bake(); what `planned` and BakeOptions::done throw.
+/// Runs the pipeline; the results are the same for any number of threads.
+/// Errors: std::invalid_argument as of levels() and bake(); exceptions of `planned` and BakeOptions::done.
 SceneMicromaps make_micromaps(const Scene& scene, const PipelineOptions& options = {});
 
-/// What they take in memory, and the any-hit calls that they save.
+/// The memory that micromaps take, and the any-hit calls that they save.
 struct Sizes {
   Footprint footprint;
   AnyHitShares any_hit;
@@ -54,9 +54,10 @@ Sizes sizes_at_level(const Scene& scene, const Plan& plan, unsigned level, const
 /// Bytes of the 4-state maps of all planned triangles at one level.
 std::uint64_t map_bytes_at_level(const Plan& plan, unsigned level);
 
-/// The scene of `file` as one GLB, the micromaps added, as to_glb() has it; no rule of validate_micromaps() is
-/// broken.  `bytes`: the file's, where it is not to be read.  `name`: that messages name the result by.
-/// Errors: as of to_glb(); std::logic_error where what would be written breaks a rule.
+/// The scene of `file` as one GLB with the micromaps added, as by to_glb(); it breaks no rule of
+/// validate_micromaps().  `bytes`: the file's bytes, if it is not to be read.  `name`: the result's name in
+/// messages.
+/// Errors: as of to_glb(); std::logic_error if the GLB would break a rule.
 Bytes with_micromaps(const std::string& file, std::optional<std::span<const unsigned char>> bytes,
                      const Scene& scene, const Plan& plan, const SceneArrays& arrays,
                      const std::string& name);

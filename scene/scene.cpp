@@ -6,7 +6,7 @@ namespace mmverify::scene {
 
 Uv transformed(const TextureTransform& transform, const Uv& uv) {
   if (transform == TextureTransform{}) return uv;
-  // At no rotation exact, whatever the library's sine says.
+  // A rotation of 0 is exact, whatever the library's sine gives.
   const double c = transform.rotation == 0 ? 1 : std::cos(double{transform.rotation});
   const double s = transform.rotation == 0 ? 0 : std::sin(double{transform.rotation});
   const double u = double{transform.scale[0]} * uv[0], v = double{transform.scale[1]} * uv[1];

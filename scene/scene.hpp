@@ -1,7 +1,8 @@
-// A scene as its micromaps need it: triangles, UVs, what decides alpha.  Plain data, of no reader's types.
+// A scene as its micromaps need it: triangles, UVs, the inputs of alpha.  Plain data, without types of any
+// reader.
 //
 // Coordinates are glTF's: u along a row of texels, v down from the first row.  Indices into the vectors of a
-// Scene are those of the file, so that what is said of `meshes[3]` is found there.
+// Scene are those of the file, so that a message about `meshes[3]` leads to the file's mesh 3.
 #pragma once
 
 #include <array>
@@ -22,17 +23,18 @@ enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
 enum class Filter : std::uint8_t { nearest, linear };
 
-/// How a texture is sampled.  A filter that the file leaves open stays open: a renderer may take either.
+/// The sampling of a texture.  A filter that the file leaves open stays open: a renderer may take either.
 struct Sampler {
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   std::optional<Filter> magnification;
   std::optional<Filter> minification;  ///< within a mip level
-  std::optional<Filter> between_mips;  ///< between two; none also where only level 0 is sampled
+  std::optional<Filter> between_mips;  ///< between two mip levels; none also if only level 0 is sampled
   bool operator==(const Sampler&) const = default;
 };
 
-/// Alpha of a picture, rows from the top: texel (x, y) is alpha[x + width y], of 255 or of 65535.
-/// Not decoded (width 0) where no alpha-tested primitive needs it.  A picture without alpha is at the most.
+/// The alpha of a picture, rows from the top: texel (x, y) is alpha[x + width y], of 255 or of 65535.
+/// It is not decoded (width 0) if no alpha-tested primitive needs it.  A picture without alpha has the
+/// greatest alpha.
 struct Image {
   std::string name;  ///< its URI or name; for messages
   std::uint32_t width = 0, height = 0;
@@ -42,39 +44,39 @@ struct Image {
   int bits() const { return alpha.index() == 0 ? 8 : 16; }
 };
 
-/// KHR_texture_transform, in float32 as a renderer holds it.
+/// KHR_texture_transform, in float32 as in a renderer.
 struct TextureTransform {
   Uv offset{0, 0}, scale{1, 1};
   float rotation = 0;  ///< radians, counter-clockwise in a picture whose v goes down
   bool operator==(const TextureTransform&) const = default;
 };
 
-/// The UV that is sampled.
+/// The UV at which a texture is sampled:
 ///   u' = offset_u + cos(r) scale_u u + sin(r) scale_v v
 ///   v' = offset_v - sin(r) scale_u u + cos(r) scale_v v
-/// in double precision, rounded to float32 once; exactly `uv` where the transform is the identity.
+/// in double precision, rounded to float32 once; exactly `uv` if the transform is the identity.
 /// The sign of r is that of the extension's prose and of its worked example, "the lower left quadrant"; the
 /// GLSL of its draft has the other.
 /// Source: KHR_texture_transform, Overview and Example JSON.
 Uv transformed(const TextureTransform& transform, const Uv& uv);
 
 struct BaseColorTexture {
-  std::optional<std::size_t> image;  ///< none where the file names no PNG or JPEG for it
+  std::optional<std::size_t> image;  ///< none if the file names no PNG or JPEG for it
   std::uint32_t uv_set = 0;          ///< TEXCOORD_n
   Sampler sampler;
   TextureTransform transform;
 };
 
-/// What of a material decides alpha = texture alpha x base_color_alpha x vertex alpha.  Numbers are the
-/// file's, rounded to the nearest float32, as renderers hold them.
+/// The part of a material that decides alpha = texture alpha x base_color_alpha x vertex alpha.  Numbers are
+/// the file's, rounded to the nearest float32, as in renderers.
 struct Material {
   std::string name;
   AlphaMode mode = AlphaMode::opaque;
-  float cutoff = 0.5f;  ///< of mask: alpha >= cutoff is opaque
+  float cutoff = 0.5f;  ///< for mask: alpha >= cutoff is opaque
   float base_color_alpha = 1;
   std::optional<BaseColorTexture> texture;
   std::vector<std::string> animated;  ///< KHR_animation_pointer's targets that change this alpha or these UVs
-  /// KHR_materials_pbrSpecularGlossiness puts another texture in its place.
+  /// KHR_materials_pbrSpecularGlossiness replaces the texture by another.
   bool specular_glossiness = false;
 };
 
@@ -92,10 +94,10 @@ struct VertexAlpha {
 struct Primitive {
   std::size_t mesh = 0, number = 0;  ///< meshes[mesh].primitives[number]
   std::optional<std::size_t> material;
-  bool drawn_as_triangles = true;  ///< else points or lines, and without triangles
+  bool drawn_as_triangles = true;  ///< else points or lines, without triangles
   std::vector<Triangle> triangles;
   std::vector<Position> positions;
-  std::vector<Uv> uvs;  ///< of the set that the base colour names, transformed; empty where there is none
+  std::vector<Uv> uvs;  ///< of the set that the base colour names, transformed; empty if it is missing
   std::optional<VertexAlpha> vertex_alpha;  ///< none without an alpha in COLOR_0
   std::vector<VariantMaterial> variants;
   bool morphs_uvs = false;  ///< a morph target moves the UVs or COLOR_0
@@ -104,33 +106,33 @@ struct Primitive {
 /// The linear part of a node's transform to its scene's coordinates, column by column.
 using Placement = std::array<double, 9>;
 
-/// What the uses of a mesh do to areas.
+/// The effect of a mesh's uses on areas.
 struct Placements {
-  double similar = 0;  ///< the sum of the squared scales of those that keep all angles
+  double similar = 0;  ///< the sum of the squared scales of uses that keep all angles
   struct Times {
     Placement linear;
     double times;
   };
-  std::vector<Times> others;  ///< the rest
+  std::vector<Times> others;  ///< the other uses
 };
 
-/// x' = linear x + translation.
+/// An affine map: x' = linear x + translation.
 struct Transform {
   Placement linear;
   std::array<double, 3> translation;
 };
 
-/// A node, or an instance of one, that places a mesh.
+/// A use of a mesh: a node that places it, or an instance of the node.
 struct MeshUse {
   std::size_t mesh = 0;
   Transform to_scene;
   std::optional<std::size_t> node =
-      {};  ///< none in a file that places nothing, whose meshes stand where they are
+      {};  ///< none in a file that places nothing, whose meshes are at the identity
 };
 
 struct Mesh {
   std::string name;
-  std::uint64_t uses = 0;  ///< nodes that place it, each as often as EXT_mesh_gpu_instancing says
+  std::uint64_t uses = 0;  ///< nodes that place it, each times its instances of EXT_mesh_gpu_instancing
   Placements placements = {};
 };
 
@@ -141,11 +143,11 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Primitive> primitives;  ///< of all meshes, in the file's order
 
-  /// Of a primitive; glTF's default where it names none.
+  /// The material of a primitive; glTF's default if it names none.
   const Material& material_of(const Primitive& primitive) const;
 };
 
-/// Triangles of all primitives, each once, and each as often as its mesh is used.
+/// The number of triangles of all primitives, each once, and each as often as its mesh is used.
 struct TriangleCounts {
   std::uint64_t unique = 0, placed = 0;
 };

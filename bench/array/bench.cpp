@@ -16,7 +16,7 @@ using array::Format;
 using array::PackedMap;
 using Level = impl::micromap::Level;
 
-/// In turns: a map of its own; one that was there; one that was there but for three states, made unknown or known.
+/// Maps in turns of three: a new map; a copy of it; a copy with three states made unknown or known.
 std::vector<Bytes> made(Level level, std::size_t count, std::uint64_t seed) {
   std::vector<Bytes> all;
   const std::uint64_t states = impl::micromap::micro_triangles(level);
@@ -35,7 +35,8 @@ std::vector<Bytes> made(Level level, std::size_t count, std::uint64_t seed) {
   return all;
 }
 
-/// The same array the obvious way: a map from level, format and bytes to the record.
+/// The records and indices of the same array, built the obvious way: a std::map from level, format and bytes
+/// to the record.
 std::size_t obvious(const std::vector<PackedMap>& maps) {
   std::map<std::pair<std::pair<Level, Format>, Bytes>, std::uint32_t> known;
   impl::micromap::Array out;
@@ -58,7 +59,7 @@ std::size_t obvious(const std::vector<PackedMap>& maps) {
   return out.records.size() + indices.size();
 }
 
-/// How many micro-triangles became unknown; throws where one became anything else.
+/// The number of micro-triangles that became unknown; throws if one changed in any other way.
 std::uint64_t resolved(const array::Built& b, const std::vector<PackedMap>& maps) {
   std::uint64_t changed = 0;
   for (std::size_t t = 0; t < maps.size(); ++t) {

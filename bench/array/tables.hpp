@@ -1,4 +1,4 @@
-// What sharing and merging of arrays save and cost, as a table.
+// A table of the savings and costs of sharing and merging in arrays.
 #pragma once
 
 #include <vector>

@@ -32,7 +32,7 @@ struct Texture {
   }
 };
 
-/// Waves and grain, so that neighbours are alike and no code is left out.
+/// A texture of waves and grain, so that neighbours are alike and no code is missing.
 Texture generated(std::uint32_t side, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   Texture t{side, std::vector<Rgba>(std::size_t{side} * side)};
@@ -46,7 +46,7 @@ Texture generated(std::uint32_t side, std::uint64_t seed) {
   return t;
 }
 
-/// Both halves of uneven squares, within the texture.
+/// A mesh of both halves of uneven squares, within the texture.
 std::vector<BaseTriangle> mesh(const AttributeBakeOptions& o) {
   std::mt19937_64 random(o.seed + 1);
   const std::uint32_t squares = o.texels / o.triangle - 1;
@@ -79,7 +79,7 @@ struct Place {
   double x, y;
 };
 
-/// Part of a polygon where sign (axis - at) >= 0.
+/// Cuts a polygon down to the part with sign (axis - at) >= 0.
 void cut(std::vector<Place>& polygon, std::vector<Place>& room, double Place::*axis, double at, double sign) {
   room.clear();
   for (std::size_t k = 0; k < polygon.size(); ++k) {

@@ -6,7 +6,7 @@
 namespace mmverify::bench {
 namespace {
 
-/// Those of the range from 4 to 6; outside of it the nearest one.
+/// The options of bakes: the levels of the range from 4 to 6, or the nearest level outside of it.
 AttributeBakeOptions bake_options(const AttributeBenchOptions& o) {
   AttributeBakeOptions bakes;
   constexpr std::uint32_t least = 4, most = 6;

@@ -66,7 +66,7 @@ HWY_INLINE WordVec sampled(const std::uint32_t* texels, std::uint32_t level, Flo
   return hn::Or(hn::Or(m.part<0>(), m.part<8>()), hn::Or(m.part<16>(), m.part<24>()));
 }
 
-/// How many of the points were sampled: whole vectors.
+/// Samples whole vectors of points, and returns the number of sampled points.
 std::size_t run_bilinear(const std::uint32_t* texels, std::uint32_t level, const float* u, const float* v,
                          std::uint32_t* out, std::size_t count) {
   const Floats d;

@@ -1,4 +1,4 @@
-// Indices, triplets and values, one by one and in batches.
+// The times of indices, triplets and values, one by one and in batches.
 #include <random>
 
 #include "bench/attribute/bench.hpp"
@@ -14,7 +14,7 @@ namespace fast = impl::attribute;
 using fast::VertexOrder;
 using Words = std::vector<std::uint32_t>;
 
-/// What all ways are asked, and where answers go.
+/// The inputs of all ways, and room for their answers.
 struct Room {
   std::uint32_t level;
   FloatPoints points;

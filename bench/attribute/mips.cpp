@@ -1,4 +1,4 @@
-// Mips of maps, and levels of detail.
+// The times of mips of maps and of levels of detail.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -23,7 +23,7 @@ Words random_words(std::size_t count, std::mt19937_64& random) {
   return words;
 }
 
-/// Means of four, halves up, byte by byte.
+/// Computes the means of four children byte by byte, halves rounded up.
 void plain_mip(const std::uint32_t* children, std::size_t parents, std::uint32_t* out) {
   for (std::size_t k = 0; k < parents; ++k) {
     std::uint32_t word = 0;
@@ -45,7 +45,7 @@ void plain_chain(const Words& base, std::uint32_t level, Words& chain) {
   }
 }
 
-/// The map of level n-1 out of that of level n: its vertices are every other one.
+/// Makes the map of level n-1 from that of level n: it has every other vertex.
 template <fast::VertexOrder order>
 void vertex_mip(const Words& map, std::uint32_t level, Words& out) {
   for (std::uint32_t k = 0; k < out.size(); ++k)
@@ -97,7 +97,7 @@ struct Areas {
   std::vector<float> cone, triangle;
 };
 
-/// Around 4^m cone = triangle: on it, or a step or two of binary32 beside it.
+/// Areas around 4^m cone = triangle: exactly on it, or a step or two of binary32 below.
 Areas hard_areas(std::size_t count, std::uint32_t level, std::mt19937_64& random) {
   Areas areas;
   for (std::size_t k = 0; k < count; ++k) {

@@ -1,4 +1,4 @@
-// The obvious ways of looking values up: figure 4 as it is printed, and a texture sampled bilinearly.
+// The obvious ways of lookup: figure 4 as printed, and a texture sampled bilinearly.
 #pragma once
 
 #include <algorithm>
@@ -49,11 +49,12 @@ struct SquareTexture {
   std::uint32_t level;
 };
 
-/// Bilinear, texel centres at halves, each channel rounded half up.  Domain: u, v in [0, 1].
+/// A bilinear sample, texel centres at halves, each channel rounded half up.  Domain: u, v in [0, 1].
 inline std::uint32_t bilinear_rgba8(const SquareTexture& t, float u, float v) {
   const std::uint32_t last = (1u << t.level) - 1;
   const auto side = static_cast<float>(1 << t.level);
-  // Half a texel to the right instead of half to the left keeps numbers positive; the mask takes the 1 off again.
+  // Half a texel to the right instead of half to the left keeps numbers positive; the mask subtracts the 1
+  // again.
   const float x = u * side + 0.5f, y = v * side + 0.5f;
   const auto right = static_cast<std::int32_t>(x), below = static_cast<std::int32_t>(y);
   const float f = x - static_cast<float>(right), g = y - static_cast<float>(below);
@@ -63,7 +64,7 @@ inline std::uint32_t bilinear_rgba8(const SquareTexture& t, float u, float v) {
   return mixed_bilinear({t.texels[y0 + x0], t.texels[y0 + x1], t.texels[y1 + x0], t.texels[y1 + x1]}, f, g);
 }
 
-/// The same in SIMD, chosen at run time; bit for bit.  Domain: three spans of one length.
+/// The same samples in SIMD, chosen at run time; bit for bit equal.  Domain: three spans of one length.
 void bilinear_rgba8(const SquareTexture& t, std::span<const float> u, std::span<const float> v,
                     std::span<std::uint32_t> out);
 

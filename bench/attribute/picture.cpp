@@ -12,7 +12,7 @@ const char* colour_of(const std::string& order) {
 }
 bool batched(const std::string& order) { return order.ends_with("batched"); }
 
-/// One order after the other, by a figure of each.
+/// Adds a series for each order, with one figure of each level.
 template <class Of>
 void add_orders(Panel& panel, const std::vector<AttributeLookupLevel>& levels, Of of) {
   if (levels.empty()) return;
@@ -77,7 +77,7 @@ Panel errors_by_level(const AttributeFigures& figures) {
   return panel;
 }
 
-/// At the highest level up to 12: above, Cramer's rule has no number for some points.
+/// The panel shows the highest level up to 12: above it, Cramer's rule gives no number for some points.
 Panel error_against_time(const AttributeFigures& figures) {
   Panel panel{.title = "Error against time of remaps",
               .x = {.title = "ns a point", .logarithmic = true},

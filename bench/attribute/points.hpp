@@ -1,4 +1,4 @@
-// Points of the triangle for the benches of attributes.
+// Random points of the triangle for the benches of attributes.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,15 @@
 namespace mmverify::bench {
 
 constexpr std::uint32_t highest_map = 12;  ///< above, no map is made
-/// At a time: so many that no processor learns by heart which way branches go, few enough for its second-level cache.
+/// The number of points of a pass: too many for a processor to memorise the branches, few enough for its
+/// second-level cache.
 constexpr std::size_t points_timed = std::size_t{1} << 14;
 
 struct FloatPoints {
   std::vector<float> u, v;
 };
 
-/// Spread evenly, multiples of 2^-24, so that u + v is exact.
+/// Evenly spread points, multiples of 2^-24, so that u + v is exact.
 inline FloatPoints uniform_points(std::size_t count, std::mt19937_64& random) {
   constexpr std::uint32_t one = 1u << 24;
   const auto number = [](std::uint32_t x) { return static_cast<float>(x) / static_cast<float>(one); };

@@ -1,4 +1,5 @@
-// Barycentrics of the triangle to those of the micro-triangle, in binary32: four ways, what they cost and lose.
+// Four ways from barycentrics of the triangle to those of the micro-triangle, in binary32: their costs and
+// errors.
 #include <cmath>
 #include <random>
 #include <utility>
@@ -15,7 +16,7 @@ namespace {
 namespace fast = impl::attribute;
 using Three = std::array<float, 3>;
 
-/// Points and the micro-triangles that hold them.
+/// Points and the micro-triangles that contain them.
 struct Located {
   std::uint32_t level;
   FloatPoints points;
@@ -29,7 +30,8 @@ struct Located {
   }
 };
 
-/// The over-determined system of 4.1 by two of its equations: steps between corners are -1, 0 or 1 micro-edge.
+/// The weights from two equations of the over-determined system of 4.1: steps between corners are -1, 0 or 1
+/// micro-edge.
 Three by_two_equations(float u, float v, const fast::MicroTriangle& t, std::uint32_t n) {
   const auto c = fast::corners_of(t);
   const auto number = [](std::uint32_t x) { return static_cast<float>(static_cast<std::int32_t>(x)); };
@@ -76,8 +78,8 @@ void run(Remap remap, Located& l) {
   }
 }
 
-/// Of all sizes: evenly spread ones are multiples of 2^-24, of which hardly a weight is rounded.  Every other one lies near
-/// a grid line, where a weight is small and what it is made of is not.
+/// Points of all magnitudes, since the weights of evenly spread ones, multiples of 2^-24, are hardly ever
+/// rounded.  Every other point lies near a grid line, where a weight is small and its terms are not.
 FloatPoints judged_points(std::uint32_t level, std::size_t count, std::mt19937_64& random) {
   const auto side = static_cast<float>(1u << level);
   const auto fraction = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
@@ -96,7 +98,7 @@ FloatPoints judged_points(std::uint32_t level, std::size_t count, std::mt19937_6
   return points;
 }
 
-/// Weights in binary64, off by 2^-53 of themselves or less: for figures, not for verdicts.
+/// The weights in binary64, with a relative error of 2^-53 or less: for figures, not for verdicts.
 std::array<double, 3> near_exact(float u, float v, const fast::MicroTriangle& t, std::uint32_t n) {
   return spec::attribute::weights_by_pattern(spec::Point<double>{double{u}, double{v}}, {t.iu, t.iv, t.upper},
                                              n);
@@ -119,7 +121,8 @@ void judge(const Located& l, RemapFigure& figure) {
   }
 }
 
-/// The worst is that of a corner (AttributeLookup.the_systems_condition_is_2N_minus_1).
+/// The condition of a way's system.  A corner's micro-triangle is the worst
+/// (AttributeLookup.the_systems_condition_is_2N_minus_1).
 std::optional<double> condition_of(Remap remap, std::uint32_t level) {
   if (remap == Remap::cramer) return spec::attribute::system_condition<double>({0, 0, false}, level);
   if (remap == Remap::two_equations) return 1;

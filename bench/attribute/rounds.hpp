@@ -1,4 +1,4 @@
-// Times of several ways of doing one thing, taken in turns.
+// Times of several ways to do one thing, measured in turns.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,8 @@ struct Work {
 /// ns an element of each work, a number a round.
 using RoundTimes = std::vector<std::vector<double>>;
 
-/// Every round does every work once, for a third of a millisecond or more, so that a ratio compares neighbours in time.
+/// Each round does each work once, for a third of a millisecond or more, so that a ratio compares neighbours
+/// in time.
 inline RoundTimes times_in_rounds(const std::vector<Work>& works, std::size_t rounds) {
   constexpr double long_enough_ns = 3e5;
   std::vector<std::size_t> passes;

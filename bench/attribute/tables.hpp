@@ -8,8 +8,8 @@ namespace mmverify::bench {
 
 Result attribute_tables(const AttributeFigures& figures, const AttributeBenchOptions& options);
 
-/// Times of lookups and errors of remaps by level; below, error against time of remaps at the highest level of maps, and
-/// of bakes.
+/// A picture of lookups and remaps.  Above, the times of lookups by level; below, the errors of remaps by
+/// level, and error against time of remaps at the highest level up to 12.
 picture::Picture attribute_picture(const AttributeFigures& figures);
 
 }  // namespace mmverify::bench

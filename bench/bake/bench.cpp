@@ -37,7 +37,7 @@ States unpacked(const std::vector<std::uint8_t>& map, std::uint32_t level) {
   return states;
 }
 
-/// Ours, and what it took.
+/// A map of ours, and the counts of its bake.
 struct Ours {
   std::vector<std::uint8_t> map;
   fast::BakeCounts counts;
@@ -60,7 +60,8 @@ std::uint8_t specified(const spec::bake::Texture& t, const BaseTriangle& uv, std
   return static_cast<std::uint8_t>(spec::bake::micro_state(t, base, level, index, mask));
 }
 
-/// Half of them unknown ones where there are as many: those are next to a change of state.
+/// Random micro-triangles to compare, half of them unknown if there are enough: those are next to a change of
+/// state.
 std::vector<std::uint32_t> chosen(const States& states, std::mt19937_64& random) {
   std::vector<std::uint32_t> at;
   for (std::size_t tries = 0; at.size() < compared_a_map && tries < 4096; ++tries) {
@@ -107,7 +108,7 @@ void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds
       States states(truth.size());
       for (const auto& [which, into] : obvious) {
         BakeFigure& f = figure(which);
-        // Long enough to be taken once.
+        // The pass is long enough to be timed once.
         f.ns += median_ns(1, [&, into = into] { into({v, 0.5}, uv, level, states); });
         f.micro_triangles += states.size();
         for (std::size_t k = 0; k < states.size(); ++k) {
@@ -207,7 +208,7 @@ BakeFigures bake_figures(const BakeBenchOptions& options) {
     begins("textures of " + std::to_string(size) + " texels");
     figures.sizes.push_back(size_of(size, options));
   }
-  // 1/512: half a step of a filter's 8-bit weights.
+  // 1/512 is half a step of a filter's 8-bit weights.
   for (const float margin : {0.0f, 1.0f / 512, 1.0f / 64, 1.0f / 16, 0.25f, 1.0f}) {
     begins("a margin of " + std::to_string(margin) + " texels");
     figures.margins.push_back(with_margin(margin, textures, options.rounds));

@@ -1,4 +1,4 @@
-// What bakers get wrong, against the time that they take.
+// The errors of bakers, against the time that they take.
 #pragma once
 
 #include <array>
@@ -16,22 +16,22 @@ struct BakeBenchOptions {
   std::uint64_t seed = 1;                                 ///< of the generated textures
   std::size_t maps = 6;                                   ///< generated textures
   std::size_t rounds = 3;                                 ///< of the timing of ours; at least 1
-  int largest = 1024;                                     ///< of the sizes from 64 on
+  int largest = 1024;                                     ///< the last of the sizes from 64 on
   std::string textures = {};                              ///< a folder of alpha textures instead
-  std::function<void(const std::string&)> progress = {};  ///< told what begins
+  std::function<void(const std::string&)> progress = {};  ///< receives the name of each step that begins
 };
 
-/// In this order everywhere.
+/// The bakers, in this order everywhere.
 enum class Baker : std::uint8_t { centre, corners, sixteen_samples, rasterised, ours, rational };
 inline constexpr std::size_t bakers = 6;
 const char* to_string(Baker baker);
 
-/// One baker on all triangles of one level.  Beside the exact states.
+/// The figures of one baker on all triangles of one level, compared with the exact states.
 struct BakeFigure {
-  std::uint64_t micro_triangles = 0;  ///< looked at: all of them, of `rational` a sample
-  std::uint64_t wrong = 0;            ///< O or T, and not so on all of it
-  std::uint64_t needless = 0;         ///< unknown, and not so
-  double ns = 0;                      ///< a micro-triangle, making a texture ready left out
+  std::uint64_t micro_triangles = 0;  ///< micro-triangles judged: all, for `rational` a sample
+  std::uint64_t wrong = 0;            ///< O or T, but not on the whole micro-triangle
+  std::uint64_t needless = 0;         ///< unknown, but one state on the whole micro-triangle
+  double ns = 0;                      ///< a micro-triangle, without the preparation of the texture
 
   double wrong_per_million() const;
   double needless_per_million() const;
@@ -40,20 +40,20 @@ struct BakeFigure {
 struct BakeLevel {
   std::uint32_t level = 0;
   std::array<BakeFigure, bakers> by{};
-  double unknown = 0;  ///< share of the exact states
-  double exact = 0;    ///< of our leaves, the share that took whole numbers
+  double unknown = 0;  ///< unknown micro-triangles over all, exactly
+  double exact = 0;    ///< the share of our leaves that took whole numbers
 
   const BakeFigure& of(Baker b) const { return by[static_cast<std::size_t>(b)]; }
 };
 
-/// Ours at one level over textures of one size.
+/// The times of our baker at one level over textures of one size.
 struct BakeSize {
   int size = 0;
-  double ns = 0, ready_ms = 0;  ///< a micro-triangle, and a texture made ready
+  double ns = 0, ready_ms = 0;  ///< a micro-triangle, and the preparation of a texture
   double ns_rasterised = 0;
 };
 
-/// Ours at one level with a margin.
+/// The figures of our baker at one level with a margin.
 struct BakeMargin {
   float texels = 0;
   double unknown = 0, ns = 0;
@@ -64,12 +64,12 @@ struct BakeFigures {
   std::vector<BakeLevel> levels;
   std::vector<BakeSize> sizes;      ///< at level 6, of generated textures
   std::vector<BakeMargin> margins;  ///< at level 6
-  std::uint64_t compared = 0;  ///< states of ours that were compared with the specification's, all the same
+  std::uint64_t compared = 0;       ///< our states that were compared with the specification's, all equal
 };
 
-/// Both halves of each texture's unit square, repeated, bilinear, cutoff 1/2.
+/// The figures over both halves of each texture's unit square, repeated, bilinear, cutoff 1/2.
 /// Throws std::invalid_argument unless maps > 0, rounds > 0 and 0 <= first <= last <= 12; std::runtime_error
-/// where a state of ours is not the specification's, and as alpha_textures does.
+/// if a state of ours differs from the specification's, and as alpha_textures does.
 BakeFigures bake_figures(const BakeBenchOptions& options = {});
 
 }  // namespace mmverify::bench

@@ -21,7 +21,7 @@ std::array<Corners, 4> children(const Corners& p) {
   return {{{p[0], p01, p02}, {p02, p12, p01}, {p01, p[1], p12}, {p12, p02, p[2]}}};
 }
 
-/// Calls state(corners), of each micro-triangle in turn.
+/// Calls state(corners) for each micro-triangle in the order of the curve.
 template <class State>
 void descend(const Corners& p, std::uint32_t height, std::uint8_t*& out, const State& state) {
   if (height == 0) {
@@ -81,14 +81,14 @@ std::uint8_t lean(const BakeTexture& t, const Corners& p) {
   return static_cast<std::uint8_t>(unknown_state | (opaque_at(t, centre(p)) ? 1 : 0));
 }
 
-/// A triangle cut by four lines has at most seven corners.
+/// A part of a triangle: cut by four lines, it has at most seven corners.
 struct Part {
   std::array<Spot, 8> at;
   std::size_t size = 0;
   void add(const Spot& p) { at[size++] = p; }
 };
 
-/// What lies at or above `limit` along an axis, or at or below it.
+/// The part at or above `limit` along an axis, or at or below it.
 Part clipped(const Part& part, double Spot::*axis, double limit, bool above) {
   Part kept;
   const auto height = [&](const Spot& p) { return above ? p.*axis - limit : limit - p.*axis; };
@@ -110,7 +110,7 @@ struct Seen {
   bool both() const { return opaque && transparent; }
 };
 
-/// At the corners of a part, and where alpha stands still on its edges.
+/// Marks alpha at the corners of a part, and at its extremes on the part's edges.
 void look(const Cell& cell, const Part& part, double x0, double y0, double cutoff, Seen& seen) {
   for (std::size_t k = 0; k < part.size; ++k) {
     const Spot &p = part.at[k], &q = part.at[k + 1 == part.size ? 0 : k + 1];

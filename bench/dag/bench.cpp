@@ -16,7 +16,7 @@ using Map = std::vector<std::uint8_t>;
 constexpr std::size_t rounds = 5;
 constexpr std::uint64_t record_bytes = 8;
 
-/// 64 MiB of 4-state maps at most.
+/// The number of maps of a level: 256, or as many 4-state maps as 64 MiB take.
 std::size_t map_count(std::uint32_t level) {
   return std::min<std::size_t>(256, (std::size_t{64} << 20) * 4 >> (2 * level));
 }

@@ -1,4 +1,4 @@
-// What maps take in each form, as tables and a picture.
+// The sizes of maps in each form, as tables and a picture.
 #pragma once
 
 #include <vector>

@@ -18,7 +18,7 @@ using spec::Level;
 constexpr std::size_t block = 4096;
 constexpr std::uint64_t slow_share = 256;  // a rational index takes microseconds
 
-// A rate from fewer hits is off by a third or more; one near 1 has no room to double.
+// A rate from fewer hits is off by a third or more; a rate near 1 has no room to double.
 constexpr std::uint64_t fewest_mismatches = 10;
 constexpr double highest_rate = 0.25;
 
@@ -27,7 +27,7 @@ std::uint64_t samples_of(const IndexBenchOptions& options) {
   return slow<Q> ? std::max<std::uint64_t>(options.samples / slow_share, 1) : options.samples;
 }
 
-/// A block of points, in doubles for the judge and in Q for the subjects, and the specification's answers.
+/// A block of points, in doubles for the judge and in Q for the subjects, with the specification's answers.
 template <class Q>
 struct Block {
   std::vector<InputPoint> points = std::vector<InputPoint>(block);
@@ -76,7 +76,7 @@ void judge(const IndexSubject<Q>& subject, Block<Q>& b, Level n, bool hard, Inde
   }
 }
 
-/// One level with one kind of inputs, for all subjects over Q: their figures begin at `figures`.
+/// Measures all subjects over Q at one level with one kind of inputs: their figures begin at `figures`.
 template <class Q>
 void measure(const IndexBenchOptions& options, Inputs kind, Level n, IndexFigures* figures) {
   const std::vector<IndexSubject<Q>> subjects = index_subjects<Q>();
@@ -98,7 +98,7 @@ void measure(const IndexBenchOptions& options, Inputs kind, Level n, IndexFigure
 
 using Task = std::function<void()>;
 
-/// Adds the subjects over Q to the figures, each level's place held, and what is to be done for them.
+/// Adds the subjects over Q to the figures, with a place for each level, and the tasks that fill them.
 template <class Q>
 void add(const IndexBenchOptions& options, std::vector<IndexFigures>& figures, std::vector<Task>& tasks) {
   const std::size_t first_subject = figures.size();
@@ -123,7 +123,7 @@ void add(const IndexBenchOptions& options, std::vector<IndexFigures>& figures, s
       });
 }
 
-/// The law of a figure over the levels that `counts` is true of.
+/// The law of a figure over the levels for which `counts` is true.
 template <class Counts, class Figure>
 Growth growth_of(const std::vector<IndexErrors>& levels, Counts counts, Figure figure) {
   std::vector<LevelValue> values;

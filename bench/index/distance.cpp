@@ -38,7 +38,7 @@ Range range_sum(const Corners& c) {
 
 bool on_grid(const Corners& corners, spec::Level n) {
   const std::uint32_t N = spec::side(n);
-  // One by one first: a wrapped coordinate must not wrap the sum back.
+  // The coordinates are checked first, since a wrapped one could wrap the sum back.
   for (const Vertex& x : corners)
     if (x.i > N || x.j > N || x.i + x.j > N) return false;
   const auto one_wide = [](const Range& r) { return r.most - r.least == 1; };
@@ -53,7 +53,7 @@ Distance distance(const InputPoint& point, const Corners& corners, spec::Level n
   return on_exact(point.u, point.v, [&]<class Q>(const spec::Point<Q>& p) {
     const std::uint32_t N = spec::side(n);
     const Q u = times(N, p.u), v = times(N, p.v), uv = u + v;
-    // Written for the upright one; the inverted one's sides face the other way.
+    // The signs are those of an upright micro-triangle; an inverted one's sides face the other way.
     std::array<Q, 3> outside{Q(lines[0]) - u, Q(lines[1]) - v, uv - Q(lines[2])};
     if (!upright) outside = {u - Q(lines[0]), v - Q(lines[1]), Q(lines[2]) - uv};
     const auto worst = std::max_element(outside.begin(), outside.end());

@@ -1,4 +1,4 @@
-// How far a point lies outside a micro-triangle.
+// The distance of a point from a micro-triangle that it lies outside of.
 #pragma once
 
 #include "bench/index/inputs.hpp"
@@ -15,10 +15,10 @@ struct Distance {
   double ulp;      ///< of the number type, at the line that was crossed the furthest
 };
 
-/// How far outside its worst side the point lies; zero in the closed micro-triangle.
+/// The distance of the point beyond its worst side; zero in the closed micro-triangle.
 ///   heights = N max(0, a-u, b-v, u+v-c) for the upright one u >= a, v >= b, u+v <= c, and with all signs
 ///   turned for the inverted one;  ulp = heights / N / ulp(a), or b or c for that side
-/// The line is never 0, since points of the triangle cannot cross that, so the ulp are never subnormal ones.
+/// The line is never 0, since a point of the triangle cannot cross 0, so the ulp are never subnormal.
 /// Computed exactly and rounded once for print.
 /// Domain: a point of the closed triangle; on_grid(corners, n); n in 0..16.
 Distance distance(const InputPoint& p, const spec::index::Corners& corners, spec::Level n,

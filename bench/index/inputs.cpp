@@ -7,7 +7,8 @@
 namespace mmverify::bench {
 namespace {
 
-/// Exact: where the greater is at least 1/2, 1 - greater is a double; else the sum is below 1.
+/// Whether a point is in the triangle, exactly: if the greater is at least 1/2, 1 - greater is a double; else
+/// the sum is below 1.
 bool in_triangle(const InputPoint& p) {
   const auto [lesser, greater] = std::minmax(p.u, p.v);
   return lesser >= 0 && (greater < 0.5 || lesser <= 1 - greater);
@@ -61,7 +62,7 @@ std::uint32_t IndexInputs::some_level() {
   return below(2) == 0 ? level_ : static_cast<std::uint32_t>(below(level_ + 1));
 }
 
-/// k / 2^level with 0 <= k / 2^level <= limit.
+/// A random k / 2^level with 0 <= k / 2^level <= limit.
 double IndexInputs::line(std::uint32_t level, double limit) {
   const double N = std::ldexp(1.0, static_cast<int>(level));
   return static_cast<double>(below(static_cast<std::uint64_t>(limit * N) + 1)) / N;
@@ -99,8 +100,8 @@ InputPoint IndexInputs::candidate(HardKind kind) {
       break;
     }
     case HardKind::straddling: {
-      // All sizes alike, down to the line beside 0: further out, fractions have lost bits and need no
-      // rounding.
+      // The powers of 2 are equally likely, down to the line beside 0: farther out, fractions have lost bits
+      // and need no rounding.
       const double above = static_cast<double>(below(std::uint64_t{1} << below(level_ + 1)) + 1) / N;
       const double u = numbers_.neighbour(numbers_.rounded(above), -between(1, 4));
       // Eighths of what u lacks, from one to sixteen: the sum of the fractions falls on either side of 1.

@@ -1,4 +1,4 @@
-// Points that ask an index function easy and hard questions, in the number type that it receives.
+// Easy and hard points for an index function, in the number type that it receives.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ enum class Inputs : std::uint8_t {
   hard,     ///< a few ulp from where the answer changes
 };
 
-/// How a hard point is made; sample number k is of kind k mod 4.
+/// The recipe of a hard point; sample number k is of kind k mod 4.
 enum class HardKind : std::uint8_t {
   lines,       ///< u and v each up to 3 ulp from a grid line
   diagonal,    ///< u+v up to 3 ulp of v from a diagonal line, u anywhere or near a line
@@ -26,22 +26,22 @@ enum class HardKind : std::uint8_t {
 inline constexpr std::size_t hard_kinds = 4;
 std::string_view to_string(HardKind kind);
 
-/// Exact in doubles, and representable in the number type asked for.
+/// A point, exact in doubles, and representable in the wanted number type.
 struct InputPoint {
   double u, v;
 };
 
 /// An endless stream of points of the closed triangle (u, v >= 0 and u+v <= 1 hold exactly), the same for the
 /// same arguments on every machine.
-///   Lines are those of the level asked for, half of the time, or of a coarser one, so that the few lines
-///   that all levels share are met often. Beside the line 0, where ulp have no end, a few ulp of 1 and down
-///   to 2^-20 of that stand in.
+///   Lines are those of the wanted level, half of the time, or of a coarser one, so that points often meet the
+///   few lines that all levels share.  Beside the line 0, where ulps become ever smaller, a few ulp of 1, and
+///   down to 2^-20 of them, stand in.
 class IndexInputs {
  public:
   /// Domain: level 0..16.
   IndexInputs(const NumberType& numbers, Inputs inputs, std::uint32_t level, std::uint64_t seed);
 
-  /// The next sample; its kind where they are hard.
+  /// The next sample; its kind, if the points are hard.
   InputPoint next(HardKind& kind);
 
  private:

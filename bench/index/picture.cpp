@@ -11,7 +11,7 @@ namespace {
 
 using namespace picture;
 
-/// Colour says the algorithm, shape the numbers.
+/// The look of a subject: its colour is the algorithm, its shape the numbers.
 Series look_of(const IndexFigures& f) {
   Series series{.name = f.name, .colour = blue, .shape = Shape::disc, .joined = false};
   if (f.name.starts_with("step")) series.colour = vermilion;
@@ -25,7 +25,7 @@ Series look_of(const IndexFigures& f) {
   return series;
 }
 
-/// "16", or "16 (binary16: 15)" where subjects end sooner than others.
+/// "16", or "16 (binary16: 15)" if some subjects end sooner than others.
 std::string levels_text(const std::vector<IndexFigures>& figures) {
   std::uint32_t last = 0;
   for (const IndexFigures& f : figures)
@@ -88,7 +88,7 @@ Panel rate_against_level(const std::vector<IndexFigures>& figures, bool hard, st
                     .most = 1.5},
               .key = hard ? Key::none : Key::below_all};
   for (const IndexFigures& f : figures) {
-    // Asked of both kinds of points, so that the panels share one key.
+    // Both kinds of points count, so that the panels share one key.
     if (!ever_wrong(f)) continue;
     Series series = look_of(f);
     for (const IndexErrors& e : hard ? f.hard : f.uniform)

@@ -50,16 +50,16 @@ void impl_batched(std::span<const float> u, std::span<const float> v, Level n, s
   for (std::size_t k = 0; k < out.size(); ++k) out[k] = spec::index::w_minor(Point<float>{u[k], v[k]}, n);
 }
 
-/// The triangle of a row-order index with the row from a binary32 root: Color and Attribute Micromaps,
-/// figure 4, wminor_uv2vertex_index. Words wrap where the root rounds up.
+/// The triangle of a row-order index with the row from a binary32 root: Color and Attribute Micromaps, figure
+/// 4, wminor_uv2vertex_index.  Words wrap if the root rounds up.
 Corners rooted_triangle(std::uint32_t index, Level) {
   const auto row = static_cast<std::uint32_t>(std::sqrt(static_cast<float>(index)));
   const std::uint32_t col = index - row * row, c = col / 2, odd = col % 2, i = row - c;
   return {spec::index::Vertex{i, c}, {i + 1 - odd, c + odd}, {i - odd, c + 1}};
 }
 
-/// The whole of figure 4: of the three micro-vertex numbers r(r+1)/2 + c only their sum is stored, to keep
-/// one word a point; nothing of their computation can be left out for that.
+/// The whole of figure 4.  Only the sum of the three micro-vertex numbers r(r+1)/2 + c is stored, to write
+/// one word a point; it needs the whole computation.
 [[gnu::noinline]] void rows_to_vertices(std::span<const float> u, std::span<const float> v, Level n,
                                         std::span<std::uint32_t> out) {
   for (std::size_t k = 0; k < out.size(); ++k) {

@@ -1,4 +1,4 @@
-// The index functions that are measured: each as the loop it would be in a program.
+// The index functions that are measured, each as the loop that it would be in a program.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ template <class Q>
 using IndexLoop = void (*)(std::span<const Q> u, std::span<const Q> v, spec::Level n,
                            std::span<std::uint32_t> out);
 
-/// From an index of the subject's order to the micro-triangle that it takes for it.
+/// The micro-triangle that a subject takes for an index of its order.
 using Triangle = spec::index::Corners (*)(std::uint32_t index, spec::Level n);
 
 enum class Order : std::uint8_t { curve, rows };
@@ -31,18 +31,19 @@ struct IndexSubject {
   spec::Level max_level;
   IndexLoop<Q> index;
   Triangle triangle;
-  /// What is timed: `index`, but for a subject whose way from index to triangle belongs to it.
+  /// The timed loop: `index`, except for a subject whose way from index to triangle belongs to it.
   IndexLoop<Q> timed;
 };
 
-/// The specification's answers in an order.
+/// The specification's triangles in an order.
 Triangle exact_triangle(Order order);
 
 /// The subjects that receive numbers of type Q.  Q: Binary16, float, double, Fixed64, Rational.
 template <class Q>
 std::vector<IndexSubject<Q>> index_subjects();
 
-/// What the points are rounded to before a subject over Q receives them. Rationals take binary32's points.
+/// The number type to which points are rounded before a subject over Q receives them.  Rationals take
+/// binary32's points.
 template <class Q>
 inline constexpr NumberType received_by = binary32;
 template <>
@@ -56,7 +57,7 @@ inline constexpr NumberType received_by<spec::Fixed64> = fixed64;
 template <class Q>
 Q received(double x);
 
-/// Whether a subject over Q takes microseconds an index, and so a small part of the samples.
+/// Whether a subject over Q takes microseconds an index, and so gets a small part of the samples.
 template <class Q>
 inline constexpr bool slow = std::same_as<Q, spec::Rational>;
 

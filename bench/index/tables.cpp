@@ -16,7 +16,7 @@ using F = IndexFigures;
 
 Value rate_of(const IndexErrors& e) { return e.mismatches == 0 ? Value() : Value(e.rate()); }
 
-/// A worst distance; where every mismatch left the grid there is none to give.
+/// A worst distance; none if every mismatch is off the grid.
 Value worst_of(const IndexErrors& e, double distance) {
   return e.mismatches == e.off_grid ? Value() : Value(distance);
 }
@@ -110,7 +110,7 @@ struct GrowthOf {
 
 bool fitted(const Growth& g) { return g.law != GrowthLaw::none && g.law != GrowthLaw::too_few; }
 
-/// "doubles  0.98 (0.17) 1..10": the law, its slope, its residual, the levels.
+/// A law in short: "doubles  0.98 (0.17) 1..10", which is the law, its slope, its residual, the levels.
 std::string in_short(const Growth& g) {
   if (!fitted(g)) return to_string(g);
   std::string law = to_string(g);

@@ -37,7 +37,8 @@ struct Points {
   }
 };
 
-/// Passes that last about a millisecond: long against the clock's steps, short enough for eleven rounds.
+/// The number of passes that last about a millisecond: long against the clock's steps, short enough for
+/// eleven rounds.
 template <class Pass>
 benchmark::IterationCount passes(Pass pass) {
   using Clock = std::chrono::steady_clock;
@@ -52,7 +53,7 @@ std::string row_name(std::string_view subject, std::uint32_t level) {
   return std::string(subject).append("/").append(std::to_string(level));
 }
 
-// Keeps the times by name instead of printing them.
+// A reporter that keeps the times by name instead of printing them.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
@@ -74,7 +75,8 @@ class Collector : public benchmark::BenchmarkReporter {
   std::map<std::string, std::vector<double>> ns_;
 };
 
-/// 4, 10, 16 and, for binary16, 15; of these what was asked for, and the last level asked for.
+/// The levels that are timed: 4, 10, 16 and, for binary16, 15, as far as they are in the range, and the last
+/// level.
 std::set<std::uint32_t> timed_levels(const IndexBenchOptions& options) {
   std::set<std::uint32_t> levels{options.last};
   for (const std::uint32_t level : {4u, 10u, 15u, 16u})

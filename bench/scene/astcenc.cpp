@@ -27,7 +27,7 @@ class Astcenc {
          {"astcenc", "astcenc-avx2", "astcenc-sse4.1", "astcenc-sse2", "astcenc-neon"}) {
       try {
         const ProgramEnd end = run_program({name, "-version"}, {}, options_.stop);
-        // One for another instruction set ends by a signal.
+        // A program for another instruction set ends by a signal.
         if (!end.succeeded || !end.out.starts_with("astcenc ")) continue;
         program_ = name;
         version_ = end.out.substr(0, end.out.find('\n'));
@@ -57,7 +57,7 @@ class Astcenc {
       std::vector<std::string> decompress{srgb ? "-ds" : "-dl", blocks, decoded, "-silent"};
       if (pixels.meaning == Meaning::normal) {
         compress.push_back("-normal");
-        // x from the blocks' red, y from their alpha, z of both.
+        // x comes from the blocks' red, y from their alpha, z from both.
         decompress.insert(decompress.end(), {"-dsw", "raz1"});
       }
       const std::uint64_t bytes = block_bytes * block.blocks_of(pixels.width, pixels.height);

@@ -9,7 +9,7 @@ using scene::MipError;
 using scene::MipOfMaps;
 using scene::MipStep;
 
-/// The errors of one group of columns.
+/// Adds the errors of one group of columns.
 template <class Of>
 void add_errors(Fields<MipStep>& fields, const std::string& group, Of of) {
   const std::string key = group + ".";

@@ -8,7 +8,7 @@ using scene::AttributeSetFigures;
 using scene::MapKind;
 using scene::MapsAtLevel;
 
-/// How maps are shown: faces; vertices, interpolated or the nearest.
+/// The part of maps that a curve shows: faces; vertices, interpolated or the nearest.
 enum class Shown { faces, interpolated, nearest };
 
 picture::Series series_of(Shown shown) {
@@ -24,7 +24,7 @@ picture::Series series_of(Shown shown) {
   return {.name = "vertices, the nearest", .colour = blue, .shape = Shape::circle};
 }
 
-/// A curve of an attribute set, a point a level; none where no texel is shown.
+/// A curve of an attribute set, a point a level; empty if no texel is shown.
 template <class Coordinate>
 picture::Series curve(const AttributeSetFigures& set, Shown shown, Coordinate coordinate) {
   picture::Series series = series_of(shown);
@@ -36,7 +36,7 @@ picture::Series curve(const AttributeSetFigures& set, Shown shown, Coordinate co
   return series;
 }
 
-/// The set's textures in a format, a point a block size; none where none were compressed.
+/// Adds a curve of the set's textures in a format, a point a block size, if textures were compressed.
 template <class Error>
 void add_compressed(picture::Panel& panel, const AttributeSetFigures& set, const std::string& format,
                     Error error) {

@@ -14,7 +14,7 @@ using scene::MapsAtLevel;
 using scene::Measure;
 using scene::PlannedMaps;
 
-/// A plan, and the set with all triangles at one level.
+/// A plan, and the set with all triangles at one level, level by level.
 struct PlanBesideUniform {
   const PlannedMaps* plan;
   std::vector<const MapsAtLevel*> uniform;  ///< of the same kind, by level
@@ -25,7 +25,7 @@ struct PlanBesideUniform {
   std::uint64_t bytes_of(const MapsAtLevel& at) const {
     return at.bytes() + plan->triangles * scene::bytes_of_place;
   }
-  /// The lowest level with as little error; nullptr where none has, or no texel is shown.
+  /// The lowest level with at most the plan's error; nullptr if there is none, or no texel is shown.
   const MapsAtLevel* as_close() const {
     if (!plan->error.rmse) return nullptr;
     const auto at = std::find_if(uniform.begin(), uniform.end(), [this](const MapsAtLevel* one) {
@@ -33,7 +33,8 @@ struct PlanBesideUniform {
     });
     return at == uniform.end() ? nullptr : *at;
   }
-  /// Of levels between, at the plan's error; none where there is none of the measure, or not between.
+  /// The bytes of uniform levels at the plan's error, interpolated; none if the measure is missing, or the
+  /// error is not between two levels.
   std::optional<std::uint64_t> bytes_at_equal(Measure measure) const {
     const std::optional<double> error = error_by(plan->error, measure);
     if (!error) return std::nullopt;

@@ -52,12 +52,12 @@ double share_of(std::uint64_t bytes, std::uint64_t of) {
   return static_cast<double>(bytes) / static_cast<double>(of);
 }
 
-/// Of what was packed, a column each; the peer is zstd.
+/// The size of packed maps in one form, a column each; the peer is zstd.
 Value packed_value(const MapsAtLevel& at, std::uint64_t scene::PackedBytes::*bytes) {
   return at.packed ? Value((*at.packed).*bytes) : Value();
 }
 
-/// A column of packed maps of both kinds.
+/// The columns of packed maps of a kind.
 Fields<SetLevel> packed_fields(MapKind kind) {
   const bool of_faces = kind == MapKind::faces;
   const std::string key = of_faces ? "faces.packed." : "vertices.packed.",
@@ -119,7 +119,7 @@ Fields<SetLevel> fields_of(MapKind kind) {
   return fields;
 }
 
-/// What the textures take at the maps' error; nothing where they have none of this measure.
+/// The bytes of the textures at the maps' error; none if the maps lack this measure.
 std::optional<scene::BytesAtError> textures_at(const BesideTextures& b, Measure measure) {
   const std::optional<double> error = error_by(b.at->error, measure);
   if (!error) return std::nullopt;
@@ -141,7 +141,7 @@ std::string name_of(scene::AmongSizes where) {
   return "all are farther";
 }
 
-/// Columns of textures at the maps' error, by one measure.
+/// The columns of textures at the maps' error, by one measure.
 Fields<BesideTextures> equal_fields(Measure measure, const scene::TextureCoder& coder) {
   using B = BesideTextures;
   const bool flip = measure == Measure::flip;
@@ -265,7 +265,7 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
   const auto beyond = [](MapKind kind) {
     return [kind](const F& f) { return std::uint64_t{f.level_beyond_textures(kind)}; };
   };
-  // Beyond the last level that was measured, nobody has counted the maps.
+  // The number of maps beyond the last measured level is an estimate.
   const auto found = [](MapKind kind) {
     return [kind](const F& f) {
       const bool measured =

@@ -28,7 +28,7 @@ double area_in_texels(const AttributeScene& scene, const MapOfTriangle& triangle
   return std::fabs((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2;
 }
 
-/// The sum of what is read, which keeps a compiler from leaving the reading out.
+/// The sum of the values read, which keeps a compiler from omitting the reads.
 template <class Read>
 std::uint32_t sum_of(std::span<const SurfacePoint> points, const Read& read) {
   std::uint32_t sum = 0;
@@ -47,7 +47,7 @@ const char* name_of(LookupWay way) {
   }
 }
 
-/// Maps of vertices, each from its rows into the Bird order.
+/// The values of maps of vertices, moved from rows into the Bird order.
 std::vector<std::uint32_t> in_bird_order(const LaidMaps& laid) {
   const auto size = static_cast<std::size_t>(scene::values_of_map(laid.kind, laid.level));
   std::vector<std::uint32_t> row(size), values(laid.values.size());

@@ -1,4 +1,4 @@
-// Times of lookups at points of a scene's triangles: in its textures, and in the maps that stand for them.
+// Times of lookups at points of a scene's triangles, in its textures and in the maps that replace them.
 #pragma once
 
 #include <array>
@@ -18,20 +18,20 @@ struct SurfacePoint {
   float u, v;
 };
 
-/// In which order points are looked up.
+/// The order in which points are looked up.
 enum class PointOrder : std::uint8_t {
-  scattered,  ///< as drawn, each on another triangle: rays that bounced
-  along,      ///< triangle by triangle, along the curve of level 8: neighbouring pixels
+  scattered,  ///< as drawn, each on another triangle, like rays that bounced
+  along,      ///< triangle by triangle, along the curve of level 8, like neighbouring pixels
 };
 
-/// What is read at a point.
+/// The value that is read at a point.
 enum class LookupWay : std::uint8_t {
   face,              ///< the micro-triangle's value
   vertices_w_minor,  ///< interpolated between its three vertices, which are stored in W-minor order
   vertices_bird,     ///< the same, in the Bird order
 };
 
-/// One thread, processor time, the median of the rounds.
+/// The times of one order of points: one thread, processor time, the median of the rounds.
 struct TimesOfOrder {
   double texture_ns = 0;  ///< a point: its texture coordinates between the corners', then TextureSample
   double map_ns = 0;      ///< a point: its micro-triangle, the map's value there
@@ -50,20 +50,20 @@ struct AttributeTimesOptions {
   std::uint64_t seed = 1;
 };
 
-/// Points drawn on triangles, as many as their areas in texels ask for, uniformly on each; where no triangle has an area,
-/// on all alike.  The same points for the same seed and triangles.
+/// Random points, uniform on each triangle, with as many on a triangle as its area in texels demands.  If no
+/// triangle has an area, all triangles are equally likely.  The same points for the same seed and triangles.
 /// Domain: a triangle at least, at most 2^32 - 1.
 std::vector<SurfacePoint> surface_points(const scene::AttributeScene& scene,
                                          std::span<const scene::MapOfTriangle> triangles, std::size_t count,
                                          std::uint64_t seed);
 std::vector<SurfacePoint> along_surfaces(std::vector<SurfacePoint> points);
 
-/// Takes times as maps are laid out (AttributeOptions::laid).
-/// Both ways of a row take turns, round by round.  The maps' values are RGBA8 and so are the textures'; neither knows of
-/// sRGB, mips or blocks.  Source: Color and Attribute Micromaps, 6.2, figure 10, which has frames of a GPU.
+/// A timer that measures each set of maps as it is laid out (AttributeOptions::laid).
+/// Both ways of a row take turns, round by round.  The values of maps and textures are RGBA8, without sRGB,
+/// mips or blocks.  Source: Color and Attribute Micromaps, 6.2, figure 10, which has frames of a GPU.
 class AttributeTimer {
  public:
-  /// The scene must outlive it.
+  /// The scene must outlive the timer.
   AttributeTimer(const scene::AttributeScene& scene, const AttributeTimesOptions& options)
       : scene_(scene), options_(options) {}
 

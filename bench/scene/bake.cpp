@@ -67,7 +67,7 @@ SceneBakeFigures scene_bake_figures(const SceneBakeOptions& options) {
                     base_of(t.uvs), level, states);
       }
     };
-    // Both for as long, in turns, so that what disturbs one disturbs the other.
+    // Both take turns for the same time, so that other load on the machine disturbs both.
     std::vector<double> ours, centres;
     const auto sum = [](const std::vector<double>& ns) { return std::accumulate(ns.begin(), ns.end(), 0.0); };
     while (ours.size() < options.rounds ||

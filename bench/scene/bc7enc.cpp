@@ -14,7 +14,7 @@ using program::NoProgram;
 using program::ProgramEnd;
 using program::run_program;
 
-/// A DDS file of the extended form: 4 bytes of a name, 124 and 20 of headers.
+/// The sizes in a DDS file of the extended form: 4 bytes of a name, 124 and 20 of headers; a block.
 constexpr std::uint64_t header_bytes = 148, block_bytes = 16;
 
 class Bc7enc {
@@ -22,7 +22,7 @@ class Bc7enc {
   explicit Bc7enc(const Bc7encOptions& options) : options_(options) {
     for (const char* const name : {"bc7enc", "bc7enc-linux"}) {
       try {
-        // Without arguments it tells how it is used, and in the end its version.
+        // Without arguments the program prints its usage, and its version at the end.
         const ProgramEnd end = run_program({name}, {}, options_.stop);
         const std::string said = end.out + end.errors;
         const std::size_t at = said.rfind("bc7enc v");
@@ -63,7 +63,7 @@ class Bc7enc {
   std::string quality() const { return "-u" + std::to_string(options_.quality); }
 
   void run(std::vector<std::string> arguments) const {
-    // It has no option of threads; OpenMP has.
+    // The program has no option of threads; OpenMP has.
     if (options_.threads != 0)
       arguments.insert(arguments.begin(), {"env", "OMP_NUM_THREADS=" + std::to_string(options_.threads)});
     const ProgramEnd end = run_program(arguments, {}, options_.stop);

@@ -1,4 +1,4 @@
-// What goes in and out of programs that compress textures.
+// Files that go in and out of programs that compress textures.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace mmverify::bench {
 
-/// Errors: std::runtime_error where the disk is full.
+/// Writes a file.  Errors: std::runtime_error if the disk is full.
 void write_file(const std::string& path, const std::vector<unsigned char>& bytes);
 
-/// The colours of a picture that a program wrote.  Errors: std::runtime_error where it is none, or of another size than
-/// went in.
+/// The colours of a picture that a program wrote.  Errors: std::runtime_error if it is no picture, or of
+/// another size than its source.
 std::vector<std::uint8_t> rgb_of_png(const std::string& path, const scene::TexturePixels& pixels,
                                      const std::string& program);
 
-/// Errors: std::runtime_error where the file has another size, or is not there.
+/// Checks the size of a file.  Errors: std::runtime_error if the file has another size, or is missing.
 void expect_size(const std::string& file, std::uint64_t bytes, const std::string& program);
 
 }  // namespace mmverify::bench

@@ -47,7 +47,7 @@ Bytes zstd_unpacked(std::span<const std::uint8_t> packed, std::size_t size) {
   return bytes;
 }
 
-/// LZ4 reads at its pointers even where there is nothing, and those of empty vectors may be null.
+/// A pointer that is not null: LZ4 reads at its pointers even for 0 bytes, and an empty vector's may be null.
 const char* not_null(const void* bytes) { return bytes != nullptr ? static_cast<const char*>(bytes) : ""; }
 
 Bytes lz4_packed(std::span<const std::uint8_t> bytes) {

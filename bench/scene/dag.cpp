@@ -27,16 +27,16 @@ constexpr double long_build_ns = 1e9;  // one such round is enough
 constexpr std::uint64_t record_bytes = 8;
 constexpr std::size_t levels_of_growth = 5;
 
-/// About a quarter of a second of what takes time in proportion to the map.
+/// About a quarter of a second, for work in proportion to the map.
 constexpr double paper_ns = 0.25e9;
 constexpr std::size_t tried = 64;
 
-/// Maps that are the same once, one after the other, and where each map begins.
+/// An array in which equal maps are stored once, one after the other, and the place where each map begins.
 struct FlatArray {
   Map bytes;
-  std::vector<std::uint32_t> number;  ///< of the distinct one, by map
+  std::vector<std::uint32_t> number;  ///< of the distinct map, by map
   std::vector<std::uint64_t> begins;  ///< by map
-  std::vector<std::size_t> first;     ///< by distinct one, a map that is the same
+  std::vector<std::size_t> first;     ///< by distinct map, a map that is equal
 
   explicit FlatArray(const std::vector<Map>& maps) {
     std::map<std::string_view, std::uint32_t> known;
@@ -90,7 +90,7 @@ class Comparison {
     return 1e3 * static_cast<double>(maps << (2 * in_.level)) / ns;
   }
 
-  /// The median of some rounds.
+  /// The median time of some rounds.
   template <class Work>
   double built_in(const Work& work) const {
     std::vector<double> ns;

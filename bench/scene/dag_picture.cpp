@@ -72,7 +72,7 @@ Picture scene_dag_picture(const SceneDagScene& figures) {
   for (const std::uint32_t bits : {1u, 2u}) {
     Panel times = size_against_time(figures, bits), levels = size_by_level(figures, bits);
     if (times.series.empty()) continue;
-    // The key is one for both.
+    // Both panels share one key.
     if (keyed) levels.key = Key::none;
     keyed = true;
     drawn.rows[0].push_back(times);

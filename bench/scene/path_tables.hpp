@@ -1,4 +1,4 @@
-// What rays of a random path through a scene met, by every form of its micromaps, as tables.
+// Tables of the hits of rays from a random path through a scene, by every form of its micromaps.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct PathFigures {
   const render::Path* path = nullptr;
 };
 
-/// Domain: a path of at least one camera.
+/// The tables of a path.  Domain: a path of at least one camera.
 Result path_tables(const PathFigures& figures);
 
 }  // namespace mmverify::bench

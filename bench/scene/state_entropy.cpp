@@ -6,7 +6,7 @@
 namespace mmverify::bench {
 namespace {
 
-/// - sum of n log2(n / all), in bits.
+/// The information of the counts n in bits: - sum of n log2(n / all).
 double information(std::span<const std::uint64_t> counts) {
   double all = 0, bits = 0;
   for (const std::uint64_t n : counts) all += static_cast<double>(n);

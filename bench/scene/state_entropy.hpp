@@ -1,4 +1,4 @@
-// The entropy of the states of maps: what a coder needs whose model is no more than this.
+// The entropy of the states of maps: the least size for a coder with this model.
 #pragma once
 
 #include <cstdint>
@@ -8,26 +8,28 @@
 
 namespace mmverify::bench {
 
-/// How often each state follows each context.  The context of a state is the 16 bits before it in its map, along the
-/// curve: the 16 states before with two states, the 8 before with four; before the first state all are T.
+/// Counts of each state after each context.  The context of a state is the 16 bits before it in its map,
+/// along the curve: the 16 states before with two states, the 8 before with four; before the first state all
+/// are T.
 class StateEntropy {
  public:
   /// bits: of a state, 1 or 2.
   explicit StateEntropy(std::uint32_t bits) : bits_(bits), counts_(std::size_t{contexts} << bits) {}
 
-  /// Domain: a packed map of `states` states.
+  /// Adds the states of a map.  Domain: a packed map of `states` states.
   void add(std::span<const std::uint8_t> map, std::uint64_t states);
 
   std::uint64_t states() const { return states_; }
 
-  /// N H(S) in bytes: - sum over s of n(s) log2(n(s) / N) / 8, n(s) of N states being s.  No code that gives each state
-  /// bits by its frequency in all maps alone takes less.
+  /// N H(S) in bytes: - sum over s of n(s) log2(n(s) / N) / 8, where n(s) of N states are s.  No code takes
+  /// less if it gives each state bits by its frequency in all maps alone.
   double order_0_bytes() const;
 
-  /// N H(S | context) in bytes: - sum over c, s of n(c, s) log2(n(c, s) / n(c)) / 8.  No code takes less that gives each
-  /// state bits by its frequency after its context alone; what is common beyond 16 bits of the curve, it does not see.
-  /// None where there are fewer than 16 states for each of the 2^16 contexts: frequencies of few states say too little,
-  /// and the figure would be too low.
+  /// N H(S | context) in bytes: - sum over c, s of n(c, s) log2(n(c, s) / n(c)) / 8.  No code takes less if
+  /// it gives each state bits by its frequency after its context alone; similarity beyond 16 bits of the
+  /// curve does not count.
+  /// None if there are fewer than 16 states for each of the 2^16 contexts: frequencies of few states say too
+  /// little, and the figure would be too low.
   std::optional<double> context_bytes() const;
 
  private:

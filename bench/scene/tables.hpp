@@ -1,4 +1,4 @@
-// How fast a scene's own triangles are baked, as tables.
+// The time to bake a scene's own triangles, as tables.
 #pragma once
 
 #include "bench/result.hpp"
@@ -6,7 +6,7 @@
 
 namespace mmverify::bench {
 
-/// Domain: figures of at least one triangle.
+/// The tables of a scene's bakes.  Domain: figures of at least one triangle.
 Result scene_bake_tables(const SceneBakeFigures& figures, const SceneBakeOptions& options);
 
 }  // namespace mmverify::bench

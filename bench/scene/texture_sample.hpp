@@ -1,4 +1,4 @@
-// A texture sampled point by point, as a renderer in software does it.
+// A texture sampled point by point, as in a software renderer.
 #pragma once
 
 #include <cmath>
@@ -11,17 +11,17 @@
 
 namespace mmverify::bench {
 
-/// Bilinear at level 0 in binary32, whatever filter the sampler asks for; codes are mixed as they are, each channel
-/// rounded half up.
+/// A bilinear sampler at level 0 in binary32, whatever filter the sampler names; codes are mixed as they are,
+/// each channel rounded half up.
 class TextureSample {
  public:
-  /// The image must outlive it.  Domain: decoded.
+  /// The image must outlive the sampler.  Domain: decoded.
   TextureSample(const scene::ColourImage& image, const scene::Sampler& sampler)
       : rgba_(image.rgba.data()),
         x_{static_cast<std::int32_t>(image.width), static_cast<float>(image.width), sampler.wrap_u},
         y_{static_cast<std::int32_t>(image.height), static_cast<float>(image.height), sampler.wrap_v} {}
 
-  /// r | g << 8 | b << 16 | a << 24.  Domain: |u|, |v| < 2^20.
+  /// A sample, r | g << 8 | b << 16 | a << 24.  Domain: |u|, |v| < 2^20.
   std::uint32_t at(float u, float v) const {
     const Between x = x_.between(u), y = y_.between(v);
     return mixed_bilinear({texel(x.first, y.first), texel(x.second, y.first), texel(x.first, y.second),
@@ -30,7 +30,7 @@ class TextureSample {
   }
 
  private:
-  /// Two texels along an axis, and how far the point is from the first one's centre to the second's.
+  /// Two texels along an axis, and the fraction of the way from the first one's centre to the second's.
   struct Between {
     std::int32_t first, second;
     float fraction;
@@ -42,7 +42,7 @@ class TextureSample {
     scene::Wrap wrap;
 
     Between between(float coordinate) const {
-      // Within one period; mirrored ones are folded, and meet at texels that clamp.
+      // The coordinate within one period; mirrored periods are folded, and meet at clamped texels.
       float t = coordinate;
       if (wrap == scene::Wrap::repeat) {
         t -= std::floor(t);

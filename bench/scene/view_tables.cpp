@@ -15,7 +15,7 @@ std::string text_of(render::ShownFrom from) {
                                              : "vertices";
 }
 
-/// Channel c of the block of pixels at (x, y), a mean.
+/// The mean of channel c over the block of pixels at (x, y).
 template <class Channel>
 std::uint8_t mean_of_block(const render::Picture& of, std::uint32_t x, std::uint32_t y, std::uint32_t block,
                            Channel channel) {

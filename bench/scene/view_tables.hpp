@@ -1,4 +1,4 @@
-// Views of a scene shaded by attribute micromaps, held against the view that its textures give.
+// Views of a scene shaded by attribute micromaps, compared with the view that its textures give.
 #pragma once
 
 #include <string>
@@ -12,17 +12,18 @@ namespace mmverify::bench {
 /// The difference of a view and the textures' view.
 struct ViewError {
   double flip = 0;           ///< mean FLIP over all pixels, as the paper's figure 11
-  double textured_flip = 0;  ///< the same over the pixels that show a texture; 0 where none does
-  double textured_rmse = 0;  ///< of these, in codes of 8 bits, over the three channels
+  double textured_flip = 0;  ///< the mean over the pixels that show a texture; 0 if none does
+  double textured_rmse = 0;  ///< over these pixels, in codes of 8 bits, over the three channels
   std::vector<float> map;    ///< FLIP by pixel
 };
 
-/// Domain: pictures of one size, a byte of `textured` a pixel.
+/// The difference of two pictures.  Domain: pictures of one size, a byte of `textured` a pixel.
 ViewError view_error(const render::Picture& textures, const render::Picture& maps,
                      const std::vector<std::uint8_t>& textured, unsigned threads);
 
-/// Textures, maps and FLIP's map beside each other, a gap of white between them, each made smaller by the least whole
-/// number that leaves no side above `longest`, as means of codes.  Domain: as of view_error(); longest > 0.
+/// Textures, maps and FLIP's map beside each other, with a white gap between them.  Each is made smaller by
+/// the least whole number that leaves no side above `longest`, as means of codes.  Domain: as of
+/// view_error(); longest > 0.
 render::Picture beside(const render::Picture& textures, const render::Picture& maps, const ViewError& error,
                        std::uint32_t longest);
 
@@ -30,7 +31,7 @@ struct ViewRow {
   render::ShownFrom from = render::ShownFrom::faces;
   unsigned level = 0;
   ViewError error = {};
-  std::string file = {};  ///< its picture; empty where none was written
+  std::string file = {};  ///< its picture; empty if none was written
 };
 
 struct ViewFigures {
@@ -44,7 +45,8 @@ struct ViewFigures {
   std::vector<ViewRow> rows;
 };
 
-/// Source: Color and Attribute Micromaps, figures 1 and 11, table 3.  Domain: a row at least.
+/// The tables of views.  Source: Color and Attribute Micromaps, figures 1 and 11, table 3.  Domain: a row at
+/// least.
 Result view_tables(const ViewFigures& figures);
 
 }  // namespace mmverify::bench

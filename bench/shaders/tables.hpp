@@ -1,4 +1,4 @@
-// What a lookup costs in a shader on a device, beside the library's own.
+// The cost of a lookup in a shader on a device, beside the library's own.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ struct ShaderSpeed {
   std::string function;
   std::optional<std::uint64_t> level;
   double device_ns = 0;          ///< wall time of a lookup in a batch, copies included
-  std::optional<double> cpu_ns;  ///< impl's, one by one; none where impl has no such function
-  std::uint64_t differing = 0;   ///< answers unlike impl's, of a batch
+  std::optional<double> cpu_ns;  ///< impl's, one by one; none if impl has no such function
+  std::uint64_t differing = 0;   ///< answers of a batch that differ from impl's
 };
 
 struct ShaderFigures {

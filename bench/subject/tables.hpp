@@ -1,4 +1,4 @@
-// What judging a shared library costs beside calling it.
+// The cost to judge a shared library, beside the cost to call it.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ struct SubjectFigures {
   std::uint32_t level = 0;
   std::uint64_t batch = 0;  ///< indices a call
   double bare_ns = 0,
-         isolated_ns = 0;     ///< an index: in a loop in this process, and asked in a worker process
+         isolated_ns = 0;     ///< an index: in a loop in this process, and in a worker process
   double isolated_ratio = 0;  ///< isolated / bare: the median of the rounds' ratios
   double judged_ns = 0;       ///< a cell of index.equals_reference
   std::string verdict;        ///< of that law at this level

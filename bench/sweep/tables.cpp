@@ -11,7 +11,7 @@ const Print in_millions{.digits = 1, .factor = millions, .unit = "M/s"};
 
 Value if_any(const std::optional<double>& figure) { return figure ? Value(*figure) : Value(); }
 
-/// The columns of one subject.
+/// Adds the columns of one subject.
 void add_swept(Fields<SweepLevel>& fields, const std::string& subject, Swept SweepLevel::*of) {
   using L = SweepLevel;
   fields.push_back({{subject + ".seconds", "time", "seconds", {.digits = 3}, subject},

@@ -1,4 +1,4 @@
-// What a sweep of index.equals_reference costs from level to level, beside the obvious loop.
+// The cost of a sweep of index.equals_reference from level to level, beside the obvious loop.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace mmverify::bench {
 struct Swept {
   double seconds = 0, per_second = 0;  ///< cells
   std::optional<double> ratio =
-      {};  ///< per_second / the plain loop's, of the highest level where that was run
+      {};  ///< per_second / the plain loop's, at the highest level where the plain loop was run
   std::optional<double> growth = {};  ///< seconds / those of the level below
 };
 
 struct SweepLevel {
   std::uint32_t level = 0;
   std::uint64_t cells = 0;
-  std::optional<double> plain_per_second = {};  ///< of the plain loop, where that is short
+  std::optional<double> plain_per_second = {};  ///< of the plain loop, if it is short
   Swept step = {}, impl = {};
   double peak_megabytes = 0;  ///< of the process so far
 };

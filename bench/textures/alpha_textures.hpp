@@ -1,4 +1,4 @@
-// The alpha of pictures, from PNG files.
+// A reader of the alpha of pictures, from PNG files.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +7,15 @@
 
 namespace mmverify::bench {
 
-/// Alpha of one picture, rows from the top.
+/// The alpha of one picture, rows from the top.
 struct AlphaTexture {
   std::string file;
   int width = 0, height = 0;
   std::vector<std::uint8_t> alpha;
 };
 
-/// All PNG files in and below a folder, in order of name.  Throws std::runtime_error, naming the file or the
-/// folder, where one cannot be read or there is none.
+/// All PNG files in and below a folder, in order of name.  Throws std::runtime_error, which names the file or
+/// the folder, if one cannot be read or there is none.
 std::vector<AlphaTexture> alpha_textures(const std::string& folder);
 
 }  // namespace mmverify::bench

@@ -9,13 +9,14 @@ namespace mmverify::bench {
 
 AlphaTexture leaf_texture(std::uint64_t seed, int size) {
   const Leaves leaves(seed, 4, 99);
-  // A part of the foliage, its leaves a little larger: so that vectors of 2x2 regions all O, all T or all C
-  // are each about as frequent as the paper found them (4: 11 to 29 %).
+  // The texture shows a part of the foliage, with its leaves a little larger, so that vectors of 2x2 regions
+  // all O, all T or all C are each about as frequent as in the paper (4: 11 to 29 %).
   const double texel = 0.6 / size, fade = texel * static_cast<double>(1 + seed % 4),
                swell = 0.03 / 7 * static_cast<double>(seed / 4 % 8);
   AlphaTexture texture{"leaves " + std::to_string(seed), size, size, {}};
   texture.alpha.resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-  // Tile by tile: only a few leaves are near one, and most are all leaf or all none.
+  // The texture is filled tile by tile: only a few leaves are near one, and most tiles are all leaf or all
+  // none.
   constexpr int tile = 16;
   const double radius = tile * 0.7072 * texel;
   const auto byte = [&](const Leaves::Near& near, const Place& p) {

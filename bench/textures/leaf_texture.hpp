@@ -1,4 +1,4 @@
-// An alpha texture made of a seed.
+// A generated alpha texture, from a seed.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Leaves that overlap, made of a seed, as a distance.
+// A distance field of overlapping leaves, generated from a seed.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@ struct Place {
 };
 
 /// Leaves of random place in the unit square, turn and size: lens shapes (two circles cut) with serrated
-/// outlines.  A distance below zero on a leaf, nowhere steeper than slope().
+/// outlines.  The distance is below zero on a leaf, and nowhere steeper than slope().
 class Leaves {
  public:
-  /// As many as the seed says, from `least` to `most`.  Domain: 1 <= least <= most.
+  /// The seed gives the number of leaves, from `least` to `most`.  Domain: 1 <= least <= most.
   Leaves(std::uint64_t seed, std::uint32_t least, std::uint32_t most);
 
-  /// Which leaves may be the nearest somewhere; for a start all of them.
+  /// Leaves that may be the nearest somewhere; at first all of them.
   using Near = std::vector<std::uint32_t>;
   Near all() const;
-  /// Of those, the ones that may be the nearest within `radius` of p: no distance is steeper than 1.
+  /// The leaves `among` these that may be the nearest within `radius` of p: no distance is steeper than 1.
   Near near(const Near& among, const Place& p, double radius) const;
 
   double operator()(const Near& among, const Place& p) const;

@@ -25,7 +25,7 @@ using Map = std::vector<std::uint8_t>;
 
 constexpr std::uint64_t modelled = 20'000;  // lookups that the cache model follows
 
-/// ns of a call, divided by `parts`.
+/// The ns of a call, divided by `parts`.
 template <class Call>
 double timed(double parts, Call call) {
   const double start = thread_ns();
@@ -53,7 +53,7 @@ struct Lookups {
   }
 };
 
-/// The optimizer must take the value for used.
+/// Makes the optimizer take the value for used.
 void keep(std::uint8_t& value) { asm volatile("" : "+r"(value)); }
 
 void compare(const char* who, std::span<const std::uint8_t> got, std::span<const std::uint8_t> expected) {
@@ -147,7 +147,7 @@ class Measurement {
       state[k] = impl::tree::lookup_stream(n_, bits_, forms_.streams[lookups_.which[k]], lookups_.index[k]);
   }
 
-  /// Each index is changed by the state before it.
+  /// The time of a chain of lookups: each index is changed by the state before it.
   template <class Find>
   double chained(std::size_t count, Find find) const {
     return timed(static_cast<double>(count), [&] {
@@ -160,7 +160,7 @@ class Measurement {
 
   void lookups(TreeFigures& f) {
     const auto count = static_cast<std::size_t>(options_.lookups);
-    // About 0.2 s a round, at some 2 ns a bit.
+    // The count takes about 0.2 s a round, at some 2 ns a bit.
     const std::size_t paper_count =
         std::clamp<std::size_t>(static_cast<std::size_t>(1e8 / std::max(f.bits_read, 1.0)),
                                 std::min<std::size_t>(count, 1000), count);
@@ -215,7 +215,7 @@ class Measurement {
   }
 
   void whole_maps(TreeFigures& f) {
-    // About 30 ms of the obvious way a round.
+    // The count takes about 30 ms of the obvious way a round.
     const double states = static_cast<double>(std::uint64_t{1} << (2 * n_));
     const auto most = static_cast<std::size_t>(std::max(2e7 / states, 1.0));
     const std::size_t count = std::min(forms_.maps.size(), most);

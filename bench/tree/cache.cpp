@@ -22,7 +22,7 @@ StreamReads stream_reads(Level n, const Stream& s, std::uint64_t index) {
       if (internal(t)) left += 4;
     }
   }
-  // All bits up to t were read, and then one state.
+  // The lookup reads all bits up to t, and then one state.
   const auto tree_lines = static_cast<std::size_t>(t / 512 + 1);
   return {t + 1, tree_lines + 1};
 }

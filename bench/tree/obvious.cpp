@@ -70,7 +70,7 @@ Stream obvious_encode(Level n, Format b, std::span<const std::uint8_t> map) {
 }
 
 void obvious_decode(Level n, Format b, const Stream& s, std::span<std::uint8_t> map) {
-  // Padding bits of a map below a byte.
+  // A map shorter than a byte has padding bits.
   std::fill(map.begin(), map.begin() + 1, std::uint8_t{0});
   Decoder{s, map, static_cast<std::uint32_t>(b)}.node(0, std::uint64_t{1} << (2 * n));
 }

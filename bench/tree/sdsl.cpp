@@ -26,7 +26,7 @@ struct SdslTree::Parts {
       shift -= 2;
       p = 4 * before + 1 + (index >> shift & 3);
     }
-    // Of depth n: every internal node comes before it.
+    // The node has depth n, and every internal node comes before it.
     return static_cast<std::uint8_t>(leaves[p - internal]);
   }
 };
@@ -41,7 +41,7 @@ std::uint32_t state_at(std::span<const std::uint8_t> map, std::uint64_t k, std::
 
 SdslTree::SdslTree(Level n, Format b, std::span<const std::uint8_t> map) : parts_(std::make_unique<Parts>()) {
   const auto width = static_cast<std::uint32_t>(b);
-  // By depth: one state, or 4 where they differ.
+  // The nodes by depth: their state, or 4 if the states below differ.
   std::vector<std::vector<std::uint8_t>> by_depth(n + 1);
   by_depth[n].resize(std::size_t{1} << (2 * n));
   for (std::size_t k = 0; k < by_depth[n].size(); ++k)
@@ -74,7 +74,7 @@ SdslTree::SdslTree(Level n, Format b, std::span<const std::uint8_t> map) : parts
   for (std::size_t k = 0; k < nodes.size(); ++k) parts_->nodes[k] = nodes[k];
   parts_->leaves = sdsl::int_vector<>(leaves.size(), 0, static_cast<std::uint8_t>(width));
   for (std::size_t k = 0; k < leaves.size(); ++k) parts_->leaves[k] = leaves[k];
-  // Refers to the vector in its final place.
+  // The rank support refers to the vector in its final place.
   parts_->rank = sdsl::rank_support_v5<1>(&parts_->nodes);
 }
 

@@ -1,4 +1,4 @@
-// A build without sdsl: what is compared with it says why it is not.
+// Stands in for sdsl.cpp in a build without sdsl: the constructor throws the reason.
 #include <stdexcept>
 
 #include "bench/tree/sdsl.hpp"
@@ -17,7 +17,7 @@ SdslTree::~SdslTree() = default;
 SdslTree::SdslTree(SdslTree&&) noexcept = default;
 SdslTree& SdslTree::operator=(SdslTree&&) noexcept = default;
 
-// There is no tree to ask.
+// No tree can be made, so these are never called.
 std::uint8_t SdslTree::operator[](std::uint32_t) const { return 0; }
 void SdslTree::lookup(std::span<const SdslTree>, std::span<const std::uint32_t>,
                       std::span<const std::uint32_t>, std::span<std::uint8_t>) {}

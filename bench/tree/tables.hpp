@@ -1,4 +1,4 @@
-// Size against time of the forms of a map, as tables and a picture.
+// Tables and a picture of size against time of the forms of a map.
 #pragma once
 
 #include <vector>

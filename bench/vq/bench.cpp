@@ -86,7 +86,7 @@ VqRow row_of(const OpacityMaps& maps, std::size_t rounds) {
   return row;
 }
 
-/// The optimizer must take the value for used.
+/// Makes the optimizer take the value for used.
 void keep(std::uint32_t& value) { asm volatile("" : "+r"(value)); }
 
 template <std::uint32_t side, class Block>

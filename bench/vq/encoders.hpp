@@ -1,4 +1,4 @@
-// All encoders, and one encoder on all maps together.
+// The list of all encoders, and sums of one encoder's figures over all maps.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ inline constexpr Vq4Encoder all_vq4[] = {Vq4Encoder::paper,    Vq4Encoder::paper
 
 inline double states_of(const VqRow& row, Vq2Encoder) { return row.states_16; }
 inline double states_of(const VqRow& row, Vq4Encoder) { return row.states_32; }
-/// Substitutions that no block undercuts.
+/// The fewest substitutions that a block can have.
 inline std::uint32_t bound_of(const VqRow& row, Vq2Encoder) {
   return row.by(Vq2Encoder::optimal).substitutions;
 }
@@ -33,7 +33,7 @@ double mean_over(const std::vector<VqRow>& rows, const Figure& figure) {
   return sum_over(rows, figure) / static_cast<double>(rows.size());
 }
 
-/// 100 part / whole; 0 of nothing.
+/// 100 part / whole; 0 if the whole is 0.
 inline double per_cent_of(double part, double whole) { return whole > 0 ? 100 * part / whole : 0; }
 
 }  // namespace mmverify::bench

@@ -15,7 +15,7 @@ using impl::vq::State;
 
 constexpr impl::bake::Cutoff map_cutoff{1, 2};
 
-/// In binary64: beside the cutoff it may round to either side.
+/// Whether alpha is at least the cutoff, in binary64: beside the cutoff it may round to either side.
 bool opaque_at(const AlphaView& part, double u, double v) {
   const auto texel = [&](double x, double y) {
     const auto within = [](double k, std::uint32_t size) {
@@ -33,7 +33,7 @@ bool opaque_at(const AlphaView& part, double u, double v) {
 std::vector<SampledHit> hits_of(const AlphaView& part) {
   constexpr std::size_t count = 4096;
   std::mt19937 random(1);
-  // Below 1, and exact: 24 bits.
+  // The coordinates are below 1, and exact: 24 bits.
   const auto coordinate = [&] { return static_cast<float>(random() >> 8) / 16777216; };
   std::vector<SampledHit> hits(count);
   for (SampledHit& hit : hits) {

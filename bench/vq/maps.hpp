@@ -1,5 +1,5 @@
-// Opacity maps of alpha textures, read or made of a seed: exact coverage at alpha >= 1/2 of the textures cut
-// down to their opaque boxes.
+// Opacity maps of alpha textures, read or generated from a seed: exact coverage at alpha >= 1/2 of the
+// textures cut down to their opaque boxes.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ struct SampledHit {
   bool opaque;
 };
 
-/// Of one texture, as if it covered a pair of triangles: square maps, region (x, y) at x + side y with y from
-/// the bottom, and what the same memory buys elsewhere.
+/// The maps of one texture, as if it covered a pair of triangles: square maps, region (x, y) at x + side y
+/// with y from the bottom, and other maps of the same memory.
 struct OpacityMaps {
   std::string of;                                        ///< the texture's file
   std::array<impl::vq::State, 64> regions_8{};           ///< 128 bits at 2 a region
@@ -33,19 +33,19 @@ struct OpacityMaps {
   std::vector<SampledHit> hits;  ///< 4096, evenly over the square, the same at every run
 };
 
-/// The smallest rectangle of texels that holds all with alpha >= 1/2, cut out: beyond its edge the edge is
-/// sampled, as papers that crop their pictures have it. None where the texture has no such texel. It points
-/// into the texture.
+/// The smallest rectangle of texels that contains all with alpha >= 1/2, cut out: beyond its edge the edge is
+/// sampled, as in papers that crop their pictures.  None if the texture has no such texel.  It points into
+/// the texture.
 /// Domain: width, height in 1..16384.
 std::optional<impl::bake::AlphaView> opaque_part(const AlphaTexture& texture);
 
-/// Of each texture that has an opaque part, in order.
+/// The maps of each texture that has an opaque part, in order.
 std::vector<OpacityMaps> opacity_maps(const std::vector<AlphaTexture>& textures);
 
-/// Of the leaf textures seed, seed + 1, ...
+/// The maps of the leaf textures seed, seed + 1, ...
 std::vector<OpacityMaps> leaf_opacity_maps(std::size_t count, std::uint64_t seed);
 
-/// The share of O and T: hits that need no look at the texture, if they fall evenly.
+/// The share of O and T: hits that do not read the texture, if they fall evenly.
 /// Source: Compressed Opacity Maps, 1 ("savings") and figures 6, 7, 10.  Domain: not empty.
 double savings(std::span<const impl::vq::State> states);
 

@@ -17,7 +17,7 @@ struct SavingsLine {
   std::function<double(const VqRow&)> savings;
 };
 
-/// Savings in per cent, the maps in ascending order of the first line's.
+/// A panel of savings in per cent, the maps in ascending order of the first line.
 Panel savings_panel(const std::string& title, std::vector<VqRow> rows,
                     const std::vector<SavingsLine>& lines) {
   std::stable_sort(rows.begin(), rows.end(),
@@ -47,7 +47,7 @@ Series mark(const std::vector<VqRow>& rows, const std::string& codec, Encoder e,
           .points = {{ms, per_cent_of(lost, states), codec + " " + to_string(e)}}};
 }
 
-/// The share of O and T that is lost, over the time of a map.
+/// A panel of the share of O and T that is lost, over the time of a map.
 Panel error_against_time(const std::vector<VqRow>& rows) {
   const double least = sum_over(rows, [](const VqRow& r) { return r.least; });
   const double states = sum_over(rows, [](const VqRow& r) { return r.states_32; });

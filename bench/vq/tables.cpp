@@ -170,7 +170,7 @@ Chosen chosen_by(const std::vector<VqRow>& rows, const char* codec, Encoder e) {
           transform_counts(rows, [e](const VqRow& row) { return row.by(e).transforms; })};
 }
 
-/// 0: of TR, 1: of BL, 2: of BR.
+/// The most frequent transform of a codec: which = 0 of TR, 1 of BL, 2 of BR.
 std::string most_frequent(const Chosen& c, int which) {
   constexpr const char* names[] = {"identity",   "R90",         "reflect TB", "reflect X=-Y",
                                    "reflect LR", "reflect X=Y", "R180",       "R270"};

@@ -1,4 +1,5 @@
-// What adapters share: a subject, or a baker and what it supports, with the fields that one fills in; the rest is zero.
+// The shared parts of adapters: a subject, or a baker and its supported features, with the fields that the
+// adapter fills in; the rest is zero.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +10,8 @@
 
 inline size_t bytes_of(const mmverify_bake_case_t& c) { return ((size_t{c.format} << 2 * c.level) + 7) / 8; }
 
-/// The map of a special index: every micro-triangle has one state, T 0, O 1, UT 2, UO 3; in 2-state T or O of it.
+/// The map of a special index: every micro-triangle has one state, T 0, O 1, UT 2, UO 3; in 2-state the T or
+/// O of it.
 inline void uniform(const mmverify_bake_case_t& c, int state, uint8_t* map) {
   const int bits = c.format == MMVERIFY_2_STATE ? (state & 1) * 0xff : state * 0x55;
   const size_t used = size_t{c.format} << 2 * c.level;
@@ -29,7 +31,7 @@ const uint8_t* each_mip(const mmverify_bake_case_t& c, F f) {
   return texels;
 }
 
-/// Whether this thread's last call was about the same texels of a byte each, in the same shape: a peer that is handed
+/// Whether this thread's last call had the same texels of a byte each, in the same shape.  A peer that takes
 /// whole meshes makes its texture once for all of their triangles.
 inline bool same_texture_as_before(const mmverify_bake_case_t& c) {
   static thread_local std::vector<uint8_t> before;

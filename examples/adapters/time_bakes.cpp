@@ -1,5 +1,6 @@
-// Times a subject's bakes in one process, one thread: 128 triangles of a 128 x 128 texture, 4-state, bilinear, clamped,
-// cutoff 1/2.  Prints a line LEVEL NANOSECONDS for each level asked that it has: those of one micro-triangle.
+// Times a subject's bakes in one process, one thread: 128 triangles of a 128 x 128 texture, 4-state,
+// bilinear, clamped, cutoff 1/2.  Prints a line LEVEL NANOSECONDS for each given level that it has: the time
+// of one micro-triangle.
 // usage: time_bakes SUBJECT.so LEVEL...
 #include <dlfcn.h>
 
@@ -11,7 +12,7 @@
 
 #include "mmverify_subject.h"
 
-/// Of this thread alone: what else the machine does counts less.
+/// The processor time of this thread alone, on which other load of the machine has less effect.
 static double nanoseconds() {
   timespec now = {};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

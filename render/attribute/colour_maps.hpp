@@ -10,39 +10,40 @@
 
 namespace mmverify::render {
 
-/// What a map has values of.
+/// The elements of a triangle for which a map has values: micro-triangles or micro-vertices.
 enum class ColoursOf : std::uint8_t { faces, vertices };
 
-/// All maps of one kind and level.  Colours are r | g << 8 | b << 16 | a << 24.
+/// The colour maps of a world, all of one kind and one level.  A colour is r | g << 8 | b << 16 | a << 24.
 class ColourMaps {
  public:
-  /// Faces on the curve; vertices in W-minor.
+  /// Maps of faces follow the curve; maps of vertices are in the order W-minor.
   /// Errors: std::invalid_argument for a level above 10.
   ColourMaps(ColoursOf of, unsigned level, std::size_t geometries);
 
-  /// Makes a map of 4^n faces or V(n) vertices that a triangle may have, and returns its number.
+  /// Adds a map with the values of 4^n faces or V(n) vertices, n = level, and returns its number.
   /// Errors: std::invalid_argument for another number of values.
   std::uint32_t add(std::span<const std::uint32_t> values);
-  /// Gives the triangles of a geometry their maps.  Domain: numbers that add() returned.
+  /// Assigns a map, by number, to each triangle of a geometry.  Domain: numbers that add() returned.
   void give(std::uint32_t geometry, std::vector<std::uint32_t> maps);
 
   /// Whether a geometry's triangles have maps.
   bool has(std::uint32_t geometry) const { return !maps_[geometry].empty(); }
 
-  /// The colour at a hit: of the micro-triangle that holds it, by Vulkan's rule for ties; of vertices, interpolated, each
-  /// channel rounded half up.
+  /// The colour at a hit.  Maps of faces give the value of the hit's micro-triangle, by Vulkan's rule for
+  /// ties.  Maps of vertices interpolate and round each channel half up.
   /// Domain: a geometry with maps, a triangle of it, a point of the triangle.
   std::uint32_t at(std::uint32_t geometry, std::uint32_t triangle, const Barycentrics& b) const;
 
-  /// Of vertices the same before it is rounded, channels 0 to 1.  Domain: that of at(), maps of vertices.
+  /// The interpolated colour before at() rounds it, channels 0 to 1.  Domain: that of at(), maps of vertices.
   glsl::vec4 interpolated(std::uint32_t geometry, std::uint32_t triangle, const Barycentrics& b) const;
 
   ColoursOf of() const { return of_; }
   unsigned level() const { return level_; }
-  /// Of values and records, as a device holds them: 4 a face, 16 a vertex, 8 a record.
+  /// The size of the values and records on a device: 4 bytes a face, 16 a vertex, 8 a record.
   std::uint64_t bytes() const;
 
-  // What attribute_api.glsl's buffers hold: values of faces, or of vertices; and a record a triangle.
+  // The contents of the buffers of attribute_api.glsl: values of faces or of vertices, and a record a
+  // triangle.
   const std::vector<std::uint32_t>& face_values() const { return faces_; }
   const std::vector<glsl::vec4>& vertex_values() const { return vertices_; }
   const std::vector<glsl::uvec2>& records(std::uint32_t geometry) const { return maps_[geometry]; }

@@ -58,7 +58,7 @@ struct uvec3 {
 };
 
 inline uint min(uint a, uint b) { return std::min(a, b); }
-// As GLSL has them: the first where either is NaN.
+// Both functions return the first argument if either is NaN, as in GLSL.
 inline float min(float a, float b) { return b < a ? b : a; }
 inline float max(float a, float b) { return a < b ? b : a; }
 inline float clamp(float x, float low, float high) { return min(max(x, low), high); }

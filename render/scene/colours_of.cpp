@@ -12,7 +12,7 @@
 namespace mmverify::render {
 namespace {
 
-/// The use that base colours are read of; null: none.
+/// The use of the texture of base colours; null if there is none.
 const scene::AttributeUse* base_colour_of(const scene::AttributeScene& attributes,
                                           const scene::AttributePrimitive& primitive) {
   for (const scene::AttributeUse& use : primitive.uses)
@@ -58,7 +58,7 @@ ColourMaps colours_of(const scene::Scene& scene, const SceneWorld& world,
     const std::vector<scene::UvTriangle> uvs = uvs_of(*its, *use);
     if (!std::all_of(uvs.begin(), uvs.end(), [&](const auto& uv) { return scene::within_reach(uv, image); }))
       continue;
-    // Equal triangles once, by the first of them.
+    // Equal triangles are baked once.
     std::map<scene::UvTriangle, std::size_t> distinct;
     std::vector<std::size_t> first, which;
     for (std::size_t t = 0; t < uvs.size(); ++t) {

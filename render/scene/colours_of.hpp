@@ -10,11 +10,12 @@
 
 namespace mmverify::render {
 
-/// A map of each triangle whose material has a base colour texture, baked exactly (scene::MapBaker), alpha 255; equal
-/// triangles of a geometry share one.  Without maps are geometries without such a texture, and those with a triangle
-/// beyond scene::within_reach().
+/// Base colours as attribute micromaps, one map for each triangle with a base colour texture, baked exactly
+/// (scene::MapBaker), alpha 255.  Equal triangles of a geometry share a map.  A geometry has no maps if it
+/// has no such texture, or if a triangle is beyond scene::within_reach().
+/// `done` counts baked triangles, from any thread.
 /// Domain: attributes of the scene's own file; level up to 10.
-/// Errors: what `done`, told of triangles from any thread, throws.
+/// Errors: exceptions of `done`.
 ColourMaps colours_of(const scene::Scene& scene, const SceneWorld& world,
                       const scene::AttributeScene& attributes, ColoursOf of, unsigned level,
                       unsigned threads = 0, const std::function<void(std::uint64_t)>& done = {});

@@ -17,7 +17,7 @@ std::uint64_t texel_bytes(const scene::Scene& scene, const scene::Plan& plan) {
   return bytes;
 }
 
-/// Of a frame that was traced several times.
+/// Keeps the least times of a frame that is traced in several rounds.
 template <class Figures, class Frame>
 void keep_least(Figures& figures, const Frame& frame, unsigned round) {
   figures.seconds = round == 0 ? frame.seconds : std::min(figures.seconds, frame.seconds);
@@ -75,8 +75,8 @@ class Comparison {
     if (options_.blend_frame) options_.blend_frame(blends, blended_texture_);
   }
 
-  /// What the machine does besides changes from one minute to the next: so the texture is traced again in each round, and
-  /// all forms beside it.
+  /// The other load of the machine changes from minute to minute.  So each round traces the texture's frame
+  /// again beside all forms.
   void held_against(const FormsOfMaps& maps) {
     const std::string of =
         maps.predicted ? "level " + std::to_string(*maps.forms.front().level) : std::string("VQ2, VQ4");

@@ -9,7 +9,7 @@
 namespace mmverify::render {
 namespace {
 
-/// Numbers in [0,1), one after the other.
+/// A sequence of pseudo-random numbers.
 class Shares {
  public:
   explicit Shares(std::uint64_t seed) : state_(seed) {}
@@ -28,7 +28,7 @@ class Shares {
 
 bool gets_micromaps(const Geometry& geometry) { return geometry.surface.has_value() && geometry.planned; }
 
-/// Placed triangles that get micromaps, of an instance.
+/// The number of triangles of an instance that get micromaps.
 std::uint64_t count_of(const World& world, const Instance& instance) {
   std::uint64_t count = 0;
   for (const std::uint32_t g : world.meshes[instance.mesh])
@@ -36,7 +36,7 @@ std::uint64_t count_of(const World& world, const Instance& instance) {
   return count;
 }
 
-/// The k-th of them in the whole world, its corners placed.
+/// The placed corners of triangle k, which counts the world's triangles that get micromaps.
 std::array<Point, 3> placed_triangle(const World& world, std::uint64_t k) {
   for (const Instance& instance : world.instances) {
     const std::uint64_t count = count_of(world, instance);
@@ -62,7 +62,7 @@ std::array<Point, 3> placed_triangle(const World& world, std::uint64_t k) {
 Camera aimed(const World& world, std::uint64_t triangles, const Box& box, Shares shares, float aspect) {
   constexpr float turn = 6.2831853f, nearest = 5, least_half_angle = 0.35f, more = 0.4f;
   const std::array<Point, 3> corner = placed_triangle(world, shares.below(triangles));
-  // Evenly over the triangle: the square's upper half is turned into the lower.
+  // The point is even over the triangle: the square's upper half is turned onto the lower.
   float u = shares.next(), v = shares.next();
   if (u + v > 1) u = 1 - u, v = 1 - v;
   const Point at =

@@ -16,7 +16,7 @@ Vector edge(const Point& from, const Point& to) {
   return {double{to[0]} - from[0], double{to[1]} - from[1], double{to[2]} - from[2]};
 }
 
-/// The texture as its sampler shows it, mip level 0, in what is averaged.
+/// The texture at (u, v) as its sampler filters it, mip level 0, in the quantities that are averaged.
 Mean sampled(const scene::ColourImage& image, const scene::Sampler& sampler,
              const scene::CodeMeaning& meaning, double u, double v) {
   const auto texel = [&](std::int64_t x, std::int64_t y) {
@@ -89,7 +89,8 @@ TriangleLooks::TriangleLooks(const TextureLooks& looks, std::uint32_t geometry, 
     if (!scene::has(texture.set, scene::Attribute::normal)) continue;
     const double u1 = double{uvs[1][0]} - uvs[0][0], v1 = double{uvs[1][1]} - uvs[0][1],
                  u2 = double{uvs[2][0]} - uvs[0][0], v2 = double{uvs[2][1]} - uvs[0][1];
-    // Of the area the sign alone counts: directions may have any length.  v goes down, and up is against it.
+    // Only the sign of the area counts, since directions may have any length.  v goes down the image, so `up`
+    // is against it.
     const double area = u1 * v2 - u2 * v1, sign = area > 0 ? 1 : area < 0 ? -1 : 0;
     for (std::size_t c = 0; c < 3; ++c) {
       of_triangle_.along[c] = sign * (v2 * e1[c] - v1 * e2[c]);

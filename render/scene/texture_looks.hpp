@@ -1,4 +1,4 @@
-// What a triangle's attributes are at a point, read of textures or of maps.
+// The attributes of a triangle at a point, read from textures or from maps.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace mmverify::render {
 /// A world's geometries with their textures, ready to be read or baked.
 class TextureLooks {
  public:
-  /// All outlive it.
+  /// Domain: the arguments outlive the object.
   TextureLooks(const scene::Scene& scene, const SceneWorld& world, const scene::AttributeScene& attributes,
                const std::vector<scene::PrimitiveShading>& shading);
 
@@ -33,17 +33,18 @@ class TextureLooks {
   std::vector<std::unique_ptr<scene::MapBaker>> bakers_;  ///< by texture
 };
 
-/// One triangle of a geometry; its maps are baked when it is made.
+/// One triangle of a geometry.  The constructor bakes its maps.
 class TriangleLooks {
  public:
   TriangleLooks(const TextureLooks& looks, std::uint32_t geometry, std::uint32_t triangle, ShownFrom from,
                 unsigned level);
 
-  /// With factors applied; the normal is that of the tangent space.
+  /// The attributes at a point, times the material's factors; the normal is in tangent space.
   Look at(const Barycentrics& point) const;
 
-  /// In the mesh's own space, of any length: the triangle's normal, that between its vertices', and where the texture of
-  /// normals goes right and up.  The last two are 0 where there is none, or its triangle has no area.
+  /// Directions in the mesh's own space, of any length: the triangle's normal, the normal interpolated
+  /// between its vertices, and the directions in which the normal texture goes right and up.  The last two
+  /// are 0 if there is no such texture, or if the triangle has no area in it.
   struct Directions {
     Vector flat{}, normal{}, along{}, up{};
   };

@@ -23,10 +23,11 @@ Vector plus(const Vector& a, double s, const Vector& b) {
 Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-/// One unit long; the other where it has no length.
+/// `a` at length 1, or `other` if `a` has no length.
 Vector unit_or(const Vector& a, const Vector& other) { return dot(a, a) > 1e-60 ? unit(a) : other; }
 
-/// A linear map, column by column, of directions and of normals: cofactors, times the determinant's sign.
+/// A linear map, stored by columns, applied to a direction, and to a normal: cofactors, times the
+/// determinant's sign.
 Vector applied(const std::array<float, 12>& m, const Vector& a) {
   Vector b{};
   for (std::size_t column = 0; column < 3; ++column)
@@ -95,7 +96,7 @@ class Views::Shader {
   std::uint64_t triangles() const { return triangles_; }
 
  private:
-  /// As seen() has it.
+  /// The sky of seen(), as linear light.
   Rgb sky(std::uint32_t row) const {
     const double height = 1 - static_cast<double>(row) / frame_.height;
     Rgb rgb{};
@@ -119,7 +120,7 @@ class Views::Shader {
     }
   }
 
-  /// Turns the look's normal into the world's, and lights it.
+  /// Turns the look's normal into world space, and returns the light that reaches the eye.
   Vector lit(const Pixel& pixel, std::uint32_t at, Look& look, const TriangleLooks& looks) const {
     const Ray ray = ray_of(camera_, at % frame_.width, at / frame_.width, frame_.width, frame_.height);
     const Vector to_eye = unit(plus({}, -1, vector_of(ray.direction)));
@@ -184,8 +185,8 @@ class Views::Shader {
   ViewOptions options_;
   TextureLooks looks_;
   Box box_;
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  ///< of hits: their triangle, their pixel
-  std::vector<std::size_t> groups_;                             ///< where each triangle's begin, and the end
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  ///< hits by triangle: the triangle, the pixel
+  std::vector<std::size_t> groups_;  ///< the first hit of each triangle in order_, and the end
   std::vector<std::uint8_t> textured_;
   std::uint64_t triangles_ = 0;
 };

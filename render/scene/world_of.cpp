@@ -16,7 +16,7 @@ Surface surface_of(const scene::Scene& scene, const scene::Surface& planned) {
   return Surface(inputs.texels, inputs.sampling, inputs.mode);
 }
 
-/// Of a primitive that the plan leaves out although a texture tests its alpha.
+/// The surface of a primitive that the plan leaves out; none unless a texture tests the primitive's alpha.
 std::optional<scene::Surface> unplanned_surface(const scene::Scene& scene,
                                                 const scene::Primitive& primitive) {
   const scene::Material& material = scene.material_of(primitive);

@@ -44,7 +44,8 @@ std::vector<std::uint32_t> first_triangles(const ColourImage& image, std::span<c
                                            const std::function<void()>& stop) {
   std::vector<std::uint32_t> first(std::size_t{image.width} * image.height, no_triangle);
   std::size_t left = first.size();
-  // One that lies where an earlier one does is the first of no texel; a forest has thousands on few places.
+  // A triangle at the place of an earlier one is the first to show no texel; a forest has thousands on few
+  // places.
   std::set<std::tuple<TexelTriangle, Wrap, Wrap>> places;
   for (std::uint32_t k = 0; k < triangles.size() && left > 0; ++k) {
     if (stop) stop();

@@ -1,4 +1,4 @@
-// The map of one triangle out of one texture.
+// A baker of one triangle's map from one texture.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,15 @@
 
 namespace mmverify::scene {
 
-/// A texture made ready for any number of triangles and threads.
+/// A texture prepared for any number of triangles and threads.
 class MapBaker {
  public:
-  /// The image must outlive it.
+  /// The image must outlive the baker.
   MapBaker(const ColourImage& image, const AttributeTexture& texture, Averaging averaging);
 
-  /// faces: micro-triangle k of the curve (impl/index) at out[k], the mean of the texels under it, each by its share of
-  /// the area.  vertices: micro-vertex (i, j) at out[r(r+1)/2 + j], r = i+j, what the sampler gives there.
+  /// faces: out[k] is micro-triangle k of the curve (impl/index): the mean of the texels under it, each by
+  /// its share of the area.  vertices: out[r(r+1)/2 + j] is micro-vertex (i, j), r = i+j: the sampler's value
+  /// there.
   /// Exact, rounded half up (impl/attribute/bake.hpp).
   /// Domain: out.size() = values_of_map(kind, level); UVs below 2^20 in size, a box of 2^24 texels and 2^15 along an axis
   /// at most; else std::invalid_argument.

@@ -8,7 +8,7 @@
 namespace mmverify::scene {
 namespace {
 
-/// Which parts belong together.
+/// A partition of the numbers 0..count-1 (union-find).
 class Parts {
  public:
   explicit Parts(std::size_t count) : parent_(count) {
@@ -24,7 +24,7 @@ class Parts {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Calls visit(neighbour) for each of up to eight.
+/// Calls visit(neighbour) for each of up to eight neighbours.
 template <class Visit>
 void for_each_neighbour(std::size_t texel, std::uint32_t width, std::uint32_t height, Visit visit) {
   const std::size_t x = texel % width, y = texel / width;
@@ -66,7 +66,7 @@ std::vector<std::uint8_t> bands_of(std::span<const std::uint32_t> charts, std::u
                        [&](std::size_t other) { at_border = at_border || charts[other] != charts[texel]; });
     if (at_border) front.push_back(texel);
   }
-  // A texel whose neighbours are all of its chart is one farther than the nearest of them.
+  // A texel whose neighbours are all of its chart is one farther from the border than the nearest of them.
   std::vector<bool> reached(charts.size());
   for (const std::size_t texel : front) reached[texel] = true;
   for (std::uint32_t distance = 1; distance <= std::uint32_t{1} << last && !front.empty(); ++distance) {

@@ -1,4 +1,4 @@
-// What attribute micromaps take: closed forms.
+// The sizes of attribute micromaps in closed form.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,17 @@ constexpr std::uint64_t values_of_map(MapKind kind, unsigned level) {
   return kind == MapKind::faces ? n * n : (n + 1) * (n + 2) / 2;
 }
 
-/// RGBA8, as the textures are counted.
+/// The bytes of an RGBA8 value, as for textures.
 inline constexpr std::uint64_t bytes_of_value = 4;
 
-/// Bytes of so many maps, without mips.  Source: Color and Attribute Micromaps, 5.1, whose figure 1 is this:
+/// The bytes of `maps` maps, without mips.  Source: Color and Attribute Micromaps, 5.1, whose figure 1 is
+/// this:
 ///   58,626 maps of vertices at level 4, of the Shoe's three textures of 2048^2, are 71.29 % of 3 x 4 x 2048^2
 constexpr std::uint64_t bytes_of_maps(std::uint64_t maps, MapKind kind, unsigned level) {
   return maps * values_of_map(kind, level) * bytes_of_value;
 }
 
-/// The first level at which so many maps take more than `bytes`; none up to 16.
+/// The first level at which `maps` maps take more than `bytes`; no_level if none up to 16 does.
 constexpr unsigned no_level = 17;
 constexpr unsigned level_beyond(std::uint64_t maps, MapKind kind, std::uint64_t bytes) {
   unsigned level = 0;

@@ -7,7 +7,8 @@
 namespace mmverify::scene {
 namespace {
 
-/// Sorts the texels by their triangles, and finds where each is shown: of a triangle that repeats it, the last place.
+/// Sorts the texels by their triangles, and finds the place where each texel is shown: the last one, if the
+/// triangle repeats it.
 void find_own(ImageTriangles& triangles, const ColourImage& image, std::span<const Sampler> samplers,
               const std::function<void()>& stop) {
   triangles.begin.assign(triangles.maps.size() + 1, 0);

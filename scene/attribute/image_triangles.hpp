@@ -12,16 +12,16 @@
 
 namespace mmverify::scene {
 
-/// Of one image of AttributeScene::images.
+/// The triangles of one image of AttributeScene::images.
 struct ImageTriangles {
   std::size_t image = 0;
-  std::vector<std::size_t> maps;       ///< among all of the set
-  std::vector<TexelTriangle> corners;  ///< of each
-  std::vector<std::uint32_t> first;    ///< by texel: the first that shows it, as first_triangles()
-  std::vector<std::uint8_t> shown;     ///< by texel: 1 where there is one
+  std::vector<std::size_t> maps;       ///< numbers among all maps of the set
+  std::vector<TexelTriangle> corners;  ///< of each map
+  std::vector<std::uint32_t> first;    ///< by texel: the first triangle that shows it, as first_triangles()
+  std::vector<std::uint8_t> shown;     ///< by texel: 1 if a triangle shows it
 
-  // The texels of each triangle's own, of which it is the first: own[begin[k]] up to own[begin[k + 1]], and by texel the
-  // last place where that triangle shows it.
+  // Triangle k's own texels are those that it is the first to show: own[begin[k]] up to own[begin[k + 1]].
+  // place is, by texel, the last place where its triangle shows it.
   std::vector<std::size_t> begin;
   std::vector<std::uint32_t> own;
   std::vector<std::array<std::int32_t, 2>> place;
@@ -29,7 +29,7 @@ struct ImageTriangles {
   std::uint64_t texels_shown() const;
 };
 
-/// Calls visit(texel, u, v) for each texel of triangle k's own, once, however often the triangle repeats it.
+/// Calls visit(texel, u, v) for each own texel of triangle k, once, however often the triangle repeats it.
 template <class Visit>
 void for_each_own_texel(const ImageTriangles& triangles, std::size_t k, Visit visit) {
   const TexelPlane plane(triangles.corners[k]);
@@ -40,7 +40,7 @@ void for_each_own_texel(const ImageTriangles& triangles, std::size_t k, Visit vi
   }
 }
 
-/// stop: as of first_triangles().  Domain: triangles within_reach().
+/// stop: as in first_triangles().  Domain: triangles within_reach().
 ImageTriangles image_triangles(const AttributeScene& scene, std::size_t image,
                                std::span<const MapOfTriangle> all, const std::function<void()>& stop = {});
 

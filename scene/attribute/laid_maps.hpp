@@ -1,4 +1,4 @@
-// The maps of a set's triangles in memory, as a renderer would hold them.
+// The maps of a set's triangles in memory, as a renderer would have them.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,26 @@ namespace mmverify::scene {
 
 /// A triangle in one attribute set.
 struct MapOfTriangle {
-  std::size_t texture = 0;  ///< of AttributeScene::textures
+  std::size_t texture = 0;  ///< number in AttributeScene::textures
   UvTriangle uvs;
 };
 
-/// Equal maps are there once.
+/// The maps of a set; equal maps are stored once.
 struct LaidMaps {
   AttributeSet set = 0;
   unsigned level = 0;
   MapKind kind = MapKind::faces;
   std::span<const MapOfTriangle> triangles;
   std::vector<std::size_t> first;     ///< by triangle: its map begins at values[first]
-  std::vector<std::uint32_t> values;  ///< r | g << 8 | b << 16 | a << 24; in a map as MapBaker has them
+  std::vector<std::uint32_t> values;  ///< r | g << 8 | b << 16 | a << 24; within a map in MapBaker's order
 };
 
-/// Maps are laid up to so many values, 1 GiB.
+/// The limit of stored values, 1 GiB.
 inline constexpr std::uint64_t most_laid_values = std::uint64_t{1} << 28;
 
-/// Fills first and values; values stay empty, and so does first, where they would be more than most_laid_values.
-/// keys: of the map of each triangle; map(k, out) bakes that of triangle k.  Domain: set, level, kind and triangles are
-/// there, as many keys as triangles.
+/// Fills `first` and `values`; both stay empty if there would be more than most_laid_values.
+/// `keys` has the key of each triangle's map, and map(k, out) bakes the map of triangle k.
+/// Domain: set, level, kind and triangles are filled in, as many keys as triangles.
 void lay(LaidMaps& laid, std::span<const MapKey> keys,
          const std::function<void(std::size_t, std::vector<MapValue>&)>& map);
 

@@ -12,7 +12,7 @@ std::size_t face_index(unsigned level, double u, double v) {
 
 namespace {
 
-/// The corners of the micro-triangle that holds a point, and its weights there.
+/// The corners of the micro-triangle that contains a point, and the point's weights there.
 struct Corners {
   std::array<MapValue, 3> values;
   std::array<double, 3> weights;
@@ -23,7 +23,7 @@ Corners corners_at(std::span<const MapValue> map, unsigned level, double u, doub
   const double x = std::clamp(u, 0.0, 1.0) * n, y = std::clamp(v, 0.0, 1.0) * n;
   std::uint32_t i = std::min(static_cast<std::uint32_t>(x), n - 1),
                 j = std::min(static_cast<std::uint32_t>(y), n - 1);
-  // Only on the edge opposite the first corner, where the square is the one before.
+  // i + j > n - 1 only on the edge opposite the first corner; the square is then the one before.
   if (i + j > n - 1) (i > 0 ? i : j) -= 1;
   const double fu = x - i, fv = y - j;
   const auto at = [&map](std::uint32_t a, std::uint32_t b) { return map[(a + b) * (a + b + 1) / 2 + b]; };

@@ -18,7 +18,7 @@ namespace {
 
 using MapValues = std::vector<MapValue>;
 
-/// One attribute set of a scene: its maps, image by image.
+/// The measurement of one attribute set of a scene: its maps, image by image.
 class SetMeasurement {
  public:
   SetMeasurement(const AttributeScene& scene, AttributeSet set, const AttributeOptions& options)
@@ -129,7 +129,7 @@ class SetMeasurement {
     options_.atlas({set_, image, original, of_image, triangles, first});
   }
 
-  /// What the coder makes of an image, beside what it made of the set's others at the same size.
+  /// Compresses an image at each size, and adds the results to those of the set's other images.
   void compress(const ColourImage& image, const std::vector<std::uint8_t>& original,
                 const std::vector<std::uint8_t>& shown) {
     const TextureCoder& coder = options_.texture_coder;
@@ -168,7 +168,7 @@ class SetMeasurement {
     return pixels;
   }
 
-  /// Adds an image at one size; `codes`: what came back, at full resolution.
+  /// Adds an image at one size; `codes` are the decoded texels at full resolution.
   void measure_decoded(const ColourImage& image, const std::vector<std::uint8_t>& original,
                        const std::vector<std::uint8_t>& shown, std::size_t size,
                        const DecodedTexture& decoded, std::uint32_t factor,
@@ -217,7 +217,7 @@ class SetMeasurement {
     });
   }
 
-  /// How many micro-triangles have a texel's centre; once all have one, no more centres are looked at.
+  /// The number of micro-triangles that contain a texel's centre.  The search ends once all do.
   static std::uint64_t faces_with_centre(const TexelTriangle& corners, unsigned level) {
     const std::uint64_t faces = values_of_map(MapKind::faces, level);
     std::vector<bool> has_centre(faces);
@@ -309,14 +309,14 @@ class SetMeasurement {
   AttributeSet set_;
   std::uint8_t channels_;
   AttributeSetFigures figures_;
-  std::map<std::size_t, MapBaker> bakers_;  ///< by textures of the scene
+  std::map<std::size_t, MapBaker> bakers_;  ///< by number of a texture of the scene
   std::vector<MapOfTriangle> all_;
-  std::vector<std::size_t> same_;  ///< of all_, by first_of_same_uvs()
+  std::vector<std::size_t> same_;  ///< by triangle of all_: first_of_same_uvs()
   std::uint64_t far_ = 0;
-  // By place_of(): a key a map; sums.
+  // Both are by place_of(): the keys of the maps, and the sums.
   std::vector<std::vector<MapKey>> keys_;
   std::vector<ErrorSums> sums_, nearest_sums_;
-  std::vector<ErrorSums> compressed_sums_;  ///< of figures_.compressed
+  std::vector<ErrorSums> compressed_sums_;  ///< by figures_.compressed
   std::vector<std::uint64_t> seen_faces_;
 };
 

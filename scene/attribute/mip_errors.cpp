@@ -18,7 +18,7 @@
 namespace mmverify::scene {
 namespace {
 
-/// Each value the mean of four children's.
+/// The values of the level below; each is the mean of four children.
 std::vector<MapValue> parents(std::span<const MapValue> children, const CodeMeaning& meaning) {
   std::vector<MapValue> values;
   for (std::size_t k = 0; k < children.size(); k += 4) {
@@ -32,7 +32,7 @@ std::vector<MapValue> parents(std::span<const MapValue> children, const CodeMean
   return values;
 }
 
-/// The root of a mean of squares; nothing of no texels.
+/// The root of a mean of squares; none without texels.
 std::optional<double> rmse(double squares, std::uint64_t texels, int channels) {
   if (texels == 0) return {};
   return std::sqrt(squares / (static_cast<double>(texels) * channels));
@@ -113,7 +113,7 @@ std::vector<ShownMip> MipErrors::maps_of(const AttributeAtlas& atlas, MapKind ki
   std::vector<ShownMip> levels(steps_, {atlas.original, {}});
   const std::vector<std::size_t> same = first_of_same_uvs(atlas.maps);
   oneapi::tbb::parallel_for(std::size_t{0}, atlas.maps.size(), [&](std::size_t k) {
-    // What lies where an earlier one does is the first of no texel.
+    // A triangle at the place of an earlier one is the first to show no texel.
     if (same[k] != k) return;
     if (options_.stop) options_.stop();
     const MapOfTriangle& map = atlas.maps[k];

@@ -1,4 +1,4 @@
-// A texture's mips beside those of its maps, and what bleeds across the borders of charts.
+// A texture's mips beside the mips of its maps, and the errors of bleeding across the borders of charts.
 #pragma once
 
 #include <array>
@@ -13,37 +13,37 @@
 
 namespace mmverify::scene {
 
-/// How far a mip is from the texture, over the texels that a triangle shows.  RMSE in codes of 8 bits.
+/// The difference of a mip and its texture, over the texels that a triangle shows.  RMSE in codes of 8 bits.
 struct MipError {
   MapError all;
-  std::optional<double> border, interior;  ///< RMSE of either alone; nothing where no texel is there
+  std::optional<double> border, interior;  ///< RMSE of each part alone; none without texels
 };
 
-/// A level of maps, made out of the highest one.
+/// A level of maps, made from the highest level.
 struct MipOfMaps {
   unsigned level = 0;
-  double values_per_texel = 0;  ///< of all triangles' maps, a texel shown
+  double values_per_texel = 0;  ///< values of all triangles' maps over the shown texels
   MipError error;
 };
 
-/// Mip m of all textures of a set, and beside it of each kind the level with most nearly as many values: that with the
+/// Mip m of all textures of a set, and for each kind the level with most nearly as many values, which has the
 /// least |log(values / 4^-m)|.
 struct MipStep {
   AttributeSet set = 0;
   unsigned mip = 0;
-  double border_share = 0;  ///< of the texels shown
+  double border_share = 0;  ///< border texels over shown texels
   MipError texture;
   MipOfMaps faces, vertices;
 };
 
-/// One way to show an image: rows of RGB, and its FLIP, a texel each.
+/// One way to show an image: rows of RGB, and its FLIP, a value a texel.
 struct ShownMip {
   std::vector<std::uint8_t> rgb;
   std::vector<float> errors;
 };
 
-/// A mip of an image of sRGB beside the levels of its maps.  The levels are nearest by the image's own numbers, which are
-/// the set's where it has one image.
+/// A mip of an sRGB image beside the levels of its maps.  The levels are nearest by the image's own counts,
+/// which are the set's if the set has one image.
 struct MipPicture {
   const ColourImage& image;
   AttributeSet set;
@@ -52,18 +52,18 @@ struct MipPicture {
   const ShownMip &texture, &faces, &vertices;
 };
 
-/// Takes errors of mips as atlases come by (AttributeOptions::atlas).
-///   texture, mip m  each texel the mean of 2^m x 2^m of the whole image, whichever charts they are of, in light (as
-///                   reduced() has it); shown by a bilinear sampler; m = 0 is the texture
-///   faces           the map of level `last`; of a level below, each value the mean of four children's, rounded
-///   vertices        of the map of level `last` the values at the vertices of the level, which no rounding touches
-/// Border: texels of a chart within 2^m texels of one of another chart or of none (charts.hpp).  A bilinear sample of mip
-/// m reaches 3/2 2^m - 1 texels, so a little of what bleeds is the interior's.
+/// The errors of mips, added up atlas by atlas (AttributeOptions::atlas).
+///   texture, mip m  each texel is the mean of 2^m x 2^m texels of the whole image, of any chart, in light (as in
+///                   reduced()); shown by a bilinear sampler; m = 0 is the texture
+///   faces           the map of level `last`; at a level below, each value is the mean of four children, rounded
+///   vertices        the values of the map of level `last` at the vertices of the level, without rounding
+/// Border: texels of a chart within 2^m texels of a texel of another chart or of none (charts.hpp).  A
+/// bilinear sample of mip m reaches 3/2 2^m - 1 texels, so a little of the bleeding is counted as interior.
 /// Source: Color and Attribute Micromaps, 4.4 and 4.4.1, figure 7.
 class MipErrors {
  public:
-  /// Levels options.first..options.last; mips 0..last - first.  Both must outlive it.  `picture` is told of each mip of
-  /// each image of sRGB.
+  /// Levels are options.first..options.last, mips 0..last - first.  Both arguments must outlive the object.
+  /// `picture` receives each mip of each sRGB image.
   MipErrors(const AttributeScene& scene, const AttributeOptions& options,
             std::function<void(const MipPicture&)> picture = {})
       : scene_(scene),
@@ -72,7 +72,7 @@ class MipErrors {
         steps_(options.last - options.first + 1) {}
 
   void take(const AttributeAtlas& atlas);
-  /// Set by set, mip by mip; of sets of which a texel is shown.
+  /// The steps by set, then by mip; sets without a shown texel are left out.
   std::vector<MipStep> steps() const;
 
  private:
@@ -81,7 +81,7 @@ class MipErrors {
     double squares = 0, flip = 0;
   };
   using Bands = std::vector<BandSums>;  ///< as bands_of() numbers them
-  /// Of all images of a set.
+  /// The sums over all images of a set.
   struct SetSums {
     std::uint64_t triangles = 0;
     std::vector<std::uint64_t> texels;           ///< by band
@@ -90,9 +90,9 @@ class MipErrors {
   };
 
   std::vector<ShownMip> mips_of(const AttributeAtlas& atlas) const;
-  /// From the lowest level.
+  /// The shown maps, from the lowest level.
   std::vector<ShownMip> maps_of(const AttributeAtlas& atlas, MapKind kind) const;
-  /// Fills in the errors, where there is FLIP.
+  /// Adds the errors to `sums`; fills in `shown.errors` if there is FLIP.
   void add(const AttributeAtlas& atlas, std::span<const std::uint8_t> bands, ShownMip& shown,
            Bands& sums) const;
   unsigned nearest_level(std::uint64_t triangles, std::uint64_t texels, MapKind kind, unsigned mip) const;
@@ -106,7 +106,7 @@ class MipErrors {
   std::map<AttributeSet, SetSums> sums_;
 };
 
-/// The map of a level below, as MapBaker lays maps out.
+/// The map of a level at or below `of`, laid out as MapBaker's.
 /// Domain: level <= of <= 12, as many values as the map of level `of` has.
 std::vector<MapValue> mip_of_map(std::span<const MapValue> map, MapKind kind, unsigned of, unsigned level,
                                  const CodeMeaning& meaning);

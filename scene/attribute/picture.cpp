@@ -10,7 +10,7 @@
 namespace mmverify::scene {
 namespace {
 
-/// A picture's pixel as a mean over square blocks.
+/// A picture's pixel: the mean over a square block, of the channel.
 template <class Channel>
 std::uint8_t mean_of_block(std::uint32_t width, std::uint32_t height, std::uint32_t x, std::uint32_t y,
                            std::uint32_t block, Channel channel) {
@@ -36,7 +36,7 @@ class Tiles {
     all_.rgb.assign(std::size_t{3} * all_.width * all_.height, 255);
   }
 
-  /// channel(c, texel) of the tile in this column and row.
+  /// Fills the tile in this column and row with channel(c, texel).
   template <class Channel>
   void fill(std::uint32_t column, std::uint32_t row, Channel channel) {
     for (std::uint32_t y = 0; y < down_; ++y)

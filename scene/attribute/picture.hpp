@@ -1,4 +1,4 @@
-// What a level makes of a texture, side by side.
+// Pictures of a level and its texture, side by side.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,22 @@ struct RgbPicture {
   std::vector<std::uint8_t> rgb;
 };
 
-/// Above the texture, faces, vertices; below a scale of errors, from 0 on the left to 1, and the errors of both.  Each
-/// tile is the texture made smaller by the least whole number that leaves no side above `longest`, as means of codes.
+/// The upper row has the texture, faces, vertices; the lower row a scale of errors, from 0 on the left to 1,
+/// and the errors of both.  Each tile is the texture made smaller by the least whole number that leaves no
+/// side above `longest`, as means of codes.
 /// Domain: longest > 0.
 RgbPicture side_by_side(const AttributePicture& picture, std::uint32_t longest);
 
-/// Above the texture's mip, faces, vertices; below their errors, where what no triangle shows is grey, so that charts have
-/// borders.  Tiles as above.
+/// The upper row has the texture's mip, faces, vertices; the lower row their errors.  Texels that no triangle
+/// shows are grey, so that charts have borders.  Tiles are as above.
 RgbPicture side_by_side(const MipPicture& picture, std::uint32_t longest);
 
-/// Smaller by the least whole number that leaves no side above `longest`, as means of codes.  Domain: longest > 0.
+/// The image made smaller by the least whole number that leaves no side above `longest`, as means of codes.
+/// Domain: longest > 0.
 RgbPicture made_smaller(const ColourImage& image, std::uint32_t longest);
 
-/// The colour of an error in [0, 1]: black, blue, purple, orange, yellow, white, in equal steps, between them linearly.
+/// The colour of an error in [0, 1]: black, blue, purple, orange, yellow, white, in equal steps, linear
+/// between them.
 std::array<std::uint8_t, 3> colour_of_error(float error);
 
 }  // namespace mmverify::scene

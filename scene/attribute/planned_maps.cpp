@@ -24,22 +24,23 @@ using impl::attribute::no_neighbour;
 using impl::attribute::TrianglePlan;
 using MapValues = std::vector<MapValue>;
 
-/// Sums over the texels whose centre a triangle shows: of its one value, and of its maps by level.
+/// Sums of squares over the texels whose centre a triangle shows: for its single value, and for its maps by
+/// level.
 struct TriangleErrors {
-  const std::vector<std::uint8_t>* original = nullptr;  ///< of its image
+  const std::vector<std::uint8_t>* original = nullptr;  ///< the texels of its image
   std::uint64_t texels = 0;
   double of_value = 0;
-  std::vector<double> of_level;                                       ///< from the first one on
+  std::vector<double> of_level;                                       ///< from the first level on
   std::map<std::pair<std::uint32_t, std::uint8_t>, double> of_edges;  ///< by level and decimated edges
 };
 
-/// An image of a set: which triangles show it, and what they are held against.
+/// An image of a set: the triangles that show it, and the texels that they are compared with.
 struct PlannedImage {
   ImageTriangles shown;
   std::vector<std::uint8_t> original;
 };
 
-/// One attribute set of a scene, and maps of one kind.
+/// The planner of one attribute set of a scene, with maps of one kind.
 class SetPlanner {
  public:
   SetPlanner(const AttributeScene& scene, AttributeSet set, MapKind kind, const AttributeOptions& options)
@@ -92,7 +93,8 @@ class SetPlanner {
     return scene_.images[scene_.textures[map.texture].image];
   }
 
-  /// The triangles of a primitive that are near enough; neighbours by its vertices, of faces none.
+  /// Adds the triangles of a primitive that are within reach.  Neighbours share its vertices; faces have no
+  /// neighbours.
   void add(const AttributePrimitive& primitive, const AttributeUse& use) {
     std::vector<Triangle> near;
     const auto begin = static_cast<std::int32_t>(all_.size());
@@ -116,7 +118,7 @@ class SetPlanner {
     }
   }
 
-  /// Each triangle's errors at each level, no edge decimated.
+  /// Computes each triangle's errors at each level, with no edge decimated.
   void measure_triangles() {
     errors_.resize(all_.size());
     same_ = first_of_same_uvs(all_);
@@ -136,7 +138,7 @@ class SetPlanner {
       });
   }
 
-  /// Sum over the texels whose centre the triangle shows; shows(u, v): what is seen there.
+  /// The sum over the texels whose centre the triangle shows; shows(u, v) is the value that is seen there.
   template <class Shows>
   double squares_of(std::size_t t, Shows shows) const {
     const ColourImage& image = image_of(all_[t]);
@@ -178,7 +180,7 @@ class SetPlanner {
     return values;
   }
 
-  /// The mean of the texels under the triangle.
+  /// The single value of a triangle: the mean of the texels under it.
   MapValue value_of(std::size_t t) const { return baked(t, MapKind::faces, 0).front(); }
 
   double squares(std::size_t t, std::uint32_t level, std::uint8_t edges) {
@@ -213,7 +215,7 @@ class SetPlanner {
     figures.palette = palette.size();
   }
 
-  /// Equal maps of a level once.
+  /// Counts the distinct maps of each level.
   void share(const std::vector<TrianglePlan>& plan, PlannedMaps& figures) const {
     for (PlannedLevel& at : figures.levels) {
       std::vector<std::size_t> triangles;
@@ -232,7 +234,7 @@ class SetPlanner {
     }
   }
 
-  /// Of what the triangles show of an image; a texel that several show is the first one's.
+  /// Adds the errors of the triangles on an image; a texel that several show belongs to the first of them.
   void add_image_errors(const std::vector<TrianglePlan>& plan, const PlannedImage& image,
                         ErrorSums& sums) const {
     const ImageTriangles& triangles = image.shown;
@@ -255,11 +257,11 @@ class SetPlanner {
   AttributeSet set_;
   MapKind kind_;
   std::uint8_t channels_;
-  std::map<std::size_t, MapBaker> bakers_;  ///< by textures of the scene
+  std::map<std::size_t, MapBaker> bakers_;  ///< by number of a texture of the scene
   std::vector<MapOfTriangle> all_;
   std::vector<Neighbours> neighbours_;  ///< by triangle, as all below
   std::vector<std::size_t> same_;       ///< by first_of_same_uvs()
-  std::vector<TriangleErrors> errors_;  ///< of the first of each place alone
+  std::vector<TriangleErrors> errors_;  ///< filled in for the first triangle of each place
   std::vector<PlannedImage> images_;
 };
 

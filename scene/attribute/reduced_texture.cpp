@@ -16,7 +16,7 @@ void add(CodeMeaning::Mean& sum, const CodeMeaning::Mean& mean, double weight) {
   for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += weight * mean[c];
 }
 
-/// Two neighbours along an axis, and how much of the second.
+/// Two neighbours along an axis, and the share of the second.
 struct Between {
   std::size_t first, second;
   double share;

@@ -1,4 +1,4 @@
-// Triangles of one place in one texture: what is found of one holds of all.
+// Triangles at the same place of a texture, which have the same maps and errors.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,8 @@
 
 namespace mmverify::scene {
 
-/// By triangle, the first of those with its texture and, bit by bit and corner by corner, its UVs; itself where it is that.
+/// The number, for each triangle, of the first triangle with its texture and, bit by bit and corner by
+/// corner, its UVs.
 /// A forest's leaves are thousands of triangles on few places.
 std::vector<std::size_t> first_of_same_uvs(std::span<const MapOfTriangle> triangles);
 

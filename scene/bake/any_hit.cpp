@@ -12,7 +12,7 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Under the linear part of a placement.
+/// A vector under the linear part of a placement.
 Vector moved(const Placement& m, const Vector& x) {
   Vector y{};
   for (std::size_t row = 0; row < 3; ++row)
@@ -49,7 +49,7 @@ AnyHitShares any_hit_shares(const Scene& scene, const Plan& plan, const Baked& b
       sum.unknown += share * static_cast<double>(map.states[2] + map.states[3]);
     }
   }
-  // Scales near the ends of double precision say nothing.
+  // Scales near the ends of double precision give no result.
   if (!std::isfinite(sum.area) || !std::isfinite(sum.transparent + sum.opaque + sum.unknown)) return {};
   if (sum.area > 0)
     for (double* const share : {&sum.transparent, &sum.opaque, &sum.unknown}) *share /= sum.area;

@@ -1,4 +1,4 @@
-// The share of rays for which the any-hit shader is still called, and of those that micromaps decide.
+// The shares of rays that micromaps decide, and of rays that still call the any-hit shader.
 #pragma once
 
 #include <cstdint>
@@ -7,17 +7,18 @@
 
 namespace mmverify::scene {
 
-/// Shares of the placed area of the planned triangles, each micro-triangle 4^-level of its triangle's.
+/// Shares of the placed area of the planned triangles; each micro-triangle is 4^-level of its triangle.
 struct AnyHitShares {
   double area = 0;         ///< in the scene's units, squared
   double transparent = 0;  ///< share in 0..1
   double opaque = 0;
-  double unknown = 0;  ///< where the any-hit shader is still called
+  double unknown = 0;  ///< calls the any-hit shader
   double known() const { return transparent + opaque; }
 };
 
-/// Of rays that meet the triangles evenly over their area; a triangle counts as often, and as large, as nodes
-/// place it.  In double precision.  Where no area is placed, or one beyond double precision, all are 0.
+/// The shares of rays that meet the triangles evenly over their area; a triangle counts as often, and as
+/// large, as nodes place it.  In double precision.  All are 0 if no area is placed, or one beyond double
+/// precision.
 AnyHitShares any_hit_shares(const Scene& scene, const Plan& plan, const Baked& baked);
 
 }  // namespace mmverify::scene

@@ -13,14 +13,14 @@ namespace {
 
 using namespace impl::micromap;
 
-/// The order whose rank among the six, in lexical order, is `rank`.
+/// The six orders in lexical order; rank() is the number of an order.
 constexpr std::array<VertexOrder, 6> orders{
     {{{0, 1, 2}}, {{0, 2, 1}}, {{1, 0, 2}}, {{1, 2, 0}}, {{2, 0, 1}}, {{2, 1, 0}}}};
 std::size_t rank(const VertexOrder& order) {
   return static_cast<std::size_t>(std::find(orders.begin(), orders.end(), order) - orders.begin());
 }
 
-/// A code for each distinct map and order in use, and the array that they are of.
+/// A code for each distinct map and order in use, and the array that the codes refer to.
 class Codes {
  public:
   Codes(const Plan& plan, const Baked& baked) : baked_(baked), codes_(baked.triangles.size()) {
@@ -43,7 +43,7 @@ class Codes {
         maps.push_back(map);
       }
     reordered_ = reordered.size();
-    // The maps are none of them uniform: each code is a record's number.
+    // No map here is uniform, so each code is a record's number.
     const Geometry geometry = append(array_, maps, {Encoding::u32, 0, true, true});
     for (std::size_t k = 0; k < wanted.size(); ++k)
       std::memcpy(wanted[k], geometry.indices.data() + 4 * k, sizeof(std::uint32_t));

@@ -20,7 +20,7 @@ std::string name_of(const Scene& scene, std::size_t image) {
          (scene.images[image].name.empty() ? "" : " (" + scene.images[image].name + ")");
 }
 
-/// The fewest bits that hold it.
+/// Stores the map in the fewest bits that hold it.
 void keep(BakedTriangle& baked, impl::micromap::Bytes map, bool two_state) {
   const std::uint64_t count = impl::micromap::micro_triangles(baked.level);
   baked.states = impl::micromap::count_states(map, Format::four_state, count);
@@ -56,7 +56,7 @@ Baked bake(const Scene& scene, const Plan& plan, std::span<const unsigned> level
   Baked all;
   all.triangles.resize(plan.triangles.size());
   std::vector<impl::bake::BakeCounts> counts(plan.triangles.size());
-  // The finest first: the last to end is then a small one.
+  // The finest triangles are first, so that the last one to end is small.
   std::vector<std::size_t> order(plan.triangles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),

@@ -46,7 +46,7 @@ std::array<ModeFootprint, 2> of_record(const Array& array, const Record& record)
           of_map(record.level, modes[1], map_in(modes[1], array, record))};
 }
 
-/// In the records' order.
+/// The size of one graph with all maps, in the records' order.
 std::uint64_t graph_bytes(const Array& array, Format mode) {
   impl::dag::Dag graph(impl::dag::Format{bits(mode)});
   for (const Record& record : array.records) {

@@ -11,9 +11,9 @@ namespace {
 
 using impl::micromap::Bytes;
 
-/// What is seen of a region: some of it not opaque, some not transparent.
+/// The marks of a region: some of it not opaque, some not transparent.
 constexpr unsigned not_opaque = 1, not_transparent = 2;
-/// By 4-state code.
+/// The marks of a 4-state code.
 constexpr unsigned seen[4] = {not_opaque, not_transparent, not_opaque | not_transparent,
                               not_opaque | not_transparent};
 
@@ -23,7 +23,7 @@ std::vector<bool> in_pairs(const Plan& plan, const Pairs& pairs) {
   return wanted;
 }
 
-/// A use's 4-state map at the level, its vertices in the use's order.
+/// A use's 4-state map at the baked level, its vertices in the use's order.
 Bytes map_of(const BakedTriangle& baked, const VertexOrder& order) {
   using namespace impl::micromap;
   const std::uint64_t count = micro_triangles(baked.level);

@@ -1,4 +1,4 @@
-// A surface of a plan made ready for baking.
+// A baker of one surface of a plan.
 #pragma once
 
 #include "impl/bake/triangles.hpp"
@@ -6,7 +6,7 @@
 
 namespace mmverify::scene {
 
-/// What a surface's maps are baked of.  The texels are the scene's.
+/// The inputs from which a surface's maps are baked.  The texels are the scene's.
 struct SurfaceInputs {
   impl::bake::Texels texels;
   impl::bake::Sampling sampling;
@@ -15,8 +15,8 @@ struct SurfaceInputs {
 /// Domain: a surface of a plan of this scene.
 SurfaceInputs surface_inputs(const Scene& scene, const Surface& surface, float margin = 0);
 
-/// Alpha is filtered as filter_of() says; mip levels below the first are the renderer's own and are not
-/// baked. Margin: in texels; see impl::bake::Sampling.
+/// The baker of a surface.  Alpha is filtered as filter_of() says; mip levels below the first are the
+/// renderer's own and are not baked.  Margin: in texels; see impl::bake::Sampling.
 /// Domain: a surface of a plan of this scene, which outlives the baker.
 /// Errors: std::invalid_argument as of impl::bake::TriangleBaker.
 impl::bake::TriangleBaker surface_baker(const Scene& scene, const Surface& surface, float margin = 0);

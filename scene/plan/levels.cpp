@@ -7,7 +7,7 @@
 namespace mmverify::scene {
 namespace {
 
-/// Of a 4-state map.
+/// The bytes of a 4-state map.
 std::uint64_t bytes(unsigned level) { return ((std::uint64_t{1} << (2 * level)) + 3) / 4; }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct Hash {
   }
 };
 
-/// Vertex k of a planned triangle's use, in another order of its vertices.
+/// The use of a planned triangle with its vertices in another order.
 TriangleUse reordered(const TriangleUse& use, const VertexOrder& order) {
   return {use.triangle, {use.order[order[0]], use.order[order[1]], use.order[order[2]]}};
 }
@@ -32,7 +32,7 @@ class Matcher {
  public:
   explicit Matcher(const Primitive& primitive) : primitive_(primitive) {}
 
-  /// Calls found(lower, its order, upper, its order) with the triangles of each pair; returns how many are left.
+  /// Calls found(lower, its order, upper, its order) for each pair; returns the number of unpaired triangles.
   template <class Found>
   std::uint64_t each(Found found) {
     const std::size_t count = primitive_.triangles.size();
@@ -63,14 +63,14 @@ class Matcher {
     // -0 + 0 is +0: equal floats hash alike.
     return {p[0] + 0.0f, p[1] + 0.0f, p[2] + 0.0f, uv[0] + 0.0f, uv[1] + 0.0f};
   }
-  /// The one across from corner k.
+  /// The edge opposite corner k.
   Edge edge(std::size_t t, std::size_t k) const {
     Edge e{corner(t, (k + 1) % 3), corner(t, (k + 2) % 3)};
     if (e[1] < e[0]) std::swap(e[0], e[1]);
     return e;
   }
 
-  /// And the corner across from the edge shared.
+  /// The first partner of triangle t, and the corner of t opposite their common edge.
   template <class Open>
   std::pair<std::size_t, std::uint8_t> first_partner(std::size_t t, Open& open,
                                                      const std::vector<bool>& taken) const {
@@ -92,7 +92,7 @@ class Matcher {
     std::uint8_t far = 0;
     while (edge(other, far) != shared) ++far;
     const VertexOrder lower{apex, next(apex, 1), next(apex, 2)};
-    // (0,1), the lower's third corner, is the upper's second.
+    // (0,1), the lower triangle's third corner, is the upper's second.
     VertexOrder upper{far, next(far, 1), next(far, 2)};
     if (corner(other, upper[1]) != corner(t, lower[2])) std::swap(upper[1], upper[2]);
     found(t, lower, other, upper);

@@ -1,4 +1,4 @@
-// Pairs of triangles that share an edge: what square opacity maps are for.
+// Pairs of triangles that share an edge, each for one square opacity map.
 #pragma once
 
 #include <cstdint>
@@ -9,32 +9,33 @@
 
 namespace mmverify::scene {
 
-/// A pair's square map has its axes along the pair's barycentrics (impl/vq/vq.hpp, Half): the lower triangle's
-/// corners are (0,0), (1,0), (0,1), the upper's (1,1), (0,1), (1,0), the last two of either on the edge that
-/// they share.  Each is a planned triangle with its vertices in that order.
+/// A pair whose square map has its axes along the pair's barycentrics (impl/vq/vq.hpp, Half).  The lower
+/// triangle's corners are (0,0), (1,0), (0,1), the upper's (1,1), (0,1), (1,0); the last two of each are on
+/// the common edge.  Each is a planned triangle with its vertices in that order.
 struct Pair {
   TriangleUse lower, upper;
   std::uint64_t unique = 0, placed = 0;  ///< pairs that this one stands for, itself included
 };
 
-/// Where a triangle is in its pair: corner k of the lower, or the upper, is its vertex order[k].
+/// A triangle's place in its pair: corner k of the lower or upper half is the triangle's vertex order[k].
 struct PairPlace {
-  std::uint32_t pair = 0;  ///< of Pairs::distinct
+  std::uint32_t pair = 0;  ///< number in Pairs::distinct
   bool upper = false;
   VertexOrder order{0, 1, 2};
 };
 
 struct Pairs {
   std::vector<Pair> distinct;
-  /// By Plan::primitives, then by triangle; none of a triangle without a partner.
+  /// The place of each triangle, by Plan::primitives, then by triangle; none without a partner.
   std::vector<std::vector<std::optional<PairPlace>>> places;
   std::uint64_t unique = 0;    ///< pairs of all planned primitives
   std::uint64_t unpaired = 0;  ///< triangles in no pair
 };
 
-/// Each primitive's triangles, in its order, each with the first later one that shares an edge of it, by the
-/// positions and the UVs of both ends, and has no partner yet.
-/// Not the most pairs that there can be: a list of quads, which is what maps come on, is paired as it lies.
+/// Pairs each primitive's triangles in its order.  A triangle's partner is the first later one that has no
+/// partner yet and shares an edge, by the positions and the UVs of both ends.
+/// The number of pairs is not the greatest possible.  A list of quads, on which maps usually come, is paired
+/// as it lies.
 /// Domain: a plan of this scene.  Time: linear, but for edges that many triangles share.
 Pairs pairs(const Scene& scene, const Plan& plan);
 

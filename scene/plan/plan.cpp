@@ -25,7 +25,8 @@ bool any_placed(const Scene& scene) {
                      [](const Mesh& mesh) { return mesh.uses != 0; });
 }
 
-/// Of several reasons the one that the scene's author would have to change first.
+/// The reason why a primitive is left out; of several, the one that the scene's author would have to change
+/// first.
 std::optional<LeftOut> left_out(const Scene& scene, const Primitive& primitive, bool mesh_may_be_unplaced) {
   const Material& material = scene.material_of(primitive);
   if (primitive.triangles.empty()) return LeftOut::no_triangles;
@@ -81,7 +82,7 @@ class Planner {
   }
 
  private:
-  /// Surfaces are as few as materials.
+  /// A linear search is enough, since surfaces are as few as materials.
   std::uint32_t number_of(const Surface& surface) {
     const auto found = std::find(plan_.surfaces.begin(), plan_.surfaces.end(), surface);
     if (found == plan_.surfaces.end()) {

@@ -1,4 +1,5 @@
-// What of a scene is worth a micromap, and why the rest is not.  No file is read and no texel is looked at.
+// A plan of the triangles of a scene that get micromaps, and the reasons why others get none.  No file and no
+// texel is read.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace mmverify::scene {
 
-/// Why a primitive gets no micromaps.
+/// The reason why a primitive gets no micromaps.
 enum class LeftOut : std::uint8_t {
   no_triangles,
   not_placed,
@@ -28,27 +29,27 @@ enum class LeftOut : std::uint8_t {
   far_uvs,
 };
 
-/// How a texture is filtered where only one is asked of it: as it is magnified, else as it is minified;
-/// linearly where the file leaves both open, as renderers do.
+/// The one filter of a texture: that of magnification, else of minification; linear if the file names
+/// neither, as renderers do.
 Filter filter_of(const Sampler& sampler);
 
-/// The same for people.
+/// The reason as a sentence.
 std::string_view sentence(LeftOut why);
 
-/// What decides alpha at a point, besides its UV:
-///   alpha = texture alpha x base_color_alpha x vertex_alpha,  MASK: opaque where alpha >= cutoff
+/// The inputs that decide alpha at a point, besides its UV:
+///   alpha = texture alpha x base_color_alpha x vertex_alpha,  MASK: opaque if alpha >= cutoff
 struct Surface {
   std::size_t image = 0;
   Sampler sampler;
   AlphaMode mode = AlphaMode::mask;
-  float cutoff = 0.5f;  ///< of MASK; 0.5 and unused for BLEND
+  float cutoff = 0.5f;  ///< for MASK; 0.5 and unused for BLEND
   float base_color_alpha = 1, vertex_alpha = 1;
   bool operator==(const Surface&) const = default;
 };
 
 /// One triangle to bake, which stands for all of its UV-duplicates on its surface.
 struct PlannedTriangle {
-  std::uint32_t surface = 0;  ///< of Plan::surfaces
+  std::uint32_t surface = 0;  ///< number in Plan::surfaces
   UvTriangle uvs;
   TexelTriangle texels;
   UvShape shape = UvShape::area;
@@ -58,14 +59,14 @@ struct PlannedTriangle {
 
 /// One triangle of a primitive.
 struct TriangleUse {
-  std::uint32_t triangle = 0;  ///< of Plan::triangles
-  VertexOrder order{0, 1, 2};  ///< its vertex k is vertex order[k] of that one
+  std::uint32_t triangle = 0;  ///< number in Plan::triangles
+  VertexOrder order{0, 1, 2};  ///< its vertex k is vertex order[k] of the planned triangle
 };
 
 struct PlannedPrimitive {
-  std::size_t primitive = 0;  ///< of Scene::primitives
+  std::size_t primitive = 0;  ///< number in Scene::primitives
   std::uint32_t surface = 0;
-  std::vector<TriangleUse> triangles;  ///< one per triangle, in the primitive's order
+  std::vector<TriangleUse> triangles;  ///< one a triangle, in the primitive's order
 };
 
 struct LeftOutPrimitive {
@@ -80,20 +81,20 @@ struct Plan {
   std::vector<LeftOutPrimitive> left_out;
 };
 
-/// Of a plan's triangles.
+/// The counts of a plan's triangles.
 struct PlanCounts {
-  std::uint64_t unique = 0, placed = 0;  ///< that they stand for
-  std::uint64_t reordered = 0;           ///< of those, with another order of vertices
-  std::uint64_t lines = 0, points = 0;   ///< distinct ones whose UVs have no area
-  std::uint64_t limited = 0;             ///< distinct ones whose highest useful level is above the limit
-  unsigned limit = 0;                    ///< that limit, where there are any
+  std::uint64_t unique = 0, placed = 0;  ///< triangles that the planned ones stand for
+  std::uint64_t reordered = 0;           ///< triangles among these with another order of vertices
+  std::uint64_t lines = 0, points = 0;   ///< distinct triangles whose UVs have no area
+  std::uint64_t limited = 0;             ///< distinct triangles whose highest useful level is above the limit
+  unsigned limit = 0;                    ///< that limit, if there are any
 };
 PlanCounts counts(const Plan& plan);
 
-/// Each primitive of the scene in either of the last two lists, in the scene's order.
+/// A plan has each primitive of the scene in one of its last two lists, in the scene's order.
 /// `level_limit` is the device's (maxOpacity4StateSubdivisionLevel); finest_level holds besides.
-/// Domain: a scene of load(), or one whose indices name something and whose UVs are finite.
-/// Errors: std::invalid_argument where an image that is needed is not decoded.
+/// Domain: a scene of load(), or one with valid indices and finite UVs.
+/// Errors: std::invalid_argument if an image that is needed is not decoded.
 Plan plan(const Scene& scene, unsigned level_limit = finest_level);
 
 }  // namespace mmverify::scene

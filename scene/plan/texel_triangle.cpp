@@ -12,20 +12,21 @@ using Integer = boost::multiprecision::cpp_int;
 // All numbers here are floats, or floats times whole numbers: multiples of the least float.
 constexpr int least_exponent = 149;
 
-/// 2^n.  No shift: of one by a constant g++ 12 warns, in Boost's own loop.
+/// 2^n.  Not a shift: for a constant shift of one, g++ 12 warns in Boost's own loop.
 Integer power_of_two(int n) { return boost::multiprecision::pow(Integer(2), static_cast<unsigned>(n)); }
 
 /// x 2^149.
 Integer fixed(double x) {
   int exponent = 0;
   const double mantissa = std::frexp(x, &exponent);
-  // 53 bits make the mantissa whole; what is divided away again is zero.
+  // 53 bits make the mantissa whole; the division drops only zeros.
   const Integer whole(static_cast<std::int64_t>(std::ldexp(mantissa, 53)));
   const int shift = exponent - 53 + least_exponent;
   return shift >= 0 ? Integer(whole * power_of_two(shift)) : Integer(whole / power_of_two(-shift));
 }
 
-// Three roundings, and one of each difference: less than 8 units of 2^-53, doubled.
+// The relative error of `square`, doubled: three roundings, and one of each difference, are less than 8 units
+// of 2^-53.
 constexpr double slack = 0x1p-49;
 
 /// |b - a|^2 <= 4^n.

@@ -17,11 +17,11 @@ using TexelTriangle = std::array<std::array<double, 2>, 3>;
 /// Domain: UVs finite; width, height in 1..16384.
 TexelTriangle in_texels(const UvTriangle& uvs, std::uint32_t width, std::uint32_t height);
 
-/// The span of the corners in UV: an area, a line or one point.  A micromap of the last two is of a line or a
-/// point of the texture, and as exact.
+/// The span of the corners in UV: an area, a line or one point.  A micromap of a line or a point is as exact
+/// as of an area.
 enum class UvShape : std::uint8_t { area, line, point };
 
-/// By the exact sign of (b-a) x (c-a).  Domain: UVs finite.
+/// The shape by the exact sign of (b-a) x (c-a).  Domain: UVs finite.
 UvShape uv_shape(const UvTriangle& uvs);
 
 /// The finest level of the paper's tables and of our codecs.
@@ -29,7 +29,7 @@ inline constexpr unsigned finest_level = 12;
 
 struct UsefulLevel {
   unsigned level = 0;
-  bool limited = false;  ///< the texture would bear more than the limit
+  bool limited = false;  ///< the useful level is above the limit
   bool operator==(const UsefulLevel&) const = default;
 };
 

@@ -7,7 +7,7 @@
 namespace mmverify::scene {
 namespace {
 
-/// So that the least corner lies in the first period, if no corner is rounded on its way.
+/// Shifts the least corner into the first period, unless the shift would round a corner.
 void shift(UvTriangle& uvs, std::size_t axis, int period) {
   if (period == 0) return;
   const double least = std::min({uvs[0][axis], uvs[1][axis], uvs[2][axis]});
@@ -17,7 +17,8 @@ void shift(UvTriangle& uvs, std::size_t axis, int period) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double from = uvs[k][axis], to = from - by;
     shifted[k] = static_cast<float>(to);
-    // Exact where it is a float32, and the difference lost nothing: then both ways back hold.
+    // The shift is exact if the result is a float32 and the difference lost nothing; then both ways back give
+    // the same.
     if (double{shifted[k]} != to || to + by != from || from - to != by) return;
   }
   for (std::size_t k = 0; k < 3; ++k) uvs[k][axis] = shifted[k];
@@ -34,7 +35,7 @@ Periods periods(const Sampler& sampler) {
 
 std::size_t UvDuplicates::Hash::operator()(const Key& key) const {
   std::uint64_t hash = key.surface;
-  // Odd, of random bits: the multiplier of Fibonacci hashing.
+  // The multiplier of Fibonacci hashing: odd, with random bits.
   for (const Uv& corner : key.corners)
     for (const float x : corner)
       hash = (std::rotl(hash, 23) ^ std::bit_cast<std::uint32_t>(x)) * 0x9E3779B97F4A7C15u;

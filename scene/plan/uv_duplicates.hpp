@@ -1,4 +1,4 @@
-// Triangles that see the same piece of a texture.
+// A finder of triangles that see the same piece of a texture.
 #pragma once
 
 #include <array>
@@ -9,28 +9,28 @@
 
 namespace mmverify::scene {
 
-/// Vertex k of a triangle is vertex order[k] of the one that it duplicates.
+/// Vertex k of a triangle is vertex order[k] of the triangle that it duplicates.
 using VertexOrder = std::array<std::uint8_t, 3>;
 
-/// By what whole numbers a texture repeats along u and v: 1 repeat, 2 mirrored repeat, 0 not at all.
+/// The periods of a texture along u and v: 1 repeat, 2 mirrored repeat, 0 none.
 using Periods = std::array<int, 2>;
 Periods periods(const Sampler& sampler);
 
-/// Distinct UV triangles, numbered as they come.  Two are one where their corners are the same numbers, in
-/// whatever order: a rotation or mirror image is the same micromap, its micro-triangles permuted.  So they
-/// are where they are the same after a shift by periods of the texture, if float32 holds the shifted corners
-/// exactly; a corner that would have to be rounded is of another triangle.
+/// Distinct UV triangles, numbered in order of appearance.  Two triangles are equal if their corners are the
+/// same numbers in any order: a rotation or mirror image has the same micromap with its micro-triangles
+/// permuted.  They are also equal after a shift by periods of the texture, if float32 represents the shifted
+/// corners exactly.  A shift that would round a corner gives another triangle.
 class UvDuplicates {
  public:
   struct Found {
     std::size_t number;  ///< of the distinct triangle
-    VertexOrder order;   ///< from this one's vertices to those of the first that came; where several are
-                         ///< right, the first in lexical order
+    VertexOrder order;   ///< from its vertices to those of the first equal triangle; of several that fit,
+                         ///< the first in lexical order
     bool is_new;
   };
 
-  /// `surface` keeps apart what lies on different textures, `periods` are of its sampler.  Domain: UVs not
-  /// NaN.
+  /// `surface` separates triangles on different textures, and `periods` are those of its sampler.  Domain:
+  /// UVs not NaN.
   Found add(std::uint32_t surface, const UvTriangle& uvs, const Periods& periods = {0, 0});
 
   std::size_t size() const { return distinct_.size(); }

@@ -14,12 +14,12 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "glTF's bytes are little-endian");
 
 constexpr std::size_t most_elements = std::size_t{1} << 26;
-// Zeros cost the file nothing.
+// Zeros without a view cost the file nothing.
 constexpr std::size_t most_without_view = std::size_t{1} << 22;
 
-/// A run of elements that has been found to lie in its view.
+/// A run of elements that has been checked to lie in its view.
 struct Elements {
-  const unsigned char* first = nullptr;  ///< none: all zero
+  const unsigned char* first = nullptr;  ///< null: all zero
   std::size_t stride = 0, count = 0;
   int component_type = 0;
   std::size_t component_size = 0;
@@ -82,7 +82,7 @@ class ElementReader {
                    static_cast<std::size_t>(accessor_.sparse.count), accessor_.componentType, components);
   }
 
-  /// Domain: a type that check_unsigned() takes.
+  /// Element k.  Domain: a type that check_unsigned() takes.
   std::uint32_t unsigned_at(const Elements& elements, std::size_t k) const {
     const unsigned char* bytes = elements.first + k * elements.stride;
     switch (elements.component_type) {
@@ -95,7 +95,7 @@ class ElementReader {
     }
   }
 
-  /// Calls back with each place that a sparse accessor overrides.
+  /// Calls callback(k, index) for each element that a sparse accessor overrides.
   template <class Callback>
   void for_each_sparse(const Callback& callback) const {
     if (!accessor_.sparse.isSparse) return;

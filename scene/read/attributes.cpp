@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<std::string_view, attributes> names{"baseColor", "metallicRoughness", "normal",
                                                          "occlusion", "emissive"};
 
-/// A texture of a material, with the attributes that see it in this way.
+/// A texture of a material, with the attributes that read it in the same way.
 struct MaterialTexture {
   AttributeSet set = 0;
   BaseColorTexture texture;
@@ -49,7 +49,7 @@ std::vector<MaterialTexture> textures_of(const Document& document, std::size_t m
   return all;
 }
 
-/// Textures by number, each once.
+/// The number of a texture; equal textures have one number.
 std::size_t number_of(std::vector<AttributeTexture>& textures, const AttributeTexture& texture) {
   const auto found = std::find(textures.begin(), textures.end(), texture);
   if (found != textures.end()) return static_cast<std::size_t>(found - textures.begin());

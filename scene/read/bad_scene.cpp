@@ -15,7 +15,7 @@ std::string on_one_line(std::string_view text) {
 std::string shown(std::string_view name) {
   std::size_t length = 200;  // a data URI may be megabytes
   if (name.size() <= length) return on_one_line(name);
-  // A character of UTF-8 is cut before its first byte, and not within.
+  // A character of UTF-8 is cut before its first byte, not within.
   while (length > 196 && (static_cast<unsigned char>(name[length]) & 0xc0) == 0x80) --length;
   return on_one_line(name.substr(0, length)) + "...";
 }

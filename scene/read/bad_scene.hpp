@@ -7,16 +7,17 @@
 
 namespace mmverify::scene {
 
-/// Missing, malformed or unsupported: not the program's fault, exit code 4 of the command line.
+/// A scene file that is missing, malformed or unsupported: not the program's fault, exit code 4 of the
+/// command line.
 ///   what() is "FILE: PLACE: what was found; what would do"
-/// one line, whatever the file's names hold: control characters are shown as '?', a name or number of more
+/// It is one line, whatever names the file has: control characters are shown as '?', a name or number of more
 /// than 200 bytes is cut.
 class BadScene : public std::runtime_error {
  public:
   BadScene(std::string_view file, std::string_view place, std::string_view what);
 };
 
-/// A name out of a file as a message may show it.
+/// A name from a file as a message may show it.
 std::string shown(std::string_view name);
 
 }  // namespace mmverify::scene

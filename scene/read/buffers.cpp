@@ -22,7 +22,7 @@ Buffers::Buffers(const Document& document) : document_(&document) {
   const nlohmann::json& buffers = member(document.json, "buffers");
   for (std::size_t k = 0; k < buffers.size(); ++k) {
     buffers_.push_back(read_buffer(document, k, buffers[k]));
-    // More is taken: GLB pads.
+    // A buffer may have more bytes, since GLB pads.
     if (const auto due = buffers[k]["byteLength"].get<std::size_t>(); buffers_.back().size() < due)
       throw BadScene(document.file, place("buffer", k),
                      "byteLength is " + std::to_string(due) + ", there are " +
@@ -35,7 +35,7 @@ Buffers::Buffers(const Document& document) : document_(&document) {
 std::span<const unsigned char> Buffers::view(std::size_t index) const {
   const tinygltf::BufferView& view = document_->model.bufferViews[index];
   const Bytes& buffer = buffers_[static_cast<std::size_t>(view.buffer)];
-  // Both below 2^31, so that the sum is one.
+  // Both are below 2^31, so that the sum does not overflow.
   if (view.byteOffset + view.byteLength > buffer.size())
     throw BadScene(document_->file, place("bufferView", index),
                    "bytes " + std::to_string(view.byteOffset) + ".." +

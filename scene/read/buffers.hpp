@@ -8,16 +8,16 @@
 
 namespace mmverify::scene {
 
-/// All buffers of a document, read when made.
-/// Errors: BadScene where one is missing or has fewer bytes than its byteLength.
+/// All buffers of a document; the constructor reads them.
+/// Errors: BadScene if one is missing or has fewer bytes than its byteLength.
 class Buffers {
  public:
   explicit Buffers(const Document& document);
 
-  /// The bytes of bufferViews[view].  Errors: BadScene where they lie outside their buffer.
+  /// The bytes of bufferViews[view].  Errors: BadScene if they lie outside their buffer.
   std::span<const unsigned char> view(std::size_t view) const;
 
-  /// Whole buffers, each of its byteLength.
+  /// Whole buffers, each with byteLength bytes.
   const std::vector<Bytes>& all() const { return buffers_; }
 
  private:

@@ -14,12 +14,12 @@ using Json = nlohmann::json;
 
 enum class Kind { object, array, text, flag, number, numbers_2, numbers_4, whole, index };
 
-/// One property: a path in which * is each element of an array and {} each member of an object.
+/// A property of the JSON: in its path * is each element of an array and {} each member of an object.
 struct Property {
   const char* path;
   Kind kind;
-  bool required = false;   ///< where the object that holds it is there
-  const char* array = "";  ///< of an index: the array at the root that it counts in
+  bool required = false;   ///< if the object that contains it is there
+  const char* array = "";  ///< for an index: the array at the root that it refers to
 };
 
 constexpr bool required = true;
@@ -108,7 +108,7 @@ bool are_numbers(const Json& value, std::size_t count) {
   return true;
 }
 
-/// Not 4.0: JSON's whole numbers are written without a point.
+/// A whole number.  4.0 is none, since JSON's whole numbers are written without a point.
 bool is_whole(const Json& value) {
   return value.is_number_unsigned() && value.get<std::uint64_t>() <= std::numeric_limits<std::int32_t>::max();
 }

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Those that change nothing that is read here, or that are read.  Shading, lights, metadata.
+/// Extensions that are read, or that change nothing that is read here: shading, lights, metadata.
 bool is_read(std::string_view extension) {
   constexpr std::string_view others[] = {"KHR_texture_transform",     "KHR_mesh_quantization",
                                          "KHR_animation_pointer",     "KHR_lights_punctual",
@@ -36,7 +36,7 @@ void check_required(const Json& json, const std::string& file) {
   }
 }
 
-/// What of it is read through tinygltf's types.
+/// The part of the JSON that is read through tinygltf's types.
 Json for_tinygltf(const Json& json) {
   Json kept = {{"asset", json["asset"]}};
   for (const char* key :

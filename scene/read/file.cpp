@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Little-endian, as all of glTF.
+/// A word at a byte, little-endian, as all of glTF.
 std::uint32_t word(std::span<const unsigned char> bytes, std::size_t at) {
   return bytes[at] | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16 |
          std::uint32_t{bytes[at + 3]} << 24;
@@ -93,7 +93,7 @@ Container split(std::span<const unsigned char> bytes, const std::string& file) {
     const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(at);
     const auto end = begin + static_cast<std::ptrdiff_t>(length);
     if (chunk == 0) parts.json.assign(begin, end);
-    // Chunks of other types, and after the second, are other people's: to be ignored.
+    // Chunks of other types, and after the second, belong to other programs and are ignored.
     if (chunk == 1 && type == binary) parts.binary.emplace(begin, end);
     // The padding of the last chunk may be missing.
     at += std::min(bytes.size() - at, (length + 3) / 4 * 4);
@@ -117,12 +117,12 @@ fs::path in_folder_of(const std::string& file, const std::string& name, const st
   const fs::path folder = fs::path(file).parent_path(), path = folder / name;
   std::error_code error;
   const fs::path real = fs::canonical(path, error);
-  if (error) return path;  // whoever reads it says why it cannot be read
+  if (error) return path;  // its reader reports the reason
   const auto holds_it = [&](const fs::path& home) {
     return !home.empty() &&
            std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
   };
-  // The file itself may be a link to where it and its companions lie.
+  // The file itself may be a link into the folder of its companions.
   if (!holds_it(fs::canonical(folder.empty() ? "." : folder, error)) &&
       !holds_it(fs::canonical(file, error).parent_path()))
     throw BadScene(file, place,

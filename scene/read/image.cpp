@@ -25,10 +25,10 @@ std::vector<Sample> alpha_of(const Sample* rgba, std::size_t texels) {
   return alpha;
 }
 
-/// What is read of a PNG of 16 bits.
+/// The depth at which a PNG of 16 bits is decoded.
 enum class Depth { own, eight };
 
-/// Decodes and calls take(rgba, width, height); rgba is of 8 or 16 bits, four of them a texel.
+/// Decodes and calls take(rgba, width, height); rgba has four channels of 8 or 16 bits a texel.
 template <class Take>
 void decode(ImageBytes bytes, const std::string& file, const std::string& place, Depth depth, Take take) {
   using namespace std::string_view_literals;
@@ -37,7 +37,7 @@ void decode(ImageBytes bytes, const std::string& file, const std::string& place,
   if (!png && !jpeg) bad("neither PNG nor JPEG");
   const int size = static_cast<int>(bytes.size());  // below 2^31, as every file here
   if (png) {
-    // IHDR stands first.  The library's own check of it says less.
+    // IHDR is the first chunk.  The library's own check of it reports less.
     constexpr std::size_t ihdr = 33;
     if (bytes.size() < ihdr || std::memcmp(bytes.data() + 12, "IHDR", 4) != 0)
       bad("a PNG without a header; truncated file?");
@@ -49,7 +49,8 @@ void decode(ImageBytes bytes, const std::string& file, const std::string& place,
     if (width == 0 || height == 0 || width > longest_side || height > longest_side)
       bad("a PNG of " + std::to_string(width) + " x " + std::to_string(height) + " texels; 1 to " +
           std::to_string(longest_side) + " a side are read");
-    // Deflate's best is 1032 to 1; a texel has at least `bits` bits.  So no small file claims gigabytes.
+    // Deflate compresses at most 1032 to 1, and a texel has at least `bits` bits.  So no small file claims
+    // gigabytes.
     const std::uint64_t bits = bytes[24];
     if (width * bits / 8 * height / 1032 > bytes.size())
       bad("a PNG of " + std::to_string(width) + " x " + std::to_string(height) + " texels cannot be in " +

@@ -1,4 +1,4 @@
-// Texels out of PNG and JPEG.
+// Decoders of PNG and JPEG.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,12 @@
 
 namespace mmverify::scene {
 
-/// The longest side: of what is baked from (impl/bake/bake.hpp), and of what devices sample.
+/// The longest side of an image: impl/bake/bake.hpp bakes no longer one, and devices sample none.
 inline constexpr std::uint32_t longest_side = 16384;
 
-/// Decodes the picture's alpha into `image`: 16 bits of a PNG of 16 bits, else 8; palettes and colour keys
-/// (tRNS) are followed.  A JPEG, or a PNG without either, is opaque.
-/// Errors: BadScene where it is neither PNG nor JPEG, damaged or cut off, or a side is 0 or above
-/// longest_side.
+/// Decodes the picture's alpha into `image`: 16 bits if it is a PNG of 16 bits, else 8, with palettes and
+/// colour keys (tRNS).  A picture without alpha, such as a JPEG, is opaque.
+/// Errors: BadScene if it is neither PNG nor JPEG, damaged or cut off, or a side is 0 or above longest_side.
 void decode_alpha(std::span<const unsigned char> bytes, Image& image, const std::string& file,
                   const std::string& place);
 
@@ -29,7 +28,7 @@ struct ColourImage {
   bool decoded() const { return width != 0; }
 };
 
-/// Decodes all four channels: of a PNG of 16 bits the upper 8 of each.  Errors: as above.
+/// Decodes all four channels: for a PNG of 16 bits, the upper 8 of each.  Errors: as above.
 void decode_colour(std::span<const unsigned char> bytes, ColourImage& image, const std::string& file,
                    const std::string& place);
 

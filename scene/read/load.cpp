@@ -24,7 +24,7 @@ std::set<std::size_t> alpha_tested_images(const Scene& scene) {
   return images;
 }
 
-/// All images: that each is there; those of `to_decode`, what is in it.
+/// Checks that all images are there, and decodes those in `to_decode`.
 std::vector<Image> read_images(const Document& document, const Buffers& buffers,
                                const std::set<std::size_t>& to_decode) {
   std::vector<Image> images;

@@ -1,4 +1,4 @@
-// Reads glTF 2.0.
+// A reader of glTF 2.0.
 #pragma once
 
 #include <span>
@@ -8,16 +8,16 @@
 
 namespace mmverify::scene {
 
-/// The scene of a .gltf (with buffers and images beside it or in data URIs) or a .glb; which of the two, its
-/// first bytes say.
+/// The scene of a .gltf (with buffers and images beside it or in data URIs) or a .glb; the first bytes tell
+/// them apart.
 ///   - Triangle lists, strips and fans become lists in the vertex order of glTF 2.0, 3.7.2.1. Vertices left
 ///     over at the end are dropped; points and lines have no triangles.
 ///   - Normalised integers become float32 as in 3.11; others only under KHR_mesh_quantization.
-///   - Images are decoded where a primitive's material is MASK or BLEND and its base colour names them.
-///   - A mesh is used once per node that names it, in whatever scene, times EXT_mesh_gpu_instancing's count.
-/// Errors: BadScene, naming file and place, where
-///   - a file or chunk is missing, empty or cut off. Of buffers and images all, also where nothing needs
-///     them: half a scene is not the scene that was asked for, and whoever writes it anew writes every image;
+///   - Images are decoded if a primitive's material is MASK or BLEND and its base colour names them.
+///   - A mesh is used once per node that names it, in any scene, times EXT_mesh_gpu_instancing's count.
+/// Errors: BadScene, which names file and place, if
+///   - a file or chunk is missing, empty or cut off. All buffers and images count, even unused ones: a program
+///     that writes the scene again writes every image;
 ///   - the JSON is no glTF 2.0, of wrong types, with references to nothing, nested more than 64 deep;
 ///   - an accessor reaches beyond its view, a view beyond its buffer, an index beyond the vertices;
 ///   - a position or UV is not finite; nodes have two parents or form a circle;
@@ -26,12 +26,12 @@ namespace mmverify::scene {
 ///   - it is larger than 2^31 - 1 bytes a file, or than 2^26 vertices and triangles in all.
 Scene load(const std::string& file);
 
-/// The same of a file's bytes in memory; `name` stands for the file in messages.
-/// Errors: as above, and BadScene where a URI names a file.
+/// The scene of a file's bytes in memory; messages call the file `name`.
+/// Errors: as above, and BadScene if a URI names a file.
 Scene load(const std::string& name, std::span<const unsigned char> bytes);
 
-/// Where the meshes of a file are in its scene: each use of each, in one order.  Where no node places a mesh, each
-/// mesh once, as it is.
+/// The placed uses of the meshes of a file, in one order.  If no node places a mesh, each mesh is used once,
+/// at the identity.
 /// Errors: as of load().
 std::vector<MeshUse> load_uses(const std::string& file);
 std::vector<MeshUse> load_uses(const std::string& name, std::span<const unsigned char> bytes);

@@ -105,9 +105,9 @@ class MaterialReader {
   const Document& document_;
 };
 
-/// Notes a pointer such as
-/// /materials/3/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/offset where it
-/// changes alpha or UVs: all below pbrMetallicRoughness that is about the base colour, and the cutoff.
+/// Records a pointer such as
+/// /materials/3/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/offset
+/// if it changes alpha or UVs: everything of the base colour below pbrMetallicRoughness, and the cutoff.
 void note_animation(const std::string& pointer, std::vector<Material>& materials) {
   constexpr std::string_view root = "/materials/";
   if (!pointer.starts_with(root)) return;

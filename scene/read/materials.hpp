@@ -1,4 +1,4 @@
-// Materials, textures and samplers out of a document.
+// A reader of a document's materials, textures and samplers.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,13 @@
 
 namespace mmverify::scene {
 
-/// All materials, with what animations do to them.
-/// Errors: BadScene where an alphaMode, filter or wrap mode is none of glTF's, or alphaCutoff or
+/// All materials, with the animations that change them.
+/// Errors: BadScene if an alphaMode, filter or wrap mode is none of glTF's, or alphaCutoff or
 /// baseColorFactor's alpha is out of range (0 <= cutoff; 0 <= alpha <= 1).
 std::vector<Material> read_materials(const Document& document);
 
-/// What a textureInfo of the JSON names, with KHR_texture_transform; `at` is the material, for messages.
+/// The texture that a textureInfo of the JSON names, with KHR_texture_transform; `at` is the material, for
+/// messages.
 /// Errors: BadScene for a filter or wrap mode that is none of glTF's.
 BaseColorTexture read_texture(const Document& document, const nlohmann::json& info, const std::string& at);
 

@@ -22,7 +22,7 @@ std::vector<std::size_t> checked_trees(const Document& document) {
                        "a child of node " + std::to_string(its) + " and of node " + std::to_string(k));
       its = k;
     }
-  // With one parent each, a node that no root reaches is on a circle, or below one.
+  // Each node has at most one parent, so a node that no root reaches is on a circle, or below one.
   std::vector<std::size_t> reached;
   for (std::size_t k = 0; k < nodes.size(); ++k)
     if (parent[k] == none) reached.push_back(k);
@@ -45,7 +45,7 @@ Placement product(const Placement& a, const Placement& b) {
   return c;
 }
 
-/// Rotation times scale, or the matrix.  Source: glTF 2.0, 3.5.3.
+/// The linear part of a node: rotation times scale, or the matrix.  Source: glTF 2.0, 3.5.3.
 Placement linear_part(const tinygltf::Node& node) {
   if (node.matrix.size() == 16) {
     Placement m{};
@@ -83,7 +83,7 @@ void place_once(Mesh& mesh, const Placement& m, double times = 1) {
     mesh.placements.others.push_back({m, times});
 }
 
-/// The instances of EXT_mesh_gpu_instancing: rotation times scale of each, under its node.
+/// Places the instances of EXT_mesh_gpu_instancing, each by its rotation times scale under the node.
 void place_instances(const Document& document, const Buffers& buffers, const nlohmann::json& attributes,
                      const std::string& at, const Placement& m, Mesh& mesh) {
   const auto instances = document.model.accessors[attributes.begin()->get<std::size_t>()].count;
@@ -99,7 +99,7 @@ void place_instances(const Document& document, const Buffers& buffers, const nlo
   };
   const std::vector<float> rotation = read("ROTATION", 4, Integers::any),
                            scale = read("SCALE", 3, Integers::none);
-  // Alone, a rotation changes no area, nor does it under a node that keeps angles.
+  // A rotation alone changes no area, nor does a rotation under a node that keeps angles.
   if (scale.empty() && (rotation.empty() || similar_scale(m) >= 0))
     return place_once(mesh, m, static_cast<double>(instances));
   for (std::size_t k = 0; k < instances; ++k) {
@@ -115,7 +115,7 @@ void place_instances(const Document& document, const Buffers& buffers, const nlo
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Where each use is
+// The places of uses
 // ---------------------------------------------------------------------------------------------------------------------
 
 Transform product(const Transform& a, const Transform& b) {
@@ -134,7 +134,7 @@ Transform transform_of(const tinygltf::Node& node) {
   return t;
 }
 
-/// The instances of EXT_mesh_gpu_instancing, their counts checked by read_meshes().
+/// Adds the instances of EXT_mesh_gpu_instancing; read_meshes() has checked their counts.
 void list_instances(const Document& document, const Buffers& buffers, const nlohmann::json& attributes,
                     std::size_t number, const Transform& node_at, std::size_t mesh,
                     std::vector<MeshUse>& uses) {
@@ -192,7 +192,7 @@ std::vector<Mesh> read_meshes(const Document& document, const Buffers& buffers) 
   std::vector<Mesh> meshes;
   for (const tinygltf::Mesh& mesh : document.model.meshes) meshes.push_back({mesh.name, 0, {}});
   for (const std::size_t k : order) {
-    // Until now the parent's.
+    // Until here, placements[k] is the parent's.
     placements[k] = product(placements[k], linear_part(nodes[k]));
     for (const int child : nodes[k].children) placements[static_cast<std::size_t>(child)] = placements[k];
     if (nodes[k].mesh < 0) continue;

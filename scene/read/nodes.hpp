@@ -1,4 +1,4 @@
-// Who places which mesh.
+// A reader of nodes and of the meshes that they place.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,14 @@
 
 namespace mmverify::scene {
 
-/// The meshes, with their uses: nodes that name one, each times the instances of EXT_mesh_gpu_instancing.
-/// Errors: BadScene where a node has two parents or is its own ancestor: nodes are trees (glTF 2.0, 3.5.2);
-/// for scales of instances as of read_floats().
+/// The meshes and their uses: the nodes that name a mesh, each times the instances of
+/// EXT_mesh_gpu_instancing.
+/// Errors: BadScene if a node has two parents or is its own ancestor, since nodes are trees (glTF 2.0,
+/// 3.5.2); for scales of instances as of read_floats().
 std::vector<Mesh> read_meshes(const Document& document, const Buffers& buffers);
 
-/// Every use of a mesh, in the order of nodes, parents before children; each mesh once, as it is, where no node
-/// places any.
+/// Every use of a mesh, in the order of nodes, parents before children.  If no node places a mesh, each mesh
+/// is used once, at the identity.
 /// Domain: a document whose meshes read_meshes() has read.  Errors: as of it.
 std::vector<MeshUse> read_uses(const Document& document, const Buffers& buffers);
 

@@ -22,7 +22,7 @@ struct Chunk {
   PngBytes whole, data;
 };
 
-/// The chunk that begins at a place; nothing where it is cut off.
+/// The chunk that begins at a byte; none if it is cut off.
 std::optional<Chunk> chunk_at(PngBytes bytes, std::size_t at) {
   if (at > bytes.size() || bytes.size() - at < around_data) return std::nullopt;
   const std::size_t length = big_endian(bytes, at);
@@ -32,7 +32,7 @@ std::optional<Chunk> chunk_at(PngBytes bytes, std::size_t at) {
                bytes.subspan(at + 8, length)};
 }
 
-/// Critical ones, and the transparency of a palette or a colour.
+/// Whether a chunk decides texels: critical chunks do, and the transparency of a palette or a colour.
 bool decides_texels(std::string_view type) { return (type[0] & 0x20) == 0 || type == "tRNS"; }
 
 bool has_its_crc([[maybe_unused]] const Chunk& chunk) {
@@ -73,7 +73,7 @@ std::vector<unsigned char> with_palette_marked(PngBytes bytes) {
     } else {
       const std::size_t colours = chunk->data.size() / 3;
       if (colours >= std::size_t{1} << std::min<unsigned>(8, bytes[depth_at])) return {};
-      // Its decoder does not look at the CRC.
+      // stb's decoder does not check the CRC.
       constexpr std::size_t length = 3 * most_colours;
       marked.insert(marked.end(), {0, 0, length >> 8, length & 0xff, 'P', 'L', 'T', 'E'});
       for (std::size_t k = 0; k < length; ++k) marked.push_back(k / 3 < colours ? 0x00 : 0xff);

@@ -60,7 +60,7 @@ class PrimitiveReader {
         });
     const std::optional<Topology> drawn = topology(given_->mode, document_.file, at_);
     primitive.drawn_as_triangles = drawn.has_value();
-    // Without positions nothing is drawn (glTF 2.0, 3.7.2.1).
+    // Nothing is drawn without positions (glTF 2.0, 3.7.2.1).
     if (!drawn || !given_->attributes.contains("POSITION")) return primitive;
     primitive.positions = positions();
     const std::vector<std::uint32_t> vertices = indices(primitive.positions.size());
@@ -88,7 +88,8 @@ class PrimitiveReader {
                        quantised_ ? Integers::any : unquantised, at_ + " " + name);
   }
 
-  /// Where the extension is not required, what it compresses may be there uncompressed, too.
+  /// Throws if the geometry is compressed only.  If the extension is not required, the file may have it
+  /// uncompressed, too.
   void check_compression(const nlohmann::json& json) const {
     if (!member(json, "extensions").contains("KHR_draco_mesh_compression")) return;
     for (const auto& [name, accessor] : given_->attributes)
@@ -185,7 +186,7 @@ class PrimitiveReader {
     return all;
   }
 
-  /// Accessors without a view are zeros, which cost the file nothing.
+  /// Counts elements of accessors without a view: zeros that cost the file nothing.
   void count_unheld() {
     constexpr std::size_t most = std::size_t{1} << 22;
     const auto add = [&](int accessor) {
@@ -200,7 +201,8 @@ class PrimitiveReader {
     for (const auto& [name, accessor] : given_->attributes) add(accessor);
   }
 
-  /// Many primitives may share one accessor, so that a small file says a large scene.
+  /// Counts vertices and triangles.  Many primitives may share one accessor, so a small file may describe a
+  /// large scene.
   void count(std::size_t more) {
     constexpr std::size_t most = std::size_t{1} << 26;
     if (more > most - counted_)

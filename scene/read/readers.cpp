@@ -1,9 +1,9 @@
-// tinygltf and stb, which are headers, compiled here where no distribution has them as libraries: with the flags of the fuzz
-// targets (MMVERIFY_ONLY_FUZZ), so that sanitizers and the fuzzer see into them, and for WebAssembly.
+// The headers tinygltf and stb, compiled here if no library has them: with the flags of the fuzz targets
+// (MMVERIFY_ONLY_FUZZ), so that sanitizers and the fuzzer see into them, and for WebAssembly.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define TINYGLTF_IMPLEMENTATION
-// What it would include by other names than the distribution's.
+// tinygltf would include these by other names than the distribution's.
 #define TINYGLTF_NO_INCLUDE_JSON
 #define TINYGLTF_NO_INCLUDE_STB_IMAGE
 #define TINYGLTF_NO_INCLUDE_STB_IMAGE_WRITE
@@ -13,5 +13,5 @@
 
 #include <nlohmann/json.hpp>
 
-// After what it is not to include.
+// The headers that it must not include come first.
 #include <tiny_gltf.h>

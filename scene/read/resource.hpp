@@ -1,4 +1,4 @@
-// What a URI in a document names.
+// The bytes and files that URIs in a document name.
 #pragma once
 
 #include <filesystem>
@@ -8,27 +8,28 @@
 
 namespace mmverify::scene {
 
-/// Whether the URI holds its bytes itself.
+/// Whether the URI contains its bytes itself.
 bool is_data_uri(const std::string& uri);
 
 /// The bytes that a URI names: its own, in base64, or those of a file beside the document.
-/// Errors: BadScene where it holds or names none, and for a file beside a document in memory.
+/// Errors: BadScene if the URI has or names none, and for a file beside a document in memory.
 Bytes read_resource(const Document& document, const std::string& uri, const std::string& place);
 
-/// Whether a URI names a file beside the document, and there is nothing of that name.
-/// Errors: BadScene where it names none.
+/// Whether a URI names a file beside the document that does not exist.
+/// Errors: BadScene if the URI names no such place.
 bool is_missing(const Document& document, const std::string& uri, const std::string& place);
 
-/// The same errors as of reading, but for what a data URI holds, without reading.
+/// Checks a URI without reading.  Errors: as of read_resource(), but for the contents of a data URI.
 void check_resource(const Document& document, const std::string& uri, const std::string& place);
 
-/// Errors: BadScene where files of images are missing; several are named at once, as whoever copies them needs all.
+/// Errors: BadScene if several files of images are missing; it names them together, since all have to be
+/// copied.  A single missing file is left to its reader.
 void check_images_there(const Document& document);
 
-/// The bytes of images[image]; `at` is its place, for messages.  Errors: BadScene where there are none.
+/// The bytes of images[image]; `at` is its place, for messages.  Errors: BadScene if there are none.
 Bytes image_bytes(const Document& document, const Buffers& buffers, std::size_t image, const std::string& at);
 
-/// Its name; else its URI, unless that holds its bytes.
+/// The name of an image, or else its URI, unless that contains the bytes.
 std::string image_name(const Document& document, std::size_t image);
 
 }  // namespace mmverify::scene

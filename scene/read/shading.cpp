@@ -53,7 +53,7 @@ class Reader {
     return its;
   }
 
-  /// A finite number; a share is from 0 to 1.
+  /// A finite number of magnitude 10^6 at most; a share is from 0 to 1.
   float number(const nlohmann::json& json, const std::string& at, bool share) const {
     const double x = json.is_number() ? json.get<double>() : std::nan("");
     if (!std::isfinite(x) || std::fabs(x) > 1e6 || (share && !(x >= 0 && x <= 1)))

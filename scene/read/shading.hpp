@@ -1,4 +1,4 @@
-// What shading needs of a file besides positions and textures: normals of vertices, factors of materials.
+// The inputs of shading besides positions and textures: normals of vertices, factors of materials.
 #pragma once
 
 #include <span>
@@ -11,15 +11,16 @@ namespace mmverify::scene {
 
 struct PrimitiveShading {
   std::size_t mesh = 0, number = 0;       ///< meshes[mesh].primitives[number]
-  std::vector<Position> normals = {};     ///< by vertex, as the file has them; empty where it has none
+  std::vector<Position> normals = {};     ///< by vertex, as in the file; empty if it has none
   std::array<float, 3> colour{1, 1, 1};   ///< baseColorFactor, linear
   float metallic = 1, roughness = 1;      ///< metallicFactor, roughnessFactor
   float normal_scale = 1, occlusion = 1;  ///< normalTexture.scale, occlusionTexture.strength
 };
 
-/// Of the primitives that are drawn as triangles, in the file's order; a primitive without a material has glTF's default.
-/// Errors: BadScene as of load(), for normals that are not one a vertex, and for factors that are no numbers or, but for
-/// normal_scale, outside 0 to 1.
+/// The shading of the primitives that are drawn as triangles, in the file's order.  A primitive without a
+/// material has glTF's default.
+/// Errors: BadScene as of load(), for normals that are not one a vertex, and for factors that are no numbers
+/// or outside 0 to 1 (normal_scale: beyond 10^6 in size).
 /// Source: glTF 2.0, 3.9.2 and 3.9.3.
 std::vector<PrimitiveShading> load_shading(const std::string& file);
 std::vector<PrimitiveShading> load_shading(const std::string& name, std::span<const unsigned char> bytes);

@@ -43,7 +43,7 @@ class Names : public nlohmann::json_sax<Json> {
   }
 
  private:
-  /// An array or object that is not yet closed, and the element or member where the reader is.
+  /// An open array or object, and the element or member that the reader has reached.
   struct Open {
     bool is_array;
     std::size_t elements = 0;

@@ -1,4 +1,4 @@
-// A glTF file that is put together piece by piece.
+// A glTF file that is built piece by piece.
 #pragma once
 
 #include <array>
@@ -10,13 +10,14 @@
 
 namespace mmverify::scene {
 
-/// Vertices of a primitive, and the order in which it draws them.
+/// The vertices of a primitive, and the order in which it draws them.
 struct SampleMesh {
   std::vector<Position> positions;
   std::vector<Uv> uvs;
-  std::vector<std::uint16_t> indices;  ///< empty: as they come
+  std::vector<std::uint16_t> indices;  ///< empty: vertices in their order
 
-  /// Corners in order around a quad: two triangles that share the edge from the first to the third.
+  /// Adds a quad from its corners in order around it: two triangles that share the edge from the first to the
+  /// third.
   void add_quad(const std::array<Position, 4>& corners, const std::array<Uv, 4>& quad_uvs);
 };
 
@@ -24,10 +25,11 @@ class SampleFile {
  public:
   nlohmann::json json = {{"asset", {{"version", "2.0"}, {"generator", "mmverify"}}}, {"scene", 0}};
 
-  /// Appends to an array of the root, and returns the number.
+  /// Appends an element to an array of the root, and returns its number.
   std::size_t add(const char* array, nlohmann::json element);
 
-  /// An accessor of float vectors, tightly packed; positions get their bounds, as glTF wants.
+  /// Adds an accessor of float vectors, tightly packed, and returns its number.  `bounds` adds min and max,
+  /// which glTF requires of positions.
   template <std::size_t N>
   std::size_t add_vectors(const std::vector<std::array<float, N>>& values, bool bounds = false,
                           bool of_vertices = true);
@@ -38,7 +40,7 @@ class SampleFile {
 
   std::size_t add_image(const std::string& name, std::span<const unsigned char> png);
 
-  /// A node of the scene; `at` is its translation.
+  /// Adds a node to the scene; `at` is its translation.
   std::size_t place(std::size_t mesh, const char* name, const Position& at, float scale = 1);
 
   Bytes finished() { return glb(std::move(json), binary_); }

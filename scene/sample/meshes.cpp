@@ -5,7 +5,8 @@ namespace {
 
 constexpr std::array<Uv, 4> corners{{{0, 1}, {1, 1}, {1, 0}, {0, 0}}};  // of a picture, its foot first
 
-/// The corners of one of the two leaves, from corner number `turn` on, or around the other way.
+/// The corners of one of the two leaves, starting at corner number `turn`; `mirrored` goes around the other
+/// way.
 std::array<Uv, 4> leaf(bool second, int turn, bool mirrored) {
   std::array<Uv, 4> uvs;
   for (int k = 0; k < 4; ++k) {
@@ -23,7 +24,8 @@ Position point(double x, double y, double z) {
 
 SampleMesh leaf_cards() {
   SampleMesh mesh;
-  // From leaf to leaf by the golden angle, whose cosine and sine these are: no two above each other.
+  // Each leaf follows the last by the golden angle, with this cosine and sine, so that no two are above each
+  // other.
   constexpr double c = -0.73736887807831963, s = 0.67549029426152362;
   double x = 1, z = 0;
   for (int k = 0; k < 24; ++k) {
@@ -32,8 +34,8 @@ SampleMesh leaf_cards() {
     const auto at = [&](double out, double side) {
       return point(x * out + aside_x * side, y + out * rise, z * out + aside_z * side);
     };
-    // The leaf's foot, corner 0 and 1 of the picture, is at the stalk; which corner of the card that is
-    // differs from card to card, as it does where a modeller turns and mirrors them.
+    // The leaf's foot, corners 0 and 1 of the picture, is at the stalk.  Which corner of the card is there
+    // differs from card to card, as in models whose cards were turned and mirrored.
     const std::array<Position, 4> card{at(0, -1), at(0, 1), at(size, 1), at(size, -1)};
     const int turn = k % 4;
     const bool mirrored = k % 3 == 1;
@@ -108,7 +110,7 @@ SampleMesh flower_fan() {
 
 SampleMesh tuft_strip() {
   SampleMesh mesh;
-  // No blade reaches the last part.
+  // No blade reaches the part above the third height.
   for (const float up : {0.0f, 0.5f, 0.8125f, 1.0f}) {
     const float bend = 0.1f * up * up;
     for (const float side : {0.0f, 1.0f}) {

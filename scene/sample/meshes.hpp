@@ -9,9 +9,9 @@ SampleMesh leaf_cards();                ///< 24 cards around a stalk, of both le
 SampleMesh stalk();                     ///< 1.1 high, four-sided, without UVs
 SampleMesh fence_panel();               ///< 2 x 1, of four quads; u from 0 to 4, v from 0 to 1
 SampleMesh box(const Position& sizes);  ///< on the ground, without UVs
-/// Of cells x cells quads, UVs from corner to corner.
+/// A square of cells x cells quads, UVs from corner to corner.
 SampleMesh lying_square(float half, float high, int cells = 1);
-SampleMesh flower_fan();  ///< its vertices are a fan's: the middle, then around
+SampleMesh flower_fan();  ///< its vertices are a fan: the middle, then around
 SampleMesh tuft_strip();  ///< a strip of six triangles, bent
 
 }  // namespace mmverify::scene

@@ -32,7 +32,7 @@ class Sample {
     return file_.add("textures", {{"sampler", sampler}, {"source", image}});
   }
 
-  /// Without `mode` opaque; foliage has two sides.
+  /// A material, opaque without `mode`; other materials have two sides.
   std::size_t material(const char* name, const char* mode, Json base_color, double cutoff = 0.5) {
     Json made = {{"name", name}, {"pbrMetallicRoughness", std::move(base_color)}};
     made["pbrMetallicRoughness"]["metallicFactor"] = 0;
@@ -60,7 +60,7 @@ class Sample {
     fence_ = material("fence", "MASK", textured(wire_texture));
     file_.json["materials"][fence_]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]
               ["KHR_texture_transform"] = {{"offset", {0.125, 0}}, {"scale", {4, 6}}};
-    // Through the factor: 0.8 x 0.625 is the texture's one half.
+    // With the factor 0.8, the cutoff 0.4 is one half of the texture's alpha.
     flower_ = material("flower", "MASK", textured(texture(flower(), clamp_to_edge, clamp_to_edge)), 0.4);
     file_.json["materials"][flower_]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0.8};
     grass_ = material("grass", "MASK", textured(texture(blades(), repeat, clamp_to_edge)), 0.35);
@@ -119,7 +119,7 @@ class Sample {
                 "pond", {1.6f, 0, 0.9f});
   }
 
-  /// One leaf card on the ground.
+  /// A leaf card on the ground.
   SampleMesh fallen() const {
     SampleMesh card = lying_square(0.2f, 0.02f);
     for (Uv& uv : card.uvs) uv[0] *= 0.5f;

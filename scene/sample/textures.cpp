@@ -12,7 +12,7 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-/// Of a point: whether it is in the shape, in [0, 1], and the colour there.
+/// A point of a shape: whether it is inside, in [0, 1], and the colour there.
 struct Dot {
   double inside;
   Colour colour;
@@ -52,7 +52,7 @@ Picture drawn(const char* name, std::uint32_t width, std::uint32_t height, const
 
 constexpr Colour green{0.20, 0.42, 0.12}, light_green{0.45, 0.62, 0.25}, yellow{0.93, 0.75, 0.20};
 
-/// Tip at the top of the unit square, stalk at its bottom.
+/// A toothed leaf, its tip at the top of the unit square, its stalk at the bottom.
 Dot toothed_leaf(double x, double y) {
   const double across = std::abs(x - 0.5), along = (y - 0.04) / 0.80;
   bool inside = along > 0.8 && y < 0.97 && across < 0.015;  // the stalk
@@ -70,14 +70,14 @@ bool in_ellipse(double x, double y, double half_width, double half_height) {
   return x * x + y * y < 1;
 }
 
-/// Pairs of leaflets along a stalk, smaller towards the tip, and one at its end.
+/// Pairs of leaflets along a stalk, smaller towards the tip, and one leaflet at its end.
 Dot compound_leaf(double x, double y) {
   const double across = std::abs(x - 0.5);
   bool inside = across < 0.012 && y > 0.1 && y < 0.97;
   inside |= in_ellipse(across, y - 0.11, 0.05, 0.08);
   for (int pair = 0; pair < 6; ++pair) {
     const double size = 0.55 + 0.07 * pair, root = 0.27 + 0.115 * pair;
-    // Upwards by (4/5, -3/5).
+    // The leaflet goes up along (4/5, -3/5).
     const double out = across - 0.19 * size, down = y - (root - 0.13 * size);
     const double along = 0.8 * out - 0.6 * down, aside = 0.6 * out + 0.8 * down;
     inside |= in_ellipse(along, aside, 0.2 * size, 0.055 * size);

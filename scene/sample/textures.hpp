@@ -15,16 +15,16 @@ struct Picture {
   std::vector<std::uint8_t> rgba;  ///< rows from the top
 };
 
-/// Alpha is the share of a texel's 4 x 4 samples that lie in a shape, so that outlines are soft, and nowhere
-/// else is it other than 0 or 255 but in pond(). The same bytes on every machine: they come of +, -, x, / and
-/// square roots alone.
+/// Alpha is the share of a texel's 4 x 4 samples that lie in a shape, so outlines are soft; elsewhere it is 0
+/// or 255, except in pond().  The bytes are the same on every machine: they come from +, -, x, / and square
+/// roots alone.
 Picture leaves();  ///< 256 x 128: a toothed leaf, and one of many leaflets, side by side
 Picture wire();    ///< 64 x 64, repeats: chain link
 Picture flower();  ///< 96 x 96: five petals
 Picture blades();  ///< 128 x 64: grass
 Picture pond();    ///< 64 x 64: a soft disc, alpha 255 in its middle
 
-/// Errors: std::runtime_error where the library has no memory.
+/// A picture as PNG.  Errors: std::runtime_error if the library has no memory.
 Bytes png(const Picture& picture);
 
 }  // namespace mmverify::scene

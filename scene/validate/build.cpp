@@ -29,7 +29,7 @@ bool has(const micromap::Violations& found, Rule rule) {
                      [rule](const micromap::Violation& v) { return v.rule == rule; });
 }
 
-/// Each violation at its pointer, without those of one rule.
+/// Adds each violation at its pointer, except those of the rule `without`.
 template <class Pointer>
 void add(const micromap::Violations& found, Rule without, const Pointer& pointer, Report& report) {
   for (const micromap::Violation& v : found.list)
@@ -42,7 +42,7 @@ void add(const micromap::Violations& found, Rule without, const Pointer& pointer
   }
 }
 
-/// No rule of EXT's, and a driver crashes.
+/// Adds an advice about the index alignment: EXT has no rule for it, but a driver crashes.
 void advise(const micromap::Input& in, const std::string& at, Report& report) {
   const std::uint64_t size = micromap::width(in.encoding) / 8;
   if (!in.indexed || (in.sets & micromap::EXT) == 0 || in.indices_address % size == 0) return;

@@ -13,7 +13,7 @@
 namespace mmverify::scene {
 namespace {
 
-/// Where a kind's header has what.
+/// The positions in the header of a kind of container.
 struct Layout {
   FileKind kind;
   std::string_view magic;
@@ -26,15 +26,15 @@ constexpr std::array<Layout, 3> layouts{
 
 bool says(std::string_view what, std::string_view part) { return what.find(part) != std::string_view::npos; }
 
-/// Adds what a reader said, "byte N: found; would do", split at the place.
+/// Adds a reader's message, "byte N: found; would do", split at the colon.
 void add(Report& report, const char* code, std::uint64_t byte, const std::string& what) {
   const auto colon = what.find(": ");
   report.add(code, "byte " + std::to_string(byte),
              colon == std::string::npos ? what : what.substr(colon + 2));
 }
 
-/// The readers' order is the same: magic, version, fields, size, checksum, content.  That the size is wrong they all say
-/// in the same words, which the tests hold them to.
+/// The readers check in the same order: magic, version, fields, size, checksum, content.  All of them report
+/// a wrong size in the same words, which the tests enforce.
 void add(Report& report, const Layout& layout, std::uint64_t byte, const std::string& what) {
   const char* code = "container.content";
   if (says(what, "the end of the input") || says(what, "the end of the file") ||

@@ -1,4 +1,4 @@
-// The library's containers as files: what their readers refuse, told apart.
+// The library's containers as files: each refusal of their readers gets a code.
 #pragma once
 
 #include "scene/validate/file.hpp"
@@ -6,11 +6,11 @@
 
 namespace mmverify::scene {
 
-/// The kind that the first bytes say; none where they are no container's.
+/// The kind that the first bytes name; none if they are no container's.
 std::optional<FileKind> container_kind(std::span<const unsigned char> bytes);
 
-/// Findings of a container of that kind.  A reader stops at the first fault, so there is one finding of its bytes; of an
-/// array file that is whole, those of its content.
+/// The findings of a container of that kind.  A reader stops at the first fault, so the bytes have one
+/// finding at most; an intact array file has the findings of its content.
 void validate_container(FileKind kind, std::span<const unsigned char> bytes, Report& report);
 
 }  // namespace mmverify::scene

@@ -9,17 +9,17 @@
 
 namespace mmverify::scene {
 
-/// In the order of their publication.
+/// The drafts in the order of their publication.
 enum class Draft : std::uint8_t { khr, ext_1, ext_2 };
 inline constexpr Draft newest_draft = Draft::ext_2;
 
 struct DraftText {
-  const char* name;       ///< what --draft takes
+  const char* name;       ///< the argument of --draft
   const char* extension;  ///< the extension's name in a file
   const char* source;
 };
 
-/// In the order of Draft.  docs/GLTF.md, "Drafts", says in what they differ.
+/// The texts in the order of Draft.  docs/GLTF.md, "Drafts", lists the differences.
 inline constexpr std::array<DraftText, 3> drafts{{
     {"khr", "KHR_mesh_opacity_micromap", "KhronosGroup/glTF, pull request 2603, commit 9b3503ed (June 2026)"},
     {"ext-1", "EXT_mesh_opacity_micromap", "the same text under its new name, commit f1b1ec74 (July 2026)"},

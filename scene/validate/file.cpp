@@ -17,7 +17,8 @@ bool begins(std::span<const unsigned char> bytes, std::string_view with) {
   return bytes.size() >= with.size() && std::memcmp(bytes.data(), with.data(), with.size()) == 0;
 }
 
-/// What the outermost object's members say of its kind.  JSON may be spoilt: what stands before the fault counts.
+/// The kind of a file by its outermost object's members.  If the JSON is damaged, the members before the
+/// fault count.
 class Outermost : public nlohmann::json_sax<nlohmann::json> {
  public:
   bool is_sidecar() const { return schema_ || (build_ && !asset_); }
@@ -62,8 +63,8 @@ class Outermost : public nlohmann::json_sax<nlohmann::json> {
   bool schema_ = false, build_ = false, asset_ = false;
 };
 
-/// A sidecar's schema may stand anywhere in it, since JSON may be spoilt; one with another schema has members of a build,
-/// and glTF's `asset` not.
+/// A sidecar's schema may be anywhere in it, since JSON may be damaged.  A sidecar with another schema has
+/// members of a build, and lacks glTF's `asset`.
 bool is_sidecar(std::span<const unsigned char> json) {
   constexpr std::string_view name = "\"mmverify.array/";
   if (std::search(json.begin(), json.end(), name.begin(), name.end()) != json.end()) return true;
@@ -89,7 +90,8 @@ FileKind known_kind(const std::string& name, std::span<const unsigned char> byte
                  "neither JSON (glTF, or the sidecar of an array) nor GLB, MMARRAYS, mmtr, mmdg or mmat");
 }
 
-/// By which drafts, and what a file without the extension gets.
+/// Judges a glTF file by the drafts whose extension it uses, or by `draft`, and reports a file without the
+/// extension.
 template <class Names, class Validate>
 void judge_gltf(Judged& judged, std::optional<Draft> draft, const Names& names, const Validate& validate) {
   const NamesUsed used = names();

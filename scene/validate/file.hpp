@@ -1,4 +1,4 @@
-// What is wrong with a file of micromaps, whatever its kind.
+// The validator of a file of micromaps, whatever its kind.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace mmverify::scene {
 
-/// Told by a file's bytes, never by its name.
+/// The kind of a file, by its bytes, never by its name.
 enum class FileKind : std::uint8_t {
   sidecar,  ///< JSON with a schema "mmverify.array/...", or with records or apis and no asset: docs/VALIDATE.md
   gltf,     ///< GLB, or any other JSON
@@ -28,26 +28,27 @@ const char* name_of(FileKind kind) noexcept;
 
 struct Judged {
   FileKind kind;
-  std::vector<Draft> drafts = {};            ///< of glTF: those whose rules were asked
+  std::vector<Draft> drafts = {};            ///< for glTF: the drafts whose rules were checked
   std::vector<FileViolation> findings = {};  ///< each rule is a code of issues()
 
   std::uint64_t count(Severity severity) const;
 };
 
-/// The bytes of a file that a sidecar names, by its name there.  Errors: BadScene.
+/// A reader of a file that a sidecar names, by its name there.  Errors: BadScene.
 using Beside = std::function<Bytes(const std::string& name)>;
 
-/// Every finding, in the order of the file; of one code at one place eight, then how many more there are.
-///   - A pointer is one of JSON; of a container "byte N", and within an array file as in a sidecar.
-///   - glTF: EXT's name is judged by the newest draft, KHR's by its own, unless `draft` says which.
-///   - A container that its reader takes is one that its writer writes; of an array file's content the rules of glTF
-///     are asked.
-/// Domain: everything.  O(n log n) in the bytes; of a sidecar in those of its buffers too, counting indices once for
-/// each geometry that names them.
-/// Errors: BadScene where the file is missing, empty, too large, or of no kind that is known.
+/// Every finding, in the order of the file.  For one code at one place, eight are listed, then the number of
+/// the others.
+///   - A pointer is one of JSON; in a container "byte N", and within an array file as in a sidecar.
+///   - glTF: EXT's name is judged by the newest draft, KHR's by its own, unless `draft` names one.
+///   - A container that its reader takes is one that its writer writes; the content of an array file is checked by
+///     the rules of glTF.
+/// Domain: everything.  O(n log n) in the bytes; for a sidecar in those of its buffers too, counting indices
+/// once for each geometry that names them.
+/// Errors: BadScene if the file is missing, empty, too large, or of no known kind.
 Judged validate_file(const std::string& file, std::optional<Draft> draft = {});
 
-/// The same of bytes in memory: a glTF file has no other files beside it, a sidecar those of `beside`.
+/// The findings for bytes in memory: a glTF file has no other files beside it, a sidecar those of `beside`.
 Judged validate_file(const std::string& name, std::span<const unsigned char> bytes,
                      std::optional<Draft> draft, const Beside& beside);
 

@@ -68,7 +68,7 @@ class IndexReader {
       read.address =
           number("byteOffset") + document_.json["bufferViews"][view].value("byteOffset", std::uint64_t{0});
     } else {
-      // Zeros, which cost the file nothing.
+      // An accessor without a view is zeros that cost the file nothing.
       if (read.count > std::uint64_t{1} << 22) {
         report_.add("limits.indices", at_ + "/count",
                     std::to_string(read.count) + " elements that no bufferView holds are not judged");
@@ -83,9 +83,9 @@ class IndexReader {
   }
 
  private:
-  /// Bytes from one index to the next; none, and a line, where they are 0.  The older drafts have the view's byteStride
-  /// for APIs' indexStride; the newest has none, which plain_view() says.  As of every view that is read it is a multiple
-  /// of 4, and 252 at most.
+  /// The bytes from one index to the next; none, and a finding, if they are 0.  The older drafts take the
+  /// view's byteStride for the APIs' indexStride.  The newest draft has no stride, and plain_view() reports
+  /// one.  As for every view that is read, the stride is a multiple of 4, and 252 at most.
   std::optional<std::uint64_t> stride_of(std::size_t view, std::uint64_t size) {
     if (report_.newest()) return size;
     const std::uint64_t stride = document_.json["bufferViews"][view].value("byteStride", size);
@@ -94,13 +94,13 @@ class IndexReader {
     return {};
   }
 
-  /// Bytes of a view, as they lie there.
+  /// Bytes of a view, in place.
   std::optional<std::span<const unsigned char>> run(std::size_t view, std::uint64_t offset,
                                                     std::uint64_t bytes, const char* rule,
                                                     const std::string& pointer) {
     const auto all = plain_view(document_, buffers_, view, pointer, report_);
     if (!all) return {};
-    // Both are below 2^34.
+    // offset and bytes are both below 2^34.
     if (offset + bytes > all->size()) {
       report_.add(rule, pointer,
                   "bytes " + std::to_string(offset) + ".." + std::to_string(offset + bytes) + " of " +
@@ -110,7 +110,7 @@ class IndexReader {
     return all->subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(bytes));
   }
 
-  /// The elements that the accessor overrides.
+  /// Writes the elements that the accessor overrides.
   bool fill_in(const Json& sparse, std::size_t size, MicromapIndices& read) {
     const std::string at = at_ + "/sparse";
     const auto part = [&](const char* name, std::uint64_t width) {

@@ -12,7 +12,8 @@ namespace {
 
 using enum Severity;
 
-/// What a rule says and who says so is written once, beside the rule; here only of codes that are no rule's.
+/// A code.  The text and source of a rule are beside the rule; `says` and `source` are here only for codes
+/// that are no rule's.
 struct Row {
   const char* code;
   Severity severity;

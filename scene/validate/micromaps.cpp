@@ -15,7 +15,7 @@ bool lists(const Json& json, const char* list, const char* name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Where the extension is used first; empty: nowhere.
+/// The pointer of the extension's first use; empty if there is none.
 std::string first_use(const Json& json, const char* name) {
   const auto uses = [name](const Json& object) { return member(object, "extensions").contains(name); };
   const std::string tail = std::string("/extensions/") + name;

@@ -1,4 +1,4 @@
-// Whether a file's EXT_mesh_opacity_micromap is as its draft says: JSON, bytes, and what refers to what.
+// The validator of a file's EXT_mesh_opacity_micromap against its draft: JSON, bytes, and references.
 #pragma once
 
 #include <span>
@@ -10,19 +10,19 @@
 
 namespace mmverify::scene {
 
-/// A rule of the extension, or of glTF where the extension leans on it.
+/// A rule of the extension, or of glTF if the extension depends on it.
 struct FileRule {
   const char* id;
   const char* says;
-  const char* source;  ///< a heading of the draft, unless another text is named
+  const char* source;  ///< a heading of the draft, unless it names another text
 };
 
-/// All rules, each id once.  Those of records, counts and indices are impl/micromap/rules.hpp's.
+/// All rules, each id once.  The rules of records, counts and indices are those of impl/micromap/rules.hpp.
 std::span<const FileRule> file_rules();
 
 struct FileViolation {
   std::string_view rule;  ///< an id of file_rules()
-  std::string pointer;    ///< a JSON pointer into the document, of the property that is wrong
+  std::string pointer;    ///< the JSON pointer of the wrong property in the document
   std::string found;
 };
 
@@ -32,23 +32,22 @@ std::string describe(const FileViolation& violation);
 
 /// Every violation, in the order of the document; empty for a file that keeps all rules, and for one without
 /// the extension.
-///   - Of one rule at one place the first eight are listed, then how many more there are.
-///   - What cannot be read is not judged further: a file that is no glTF (rule file.readable) not at all.
-///   - `draft`: whose rules.  Of the extension's other name nothing is looked at.
-///   - glTF's other rules are not looked at; Khronos's gltf-validator knows those, and nothing of this
-///   extension.
-/// Domain: everything.  Linear in the file's bytes, and in the indices of all primitives; of those, beyond
-/// 2^28, and of accessors without a bufferView beyond 2^22, a line (limits.indices) says that they were not
-/// judged.
+///   - For one rule at one place the first eight are listed, then the number of the others.
+///   - A part that cannot be read is not judged further, and a file that is no glTF (rule file.readable) not at all.
+///   - `draft` names the rules.  Uses of the extension's other name are ignored.
+///   - glTF's other rules are not checked; Khronos's gltf-validator knows those, and nothing of this extension.
+/// Domain: everything.  Linear in the file's bytes, and in the indices of all primitives.  Indices beyond
+/// 2^28 in all, and elements beyond 2^22 of an accessor without a bufferView, are not judged; a finding
+/// (limits.indices) reports this.
 std::vector<FileViolation> validate_micromaps(const std::string& file, Draft draft = newest_draft);
 std::vector<FileViolation> validate_micromaps(const std::string& name, std::span<const unsigned char> bytes,
                                               Draft draft = newest_draft);
 
-/// Under which of the extension's two names a document uses it: EXT's and KHR's.
+/// The names of the extension that a document uses: EXT's and KHR's.
 struct NamesUsed {
   bool ext = false, khr = false;
 };
-/// Of a file that cannot be read: neither.
+/// The names used by a file; none if it cannot be read.
 NamesUsed names_used(const std::string& file);
 NamesUsed names_used(const std::string& name, std::span<const unsigned char> bytes);
 

@@ -28,7 +28,7 @@ class Validation {
     impl::micromap::Input in;
     in.sets = impl::micromap::glTF;
     in.triangles = triangles(primitive);
-    // Where they are not known, no index is too large; why, the root's part says.
+    // If the number of records is unknown, no index is too large; the root's part reports the reason.
     in.record_count = records(*given, at).value_or(std::numeric_limits<std::uint64_t>::max());
     bool readable = base_triangle(*given, at, in);
     MicromapIndices indices;
@@ -64,7 +64,7 @@ class Validation {
     return document_.json["accessors"][accessor.get<std::size_t>()]["count"].get<std::uint64_t>();
   }
 
-  /// As the draft counts them for mode 4; indices left over draw none.
+  /// The number of triangles as the draft counts them for mode 4; indices left over draw none.
   std::uint64_t triangles(const Json& primitive) const {
     if (primitive.contains("indices")) return count_of(primitive["indices"]) / 3;
     const Json& attributes = primitive["attributes"];
@@ -99,7 +99,7 @@ class Validation {
     return true;
   }
 
-  /// The array is judged already; left are the indices, against the number of its records.
+  /// Judges the indices against the number of the array's records.  The array itself is judged already.
   void judge(const impl::micromap::Input& in, const std::string& at) {
     constexpr std::uint64_t most = std::uint64_t{1} << 28;
     if (in.indexed) {

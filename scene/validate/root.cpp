@@ -7,7 +7,7 @@ using Json = nlohmann::json;
 
 constexpr const char* usage_names[] = {"usageCounts", "usageLevels", "usageFormats"};
 
-/// The bytes of data or triangles.
+/// The bytes of the view that `name` refers to: data or triangles.
 std::optional<std::span<const unsigned char>> bytes_of(const Document& document, const Buffers& buffers,
                                                        const Json& micromap, const char* name,
                                                        const std::string& at, Report& report) {
@@ -26,7 +26,7 @@ std::optional<std::span<const unsigned char>> bytes_of(const Document& document,
   return plain_view(document, buffers, static_cast<std::size_t>(*view), pointer, report);
 }
 
-/// One of the three arrays; none where an element is no number.
+/// One of the three usage arrays; none if an element is no number.
 std::optional<std::vector<std::uint32_t>> numbers(const Json& micromap, const char* name,
                                                   const std::string& at, Report& report) {
   if (!micromap.contains(name)) {
@@ -50,7 +50,7 @@ std::optional<std::vector<std::uint32_t>> numbers(const Json& micromap, const ch
   return values;
 }
 
-/// The list of (count, level, format); none where it cannot be read as one.
+/// The list of (count, level, format); none if it cannot be read.
 std::optional<std::vector<impl::micromap::UsageCount>> usage(const Json& micromap, const std::string& at,
                                                              Report& report) {
   std::optional<std::vector<std::uint32_t>> columns[3];
@@ -90,14 +90,15 @@ std::string pointer_of(const impl::micromap::Violation& violation, const std::st
 // The older drafts
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// They bound no level, let records lie apart, and compare sums alone.
+/// Whether a rule is only the newest draft's.  The older drafts bound no level, let records lie apart, and
+/// compare sums alone.
 bool of_the_newest_alone(impl::micromap::Rule rule) {
   using enum impl::micromap::Rule;
   return rule == record_level_12 || rule == counts_level_12 || rule == stride_tight ||
          rule == records_whole || rule == counts_array;
 }
 
-/// Records lie byteStride apart, a multiple of 4, as of every bufferView that is read.
+/// Sets the records' stride, byteStride, which is a multiple of 4, as for every bufferView that is read.
 void stride_of(const Document& document, const Json& micromap, const std::string& at,
                impl::micromap::Input& in, Report& report) {
   using impl::micromap::record_bytes;
@@ -108,7 +109,7 @@ void stride_of(const Document& document, const Json& micromap, const std::string
   if (stride < record_bytes) return;
   in.record_count = size < record_bytes ? 0 : (size - record_bytes) / stride + 1;
   const std::uint64_t end = in.record_count == 0 ? 0 : (in.record_count - 1) * stride + record_bytes;
-  // What is left may be the gap that would come before one more record.
+  // The rest may be the gap before one more record.
   if (size - end > stride - record_bytes)
     report.add("records.whole", pointer,
                std::to_string(size) + " bytes end within record " + std::to_string(in.record_count));

@@ -13,7 +13,8 @@ constexpr FileRule of_array(impl::micromap::Rule rule, const char* source) {
 
 using enum impl::micromap::Rule;
 
-// Of the rules of arrays those that a file can break.  It has no strides, and one kind of usage counts.
+// All rules of files.  Of the rules of arrays, these are the ones that a file can break: it has no strides,
+// and one kind of usage counts.
 constexpr std::array rules{
     FileRule{"file.readable", "the file is glTF 2.0, and its buffers are there", "glTF 2.0"},
     FileRule{"used.listed", "extensionsUsed lists the extension where anything uses it", "glTF 2.0, 3.12"},

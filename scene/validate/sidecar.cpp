@@ -83,8 +83,8 @@ class Sidecar {
     return object.contains(name);
   }
 
-  /// The member, or `otherwise` where it is not there; none, and a line, where it is no number below `end`.  -0 is 0, as
-  /// for the schema.
+  /// The member, or `otherwise` if it is missing; none, and a finding, if it is no number below `end`.  -0 is
+  /// 0, as for the schema.
   std::optional<std::uint64_t> number(const Json& object, const std::string& at, const char* name,
                                       std::uint64_t otherwise, std::uint64_t end = any) {
     if (!object.contains(name)) return otherwise;
@@ -168,7 +168,7 @@ class Sidecar {
     return true;
   }
 
-  /// The bytes of a member that says where they are.
+  /// The bytes that a member refers to.
   std::optional<Buffer> buffer_of(const Json& object, const std::string& at, const char* name,
                                   std::initializer_list<const char*> members) {
     if (!there(object, at, name)) return {};
@@ -198,7 +198,7 @@ class Sidecar {
   }
 
   std::optional<std::span<const unsigned char>> file_of(const std::string& name, const std::string& pointer) {
-    // A name is the same on every system: none has a drive or the other slash.
+    // A name is the same on every system: it has no drive and no backslash.
     if (!stays_within(name) || name.find_first_of("\\:") != std::string::npos) {
       report_.add("sidecar.path", pointer, shown(name) + " is no name in the sidecar's folder");
       return {};
@@ -212,7 +212,7 @@ class Sidecar {
     }
   }
 
-  /// The usage counts; none where there are none.  `good` becomes false where they cannot be read.
+  /// The usage counts; none if the member is missing.  `good` becomes false if they cannot be read.
   std::optional<std::vector<micromap::UsageCount>> counts(const Json& object, const std::string& at,
                                                           bool& good) {
     if (!object.contains("usageCounts")) return {};
@@ -288,7 +288,7 @@ class Sidecar {
   Report& report_;
   std::map<std::string, Bytes> files_;
   std::optional<std::vector<micromap::UsageCount>> array_counts_;
-  std::list<std::vector<micromap::UsageCount>> geometry_counts_;  ///< each stays where it is
+  std::list<std::vector<micromap::UsageCount>> geometry_counts_;  ///< a list, since the inputs point into it
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Raw arrays: the buffers of a build as files, and a JSON file beside them that says what is where.
+// The validator of raw arrays: the buffers of a build as files, and a JSON file beside them that locates the
+// parts.
 #pragma once
 
 #include "scene/validate/file.hpp"
@@ -6,15 +7,16 @@
 
 namespace mmverify::scene {
 
-/// Findings of a sidecar (docs/VALIDATE.md, docs/array.schema.json) and of the buffers that it names.
-/// What cannot be read is not judged further: the cause is listed.
+/// Reports the findings of a sidecar (docs/VALIDATE.md, docs/array.schema.json) and of the buffers that it
+/// names.
+/// A part that cannot be read is not judged further: the cause is listed.
 void validate_sidecar(std::span<const unsigned char> bytes, const Beside& beside, Report& report);
 
-/// An array and its geometries: the array's violations once, then each geometry's; one histogram handed over for the
-/// other is one line, in the place of its counts.
-/// `array` has no geometry; of `geometries` the array's members are not looked at.
-/// Cost: O(n log n) in the array, which is looked at once, and linear in the triangles that each geometry has indices
-/// for.
+/// Reports an array's violations once, then each geometry's.  A histogram given in place of the other kind is
+/// one finding, at its counts.
+/// `array` has no geometry; the array's members of `geometries` are ignored.
+/// Cost: O(n log n) in the array, which is read once, and linear in the triangles for which each geometry has
+/// indices.
 void validate_build(const impl::micromap::Input& array, std::span<const impl::micromap::Input> geometries,
                     Report& report);
 

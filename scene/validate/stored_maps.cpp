@@ -14,7 +14,7 @@ namespace {
 namespace micromap = impl::micromap;
 using Json = nlohmann::json;
 
-/// Records, data and the indices of one primitive: rules that hold of them are not looked at again.
+/// The records, data and indices of one primitive, which keep the rules already.
 using Build = micromap::Input;
 
 template <class T>
@@ -62,7 +62,7 @@ BakedTriangle map_of(const Build& in, const micromap::Record& record) {
   return t;
 }
 
-/// Adds the triangles of one primitive.
+/// A collector of the stored maps of primitives.
 class Collector {
  public:
   explicit Collector(const Scene& scene) : scene_(scene), planned_(plan(scene)) {

@@ -1,4 +1,4 @@
-// The micromaps that somebody else has made for a scene's triangles.
+// The micromaps that another program has stored for a scene's triangles.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace mmverify::scene {
 
-/// A primitive with maps whose alpha is not the texture's alone, so that nothing is said of them.
+/// A primitive with maps that are not judged, since its alpha is not the texture's alone.
 struct NotJudged {
-  std::size_t primitive = 0;  ///< of Scene::primitives
+  std::size_t primitive = 0;  ///< number in Scene::primitives
   std::uint64_t triangles = 0;
   LeftOut why = LeftOut::opaque;
 };
 
-/// Each triangle that has a map, as a plan and what was baked of it: no two share one.
+/// Each triangle that has a map, as a plan and its baked result; no two triangles share one.
 struct StoredMaps {
   Plan plan;
   Baked baked;
@@ -26,12 +26,12 @@ struct StoredMaps {
   std::vector<NotJudged> not_judged;
 };
 
-/// Those of a glTF file with EXT_mesh_opacity_micromap: special indices are maps of level 0.
-/// Domain: a file in which validate_micromaps() finds nothing, and its scene by load().
+/// The stored maps of a glTF file with EXT_mesh_opacity_micromap; special indices are maps of level 0.
+/// Domain: a file without findings of validate_micromaps(), and its scene by load().
 StoredMaps stored_maps(const std::string& file, const Scene& scene);
 
-/// An array and the indices of one primitive, as they lie in a build's buffers.
-/// Domain: an input in which impl::micromap::validate() finds nothing; as many triangles as the primitive has.
+/// The stored maps of an array and the indices of one primitive, as in a build's buffers.
+/// Domain: an input without findings of impl::micromap::validate(); as many triangles as the primitive has.
 StoredMaps stored_maps(const impl::micromap::Input& input, const Scene& scene, std::size_t primitive);
 
 }  // namespace mmverify::scene

@@ -56,7 +56,7 @@ Bytes glb(nlohmann::json document, const BinaryChunk& binary) {
   if (binary.bytes().empty()) {
     document.erase("buffers");
   } else {
-    // What the first says beside its bytes, a name or extras, stays.
+    // Other members of the first buffer, such as a name or extras, stay.
     nlohmann::json buffer = nlohmann::json::object();
     if (const auto buffers = document.find("buffers"); buffers != document.end() && !buffers->empty())
       buffer = buffers->front();

@@ -1,4 +1,4 @@
-// The GLB container, as it is written.
+// A writer of the GLB container.
 #pragma once
 
 #include <cstdint>
@@ -10,22 +10,23 @@
 
 namespace mmverify::scene {
 
-/// Bytes of a GLB whose JSON and BIN chunk hold so many; both are padded to four.  0 of `binary`: no such
-/// chunk.
+/// The bytes of a GLB whose JSON and BIN chunk have `json` and `binary` bytes; both are padded to four.
+/// If `binary` is 0, there is no BIN chunk.
 ///   12 + 8 + pad(json) + (binary = 0 ? 0 : 8 + pad(binary))
-/// Errors: std::length_error where its header, 32 bits, cannot say so many.
+/// Errors: std::length_error if the sum exceeds its header's 32 bits.
 /// Source: glTF 2.0, 4.4.
 std::uint64_t glb_size(std::uint64_t json, std::uint64_t binary);
 
-/// The bytes of buffer 0, written piece by piece, each of them a bufferView of the document.
+/// The bytes of buffer 0, appended piece by piece.
 class BinaryChunk {
  public:
   explicit BinaryChunk(nlohmann::json& document) : document_(&document) {}
 
-  /// At a multiple of four, as every component of an accessor may ask.  Returns where it begins.
+  /// Appends bytes at a multiple of four, which every component of an accessor may require, and returns their
+  /// offset.
   std::size_t append(std::span<const unsigned char> bytes);
 
-  /// Appends them as a new bufferView, and returns its number; `target` is glTF's, 0: none.
+  /// Appends bytes as a new bufferView, and returns its number; `target` is glTF's, 0: none.
   std::size_t add_view(std::span<const unsigned char> bytes, int target = 0);
 
   const Bytes& bytes() const { return bytes_; }
@@ -35,8 +36,8 @@ class BinaryChunk {
   Bytes bytes_;
 };
 
-/// The file of a document, whose buffers become one: what has been appended to `binary`.
-/// Errors: std::length_error as glb_size() has it.
+/// The file of a document whose buffers become one, `binary`.
+/// Errors: std::length_error as of glb_size().
 Bytes glb(nlohmann::json document, const BinaryChunk& binary);
 
 }  // namespace mmverify::scene

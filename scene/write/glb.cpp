@@ -47,7 +47,7 @@ void erase_name(Json& json, const char* list_of_names) {
   if (names->empty()) json.erase(list_of_names);  // glTF has no empty lists
 }
 
-/// The micromaps that are there, but for their bytes.
+/// Removes the micromaps that are there, except for their bytes.
 void erase_micromaps(Json& json) {
   erase_name(json, "extensionsUsed");
   erase_name(json, "extensionsRequired");
@@ -78,7 +78,7 @@ class Writer {
       if (primitive.micromap >= micromaps.arrays.size()) bad("its array is not there");
       add(primitive);
     }
-    // Views of no bytes at all want a buffer all the same.
+    // Empty views need a buffer all the same.
     constexpr unsigned char zero = 0;
     if (binary_.bytes().empty() && !member(json_, "bufferViews").empty()) binary_.append({&zero, 1});
     return glb(std::move(json_), binary_);
@@ -88,7 +88,7 @@ class Writer {
   [[noreturn]] void bad(const std::string& what) const { throw std::invalid_argument(at_ + what); }
 
   void add(const impl::micromap::Array& given) {
-    // A view holds a byte at least, and usageCounts an entry: so none is empty.
+    // The draft has no empty view and no empty usageCounts, so an array without records gets one record.
     static const impl::micromap::Array nobody_uses{{{0, 0, 2}}, {0}};
     const impl::micromap::Array& array = given.records.empty() ? nobody_uses : given;
     if (array.data.empty()) throw std::invalid_argument("to_glb: an array of records without data");
@@ -131,7 +131,7 @@ class Writer {
     added["micromapIndices"] = add_scalars(indices, component_type(micromaps.encoding), triangles, 0);
   }
 
-  /// How many the primitive draws from, by its indices or without.
+  /// The number of vertices that the primitive draws from, with or without indices.
   std::size_t vertices() const {
     const auto positions = given_->attributes.find("POSITION");
     if (positions == given_->attributes.end()) return 0;
@@ -139,7 +139,7 @@ class Writer {
     return document_.model.accessors[static_cast<std::size_t>(accessor)].count;
   }
 
-  /// Returns how many triangles.
+  /// Writes a strip or fan as a list, and returns the number of triangles.
   std::size_t write_list(Topology topology, Json& primitive) {
     std::vector<std::uint32_t> in_order;
     int type = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;

@@ -18,7 +18,7 @@ void move_view(Json& view, const std::vector<std::size_t>& starts) {
   if (start != 0) view["byteOffset"] = view.value("byteOffset", std::size_t{0}) + start;
 }
 
-/// By the bytes that such a file begins with.
+/// The type of an image by its first bytes.
 std::string_view type_by_content(std::span<const unsigned char> bytes) {
   struct Magic {
     std::size_t at;
@@ -54,7 +54,7 @@ void embed_buffers(const Document& document, const Buffers& buffers, Json& json,
     buffers.view(k);  // it lies within its own buffer, and so in nothing else of the new one
     Json& view = (*views)[k];
     move_view(view, starts);
-    // The one kind of extension that names buffers: the same bytes, compressed.
+    // This extension alone names buffers: it has the same bytes, compressed.
     for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
       if (extension(view, name).empty()) continue;
       Json& compressed = view["extensions"][name];
@@ -87,7 +87,7 @@ void embed_images(const Document& document, Json& json, BinaryChunk& binary) {
     image.erase("uri");
     image["bufferView"] = binary.add_view(bytes);
     image["mimeType"] = type;
-    // Where it came from, for whoever looks for it.
+    // The name becomes the URI from which the image came.
     if (name.empty() && has_file) image["name"] = uri;
   }
 }

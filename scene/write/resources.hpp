@@ -1,4 +1,4 @@
-// The buffers and images of a document, put into one chunk.
+// A writer of the buffers and images of a document into one chunk.
 #pragma once
 
 #include "scene/read/buffers.hpp"
@@ -6,13 +6,13 @@
 
 namespace mmverify::scene {
 
-/// Appends all buffers to `binary`, and has the views of `json`, the document's JSON to be written, follow.
-/// Errors: BadScene where a view lies outside its buffer.
+/// Appends all buffers to `binary`, and updates the views of `json`, the document's JSON to be written.
+/// Errors: BadScene if a view lies outside its buffer.
 void embed_buffers(const Document& document, const Buffers& buffers, nlohmann::json& json,
                    BinaryChunk& binary);
 
 /// Puts the bytes of images with URIs into views, unchanged, and names their types.
-/// Errors: BadScene where one cannot be read, or neither its bytes nor the document say its type.
+/// Errors: BadScene if one cannot be read, or neither its bytes nor the document name its type.
 void embed_images(const Document& document, nlohmann::json& json, BinaryChunk& binary);
 
 }  // namespace mmverify::scene

@@ -1,5 +1,5 @@
-// As much of pugixml as the program writes XML with.  Debian has its header, but not its source, so there is no pugixml for
-// WebAssembly; tests/wasm holds the written bytes against the real one's.
+// The part of pugixml with which the program writes XML.  Debian has its header, but not its source, so there
+// is no pugixml for WebAssembly; tests/wasm compares the written bytes with the real one's.
 #pragma once
 
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace written {
 struct Node {
   std::string name, text;
   std::vector<std::pair<std::string, std::string>> attributes;
-  std::list<Node> children;  // whose addresses stay
+  std::list<Node> children;  // a list, so that addresses stay
 };
 
 inline std::string escaped(const std::string& text, bool attribute) {
@@ -101,7 +101,7 @@ class xml_node {
   xml_attribute append_attribute(const char* name) {
     return xml_attribute(node_->attributes.emplace_back(name, "").second);
   }
-  /// Domain: an attribute that was appended.
+  /// The attribute of a name.  Domain: an attribute that was appended.
   xml_attribute attribute(const std::string& name) const {
     for (auto& [key, value] : node_->attributes)
       if (key == name) return xml_attribute(value);

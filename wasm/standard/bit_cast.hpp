@@ -1,4 +1,5 @@
-// std::bit_cast, which the standard library of Debian 12's emscripten does not have; included before every file.
+// A std::bit_cast for the standard library of Debian 12's emscripten, which lacks it; included before every
+// file.
 #pragma once
 
 #if defined(__cplusplus)

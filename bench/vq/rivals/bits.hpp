@@ -10,12 +10,12 @@ namespace mmverify::bench::rivals {
 
 using Words = std::span<const std::uint64_t>;
 
-/// What an encoder writes.
+/// A sequence of fields that an encoder writes.
 struct Bits {
   std::vector<std::uint64_t> words;
   std::uint32_t size = 0;  ///< bits written
 
-  /// Domain: bits in 1..32, value < 2^bits.
+  /// Appends a field.  Domain: bits in 1..32, value < 2^bits.
   void put(std::uint32_t value, std::uint32_t bits) {
     for (std::uint32_t k = 0; k < bits; ++k, ++size) {
       if (size % 64 == 0) words.push_back(0);
@@ -32,7 +32,7 @@ inline std::uint32_t field(Words words, std::uint32_t at, std::uint32_t bits) {
   return static_cast<std::uint32_t>(value & ((std::uint64_t{1} << bits) - 1));
 }
 
-/// Word k of those that bits first..first + count - 1 touch, all others of it cleared.
+/// Word k, one of those that bits first..first + count - 1 touch, with all its other bits cleared.
 inline std::uint64_t word_within(Words words, std::uint32_t k, std::uint32_t first, std::uint32_t count) {
   std::uint64_t word = words[k];
   if (k == first / 64) word &= ~std::uint64_t{0} << (first % 64);
@@ -40,7 +40,7 @@ inline std::uint64_t word_within(Words words, std::uint32_t k, std::uint32_t fir
   return word;
 }
 
-/// How many of the bits first..first + count - 1 are set.
+/// The number of set bits among first..first + count - 1.
 inline std::uint32_t ones(Words words, std::uint32_t first, std::uint32_t count) {
   std::uint32_t found = 0;
   for (std::uint32_t k = first / 64; 64 * k < first + count; ++k)
@@ -48,7 +48,8 @@ inline std::uint32_t ones(Words words, std::uint32_t first, std::uint32_t count)
   return found;
 }
 
-/// How many of the `count` fields of two bits from bit `first` on are 3.  Domain: first is even.
+/// The number of fields equal to 3 among `count` fields of two bits from bit `first` on.  Domain: first is
+/// even.
 inline std::uint32_t threes(Words words, std::uint32_t first, std::uint32_t count) {
   std::uint32_t found = 0;
   for (std::uint32_t k = first / 64; 64 * k < first + 2 * count; ++k) {

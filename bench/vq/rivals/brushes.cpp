@@ -15,7 +15,7 @@ std::uint32_t coordinate_bits(std::uint32_t side) {
 }
 std::uint32_t brush_bits(std::uint32_t side) { return 2 + 3 + 3 * coordinate_bits(side) + 2; }
 
-/// The colour is the last field, so that no_brush is seen first.
+/// The colour of brush k.  It is the last field, so that no_brush is seen first.
 std::uint32_t colour_of(Words words, std::uint32_t side, std::uint32_t k) {
   return field(words, (k + 1) * brush_bits(side) - 2, 2);
 }

@@ -27,26 +27,27 @@ struct Brush {
   State colour = State::C;
 };
 
-/// The brush lies on region (x, y), inside the map or not.
+/// Whether the brush covers region (x, y), inside the map or not.
 bool covers(const Brush& brush, std::int32_t x, std::int32_t y);
 
 struct Brushes {
   std::uint32_t mutations = 0;  ///< tried after the greedy painting
-  std::uint64_t seed = 1;       ///< of them
+  std::uint64_t seed = 1;       ///< of the mutations
 
-  /// As many as the budget holds.
+  /// The number of brushes that fit the budget.
   static std::uint32_t most(std::uint32_t side, std::uint32_t budget);
 
-  /// Greedy, from the top: the brush of T or O that gives most regions their state and none, of those not covered
-  /// yet, a wrong one.  Tried too: half the brushes or fewer of one colour on top, then brushes of C on all that
-  /// is not of the other, then the other below.  The best of these is then mutated, one brush at a time; what is
-  /// wrong anywhere or loses more is taken back (Johansson's way, by which the paper was inspired).  Some O and T
-  /// become C, and nothing else.
-  /// Errors: std::invalid_argument unless the map is 16x16 or 32x32 and the budget holds a brush.
+  /// The brushes of a map, found greedily from the top: each is the brush of T or O that gives most regions
+  /// their state, and no region that is not covered yet a wrong one.  Other paintings are tried too: half the
+  /// brushes or fewer of one colour on top, then brushes of C on open regions that are not of the other
+  /// colour, then the other colour below.  The best painting is then mutated, one brush at a time; a mutation
+  /// that makes a region wrong or loses more is taken back (Johansson's way, by which the paper was
+  /// inspired).  Some O and T become C, and nothing else changes.
+  /// Errors: std::invalid_argument unless the map is 16x16 or 32x32 and the budget has room for a brush.
   Bits encode(States map, std::uint32_t budget) const;
-  /// The map of side x side regions.  Domain: what encode() made of such a map, in `words` of the budget's length.
+  /// The map of side x side regions.  Domain: `words` of the budget's length from encode() for such a map.
   std::vector<State> decode(Words words, std::uint32_t side) const;
-  /// One region of it.  Domain: the same; x and y below side.
+  /// One region of the map.  Domain: the same; x and y below side.
   State region(Words words, std::uint32_t side, std::uint32_t x, std::uint32_t y) const;
 };
 

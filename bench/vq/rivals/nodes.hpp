@@ -1,4 +1,4 @@
-// The nodes of one level of a tree over a square map, in the order that both hierarchies write them.
+// The nodes of one level of a tree over a square map, in the order in which both hierarchies write them.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Corner {
 };
 using Corners = std::vector<Corner>;
 
-/// Row by row from the bottom, `root` regions apart.
+/// The roots row by row from the bottom, `root` regions apart.
 inline Corners roots_of(std::uint32_t side, std::uint32_t root) {
   Corners roots;
   for (std::uint32_t y = 0; y < side; y += root)
@@ -22,7 +22,7 @@ inline Corners roots_of(std::uint32_t side, std::uint32_t root) {
   return roots;
 }
 
-/// Four of each node, (x, y) at x + 2 y.  `square`: regions along a node's side.
+/// Four children of each node, (x, y) at x + 2 y.  `square`: regions along a node's side.
 inline Corners children_of(const Corners& nodes, std::uint32_t square) {
   Corners children;
   children.reserve(4 * nodes.size());

@@ -10,17 +10,17 @@
 namespace mmverify::bench::rivals {
 namespace {
 
-/// Columns of a row relative to the brush's centre; empty where first > last.
+/// The columns of a row relative to the brush's centre; empty if first > last.
 struct Run {
   std::int8_t first = 1, last = 0;
 };
-constexpr std::int32_t reach = 31;  ///< of a centre and a region in one map
+constexpr std::int32_t reach = 31;  ///< the greatest distance of a centre and a region in one map
 struct Outline {
   std::array<Run, 2 * reach + 1> runs{};  ///< by the row relative to the centre, from -reach on
-  std::uint32_t rows = 0;                 ///< on either side of the centre that are not empty
+  std::uint32_t rows = 0;                 ///< rows on either side of the centre that are not empty
 };
 
-/// Every shape and direction at every size up to 31.
+/// The outlines of every shape and direction at every size up to 31.
 struct Outlines {
   std::vector<Outline> all = std::vector<Outline>(4 * 8 * 32);
 
@@ -48,7 +48,7 @@ const Outline& outline_of(const Brush& brush) {
   return outlines.all[Outlines::place(brush.shape, brush.direction, brush.size)];
 }
 
-/// The brush's regions of row y.
+/// The brush's regions in row y.
 std::uint32_t row_of(const Brush& brush, const Outline& outline, std::uint32_t side, std::uint32_t y) {
   const Run run = outline.runs[y + reach - brush.y];
   const std::int32_t x = static_cast<std::int32_t>(brush.x), first = std::max(x + run.first, 0),
@@ -57,7 +57,7 @@ std::uint32_t row_of(const Brush& brush, const Outline& outline, std::uint32_t s
   return static_cast<std::uint32_t>((std::uint64_t{2} << last) - (std::uint64_t{1} << first));
 }
 
-/// The rows of the map that a brush can lie on: [first, end).
+/// The rows of the map that a brush can cover: [first, end).
 struct Span {
   std::uint32_t first, end;
 };
@@ -73,7 +73,7 @@ std::uint32_t count(const Rows& rows) {
   return sum;
 }
 
-/// Shapes that differ: a square looks the same after 90 degrees, a disc always.
+/// The shapes that differ: a square looks the same after 90 degrees, a disc always.
 std::vector<Brush> distinct_shapes() {
   std::vector<Brush> shapes;
   for (const auto& [shape, directions] : {std::pair{BrushShape::square, 4u},
@@ -112,7 +112,7 @@ std::uint32_t Painter::exact_brush(State colour, const Rows& open, Brush& best) 
     brush.colour = colour;
     for (brush.y = 0; brush.y < side_; ++brush.y)
       for (brush.x = 0; brush.x < side_; ++brush.x) {
-        // A larger one covers all of a smaller one: what is wrong once stays wrong.
+        // A larger brush covers all of a smaller one, so a wrong brush stays wrong.
         bool right = true;
         for (brush.size = 0; right && brush.size < side_; ++brush.size) {
           const Outline& outline = outline_of(brush);
@@ -139,7 +139,7 @@ Brush Painter::checking_brush(const Rows& wanted, const Rows& open) const {
     brush.shape = shape;
     for (brush.y = 0; brush.y < side_; brush.y += side_ / 16)
       for (brush.x = 0; brush.x < side_; brush.x += side_ / 16)
-        // One of half the side from the middle covers the whole map.
+        // A brush of half the side in the middle covers the whole map.
         for (brush.size = 0; brush.size <= side_ / 2; ++brush.size) {
           const Outline& outline = outline_of(brush);
           const Span rows = rows_under(brush, outline, side_);
@@ -227,7 +227,7 @@ std::int64_t Painter::kept(const std::vector<Brush>& painting) const {
 std::vector<Brush> Painter::mutated(const std::vector<Brush>& painting, std::uint32_t most,
                                     std::uint32_t tries, std::uint64_t seed) const {
   std::vector<Brush> now = painting;
-  // On the ground: it changes nothing until it is mutated.
+  // The missing brushes lie on the ground, and change nothing until they are mutated.
   while (now.size() < most) now.push_back({.x = side_ / 2, .y = side_ / 2});
   std::vector<Rows> covered;
   for (const Brush& brush : now) covered.push_back(rows_of(brush));

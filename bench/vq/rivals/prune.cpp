@@ -8,14 +8,14 @@
 namespace mmverify::bench::rivals {
 namespace {
 
-/// The least loss with at most so many bits; it never rises, and its last value holds for all more bits.
+/// The least loss with at most this many bits; it never rises, and its last value holds for all more bits.
 using Losses = std::vector<std::uint32_t>;
 
 std::uint32_t at(const Losses& losses, std::uint32_t bits) {
   return losses[std::min<std::size_t>(bits, losses.size() - 1)];
 }
 
-/// Of two parts together, up to `most` bits.
+/// The least losses of two parts together, up to `most` bits.
 Losses together(const Losses& a, const Losses& b, std::uint32_t most) {
   const std::size_t size = std::min<std::size_t>(a.size() + b.size() - 1, std::size_t{most} + 1);
   Losses sum(size, ~std::uint32_t{0});
@@ -27,9 +27,9 @@ Losses together(const Losses& a, const Losses& b, std::uint32_t most) {
 
 struct Node {
   std::uint32_t x = 0, y = 0, side = 0;
-  std::uint32_t loss = 0;  ///< where all of it becomes C
-  bool split = false;      ///< regions of it differ
-  Losses losses = {0};     ///< above the bits of the node itself
+  std::uint32_t loss = 0;  ///< if the whole node becomes C
+  bool split = false;      ///< its regions differ
+  Losses losses = {0};     ///< by bits beyond the node's own
   std::vector<Node> children = {};
   std::vector<Losses> sums = {};  ///< of the first child, the first two, ...
 };

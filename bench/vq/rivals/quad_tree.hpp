@@ -27,13 +27,13 @@ struct QuadTree {
 
   static constexpr TreeCost cost{.root = 0, .node = 2, .inner = 0, .last = 5};
 
-  /// The tree of the map, within the budget the best pruning of it.  Nothing is lost where tree_bits(map, root,
-  /// cost) <= budget and no 2x2 from an even place on holds O beside T; else some O and T become C.
+  /// The tree of the map, or the best pruning of it within the budget.  Nothing is lost if tree_bits(map,
+  /// root, cost) <= budget and no 2x2 from an even place on has O beside T; else some O and T become C.
   /// Errors: std::invalid_argument, as pruned().
   Bits encode(States map, std::uint32_t budget) const;
-  /// The map of side x side regions.  Domain: what encode() made of such a map.
+  /// The map of side x side regions.  Domain: words from encode() for such a map.
   std::vector<State> decode(Words words, std::uint32_t side) const;
-  /// One region of it.  Domain: the same; x and y below side.
+  /// One region of the map.  Domain: the same; x and y below side.
   State region(Words words, std::uint32_t side, std::uint32_t x, std::uint32_t y) const;
 };
 

@@ -13,7 +13,7 @@
 namespace mmverify::bench::rivals {
 namespace {
 
-/// One side's maps, budget and VQ.
+/// The maps, budget and VQ of one side.
 struct Sixteen {
   static constexpr std::uint32_t side = 16, bits = 256;
   using Block = impl::vq::Block2;
@@ -29,7 +29,7 @@ struct ThirtyTwo {
   static Block encoded(const impl::vq::Map4& map) { return impl::vq::encode(map).block; }
 };
 
-/// VQ with the functions of a rival.
+/// VQ with the interface of a rival.
 template <class Size>
 struct Vq {
   using Block = typename Size::Block;
@@ -40,7 +40,7 @@ struct Vq {
   }
 };
 
-/// A rival with its bits in a block of the budget's length, the rest of it 0.
+/// A rival whose bits are in a block of the budget's length, padded with 0.
 template <class Size, class Codec>
 struct InBlocks {
   using Block = std::array<std::uint64_t, Size::bits / 64>;
@@ -60,7 +60,8 @@ struct InBlocks {
 
 void keep(std::uint32_t& value) { asm volatile("" : "+r"(value)); }
 
-/// O and T that became C.  Throws where anything else happened, or where a region is read otherwise alone.
+/// The number of O and T that became C.  Throws if a region changed otherwise, or if a region read alone
+/// differs.
 template <class Size, class Codec>
 std::uint32_t substitutions(const char* name, const OpacityMaps& maps, const Codec& codec,
                             const typename Codec::Block& block) {
@@ -160,7 +161,7 @@ void add_codecs(const std::vector<OpacityMaps>& all, std::uint64_t seed, std::si
   brushes("brushes, mutated", 20000);
 }
 
-/// One map of each texture, as some codec gives it back.
+/// The readings of one map of each texture, decoded by a codec.
 template <class Size, class Decoded>
 ReadMaps read(const char* name, const std::vector<OpacityMaps>& all, const Decoded& decoded) {
   ReadMaps figures{.side = Size::side, .map = name};
@@ -197,7 +198,7 @@ ReadMaps read(const char* name, const std::vector<OpacityMaps>& all, const Decod
   return figures;
 }
 
-/// The map with one state given up: the codec has all of its bits for the other.
+/// The map with one state given up, so that the codec has all of its bits for the other.
 template <class Map>
 Map without(Map map, State given_up) {
   std::replace(map.begin(), map.end(), given_up, State::C);
@@ -213,7 +214,7 @@ void add_readings(const std::vector<OpacityMaps>& all, std::vector<ReadMaps>& fi
       return quad_tree.decode(quad_tree.block(map));
     };
   };
-  // One region of the one outweighs a map of the other.
+  // The weight by which one region of the preferred state outweighs a whole map of the other.
   constexpr std::uint32_t first = Size::side * Size::side + 1;
   figures.push_back(read<Size>("source", all, [](const auto& map) { return map; }));
   figures.push_back(read<Size>(Size::vq, all, vq));

@@ -11,7 +11,7 @@ std::string regions(std::uint32_t side) { return std::to_string(side) + "x" + st
 struct BesideVq {
   CodecFigures by, vq;
 
-  /// Maps of which it loses fewer regions than VQ.
+  /// The number of maps of which the codec loses fewer regions than VQ.
   std::uint64_t fewer() const {
     std::uint64_t maps = 0;
     for (std::size_t k = 0; k < by.lost.size(); ++k) maps += by.lost[k] < vq.lost[k] ? 1 : 0;

@@ -1,4 +1,4 @@
-// VQ beside its rivals, and maps of three states read as two, as tables.
+// Tables of VQ beside its rivals, and of maps of three states read as two.
 #pragma once
 
 #include "bench/table.hpp"

@@ -31,7 +31,8 @@ std::uint32_t opaque_eighths(States map, std::uint32_t side, std::uint32_t x, st
 std::uint32_t hit_hash(float u, float v) {
   const auto low = [](float a) { return std::bit_cast<std::uint32_t>(a) & 0xfff; };
   std::uint32_t h = low(u) | low(v) << 12;
-  // 2^32 over the golden ratio, odd.  The low half of a product depends on low bits alone: so the high ones come down.
+  // The multiplier is 2^32 over the golden ratio, odd.  The low half of a product depends on low bits alone,
+  // so the shift moves high bits down.
   for (int round = 0; round < 3; ++round) {
     h *= 0x9e3779b1;
     h ^= h >> 15;

@@ -1,11 +1,11 @@
-// Maps of three states read as two: no hit looks at the texture.
+// Maps of three states read as two, so that no hit reads the texture.
 //
 // Compressed Opacity Maps, 6: the map may be read so "by using the 2x2 vectors to determine hit/miss probabilities
 // in combination with a hash of the hit's barycentric coordinate LSBs".  The paper gives neither the probability nor
 // the hash; ours:
-//   p(x, y) = (2 #O + #C) / 8    over the 2x2 regions from an even (x, y) on that hold the region: C counts half
+//   p(x, y) = (2 #O + #C) / 8    over the region's 2x2 regions from an even (x, y) on: C counts half
 //   hash(u, v) in [0, 1)         of the 12 lowest bits of either binary32
-//   opaque                       O; C where hash < p
+//   opaque                       O; C if hash < p
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace mmverify::bench::rivals {
 
-/// What C is read as.  T and O are always what they are.
+/// The state that C is read as.  T and O are always read as they are.
 enum class Reading : std::uint8_t {
   transparent,  ///< T
   opaque,       ///< O

@@ -13,7 +13,7 @@ std::uint32_t difference(State s, State from) {
 
 State sum(State s, std::uint32_t d) { return static_cast<State>((static_cast<std::uint32_t>(s) + d) % 3); }
 
-/// Of the child k = x + 2 y of a split node.
+/// The difference of the child k = x + 2 y of a split node.
 std::uint32_t difference_of(std::uint32_t code, std::uint32_t square, std::uint32_t k) {
   if (k == 0) return 0;
   if (square == 2) return (code >> (k - 1) & 1) != 0 ? 1 + (code >> 3) : 0;

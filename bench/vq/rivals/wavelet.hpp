@@ -31,14 +31,14 @@ struct Wavelet {
 
   static constexpr TreeCost cost{.root = 2, .node = 1, .inner = 5, .last = 4};
 
-  /// The wavelet of the map, within the budget of the map whose pruning loses least: differences are not dropped,
-  /// as that turns T into O.  Nothing is lost where tree_bits(map, root, cost) <= budget and no 2x2 from an even
-  /// place on holds O beside T; else some O and T become C.
+  /// The wavelet of the map or, within the budget, of the map whose pruning loses least: differences are not
+  /// dropped, since that turns T into O.  Nothing is lost if tree_bits(map, root, cost) <= budget and no 2x2
+  /// from an even place on has O beside T; else some O and T become C.
   /// Errors: std::invalid_argument, as pruned().
   Bits encode(States map, std::uint32_t budget) const;
-  /// The map of side x side regions.  Domain: what encode() made of such a map.
+  /// The map of side x side regions.  Domain: words from encode() for such a map.
   std::vector<State> decode(Words words, std::uint32_t side) const;
-  /// One region of it.  Domain: the same; x and y below side.
+  /// One region of the map.  Domain: the same; x and y below side.
   State region(Words words, std::uint32_t side, std::uint32_t x, std::uint32_t y) const;
 };
 

@@ -1,5 +1,6 @@
-// The orders of NVIDIA's BaryFile as a subject: where values of micro-vertices and micro-triangles lie, and the mesh of
-// a level.  It has the bird order and U-major.  W-minor and the rows of faces, which are asked as well, are this file's.
+// The orders of NVIDIA's BaryFile as a subject: the places of values of micro-vertices and micro-triangles,
+// and the mesh of a level.  BaryFile has the bird order and U-major.  W-minor and the rows of faces, which
+// the laws need as well, are written here.
 #include <bary/bary_core.h>
 
 #include "examples/adapters/subject.hpp"

@@ -1,4 +1,4 @@
-// meshoptimizer's opacity maps as a subject: meshopt_opacityMapRasterize is asked as a baker.
+// meshoptimizer's opacity maps as a subject: meshopt_opacityMapRasterize is judged as a baker.
 #include <meshoptimizer.h>
 
 #include "examples/adapters/meshoptimizer/support.hpp"

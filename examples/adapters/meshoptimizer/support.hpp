@@ -1,8 +1,8 @@
-// What meshopt_opacityMapRasterize supports, whoever calls it.
+// The features that meshopt_opacityMapRasterize supports, for all of its callers.
 //
-// It compares with 1/2, and rounds coordinates to 1/256 of a texel.  Coordinates outside of [0, 1] it takes into it
-// without filtering across the border, which is none of Vulkan's addressing modes: inside it clamps.  Scenes are baked
-// with it all the same, so ADAPTER_SCENE has it asked for repeated textures, too.
+// It compares with 1/2, and rounds coordinates to 1/256 of a texel.  It brings coordinates outside of [0, 1]
+// inside without filtering across the border, which is none of Vulkan's addressing modes; inside it clamps.
+// Scenes are baked with it all the same, so under ADAPTER_SCENE the adapter also supports repeated textures.
 #pragma once
 
 #include "examples/adapters/subject.hpp"

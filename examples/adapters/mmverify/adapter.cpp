@@ -1,4 +1,5 @@
-// This project's own baker, by its interface in C, as a subject: what the others are timed beside, through the same door.
+// This project's own baker, by its interface in C, as a subject: the baseline of the others' times, through
+// the same interface.
 #include <mmverify/mmverify.h>
 
 #include "examples/adapters/subject.hpp"

@@ -1,4 +1,4 @@
-// The curve of the nvpro sample mm_opacity as a subject: micro2bary says where micro-triangles lie.
+// The curve of the nvpro sample mm_opacity as a subject: micro2bary gives the places of micro-triangles.
 #include <glm/glm.hpp>
 
 #include "bird_curve_helper.hpp"

@@ -1,5 +1,6 @@
-// NVIDIA's Opacity Micro-Map SDK as a subject: ommCpuBake is asked as a baker.  Opaque is alpha > cutoff, and what is
-// mixed is UO.  States count as right within 8 bits of a texel's fraction, as devices filter.
+// NVIDIA's Opacity Micro-Map SDK as a subject: ommCpuBake is judged as a baker.  Opaque is alpha > cutoff,
+// and mixed micro-triangles are UO.  States count as right within 8 bits of a texel's fraction, as devices
+// filter.
 #include <omm.h>
 
 #include "examples/adapters/subject.hpp"

@@ -1,5 +1,6 @@
-// vierkant's generate_omm_data as a subject: a mesh of one triangle is made into micromaps.  It keeps coordinates as
-// binary16, so others are declined, but of scenes; and triangles of one state, of which it makes no map.
+// vierkant's generate_omm_data as a subject: it makes micromaps of a mesh of one triangle.  It stores
+// coordinates as binary16, so the adapter declines other coordinates, except in scenes.  It also declines
+// triangles of one state, for which the function makes no map.
 #include <meshoptimizer.h>
 
 #include <map>
@@ -8,7 +9,7 @@
 
 #include "examples/adapters/meshoptimizer/support.hpp"
 
-// What the function reads of its engine and of Vulkan, in short.
+// The parts of the engine and of Vulkan that the function reads, in short.
 // clang-format off
 struct Pixels {
   uint32_t wide, high;

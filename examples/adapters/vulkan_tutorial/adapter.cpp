@@ -1,6 +1,7 @@
-// The opacity micromap builder of Khronos' Vulkan-Tutorial as a subject: its classification as a baker, its curve as
-// corners.  The recipe takes these functions out of the checkout's file, the rest of which needs its engine and a
-// device.  It samples the nearest texel at four places and asks the shader from 0.05 up and below 0.95.
+// The opacity micromap builder of Khronos' Vulkan-Tutorial as a subject: its classification as a baker, its
+// curve as corners.  The recipe extracts these functions from the checkout's file, since the rest needs its
+// engine and a device.  It samples the nearest texel at four places, and leaves states to the shader from
+// 0.05 up and below 0.95.
 #include <array>
 #include <atomic>
 #include <cassert>
@@ -49,7 +50,7 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1() {
   return baker_subject("Vulkan-Tutorial", bake, [](mmverify_bake_support_t& it) {
     it.max_level = 4, it.formats = 1U << MMVERIFY_4_STATE, it.texels = 1U << MMVERIFY_UNORM8, it.max_mips = 1;
     it.alpha_modes = 1U << MMVERIFY_MASK;
-#ifndef ADAPTER_SCENE  // which has it asked for scenes as they are, filtered
+#ifndef ADAPTER_SCENE  // under it, scenes are baked as they are, filtered
     it.filters = 1U << MMVERIFY_NEAREST, it.wraps = 1U << MMVERIFY_REPEAT;
 #endif
     it.restrictions = MMVERIFY_BAKE_NO_FACTORS | MMVERIFY_BAKE_NO_MARGIN, it.fixed_cutoff = 0.5F;

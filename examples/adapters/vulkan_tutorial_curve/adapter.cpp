@@ -1,4 +1,5 @@
-// The curve of Khronos' Vulkan-Tutorial as a subject: the micro-triangle around each of generateCentroids().
+// The curve of Khronos' Vulkan-Tutorial as a subject: the micro-triangle around each centroid of
+// generateCentroids().
 #include <array>
 #include <cassert>
 #include <glm/glm.hpp>

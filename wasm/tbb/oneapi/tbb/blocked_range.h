@@ -1,11 +1,11 @@
-// A range of numbers, as oneTBB names it.  WebAssembly has no oneTBB: these headers stand in its place.
+// A range of numbers, as in oneTBB.  WebAssembly has no oneTBB: these headers replace it.
 #pragma once
 
 #include <cstddef>
 
 namespace oneapi::tbb {
 
-/// [begin, end).
+/// The range [begin, end).
 template <class Value>
 class blocked_range {
  public:

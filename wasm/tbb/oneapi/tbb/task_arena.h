@@ -1,4 +1,4 @@
-// The one thread that there is.
+// The arena of the only thread.
 #pragma once
 
 #include <utility>
@@ -10,7 +10,7 @@ class task_arena {
   static constexpr int automatic = -1;
   explicit task_arena(int = automatic) {}
 
-  /// body(), here.
+  /// Calls body() in this thread.
   template <class Body>
   auto execute(Body&& body) {
     return std::forward<Body>(body)();
