@@ -434,8 +434,8 @@ typedef struct mmverify_subject {
   void (*attribute_face_of)(uint32_t level, uint32_t vertex_order, uint32_t face_order, const uint32_t* first,
                             const uint32_t* second, const uint32_t* third, uint32_t* face, size_t count);
 
-  /* The vertices of the micro-triangle that contains (u[k], v[k]), ties as in index_f32, and the point's weights there, in the
-   * order of its vertices: with fu = uN - iu and fv = vN - iv, lower (1-fu-fv, fu, fv), upper (fu+fv-1, 1-fu, 1-fv).
+  /* The vertices of the micro-triangle that contains (u[k], v[k]), ties as in index_f32, and the point's weights there,
+   * in the order of its vertices: with fu = uN - iu and fv = vN - iv, lower (1-fu-fv, fu, fv), upper (fu+fv-1, 1-fu, 1-fv).
    * Each weight is within 2^-24 of the exact one and none is below 0.  Where 4uN and 4vN are whole numbers, the weights are
    * the exact ones, which binary32 holds: so neighbours agree on their edge.  u, v >= 0, -0 is 0; u+v <= 1. */
   void (*attribute_triplet_f32)(uint32_t level, uint32_t vertex_order, const float* u, const float* v,
@@ -513,8 +513,8 @@ typedef struct mmverify_subject {
   size_t (*array_build)(const mmverify_array_case_t* what, uint8_t* answer, size_t capacity);
 
   /* The target of code[k] < 2^width in a geometry with base_triangle[k], over records[k] records: two numbers each, its
-   * kind and its value. MMVERIFY_TARGET_SPECIAL and the state; _NONE and 0: -5 in a cluster; _RECORD and its number, base added;
-   * _OUTSIDE and 0: no such record, and a signed code below the special ones. */
+   * kind and its value. MMVERIFY_TARGET_SPECIAL and the state; _NONE and 0: -5 in a cluster; _RECORD and its number,
+   * base added; _OUTSIDE and 0: no such record, and a signed code below the special ones. */
   void (*array_resolve)(uint32_t index_type, const uint32_t* code, const uint32_t* base_triangle,
                         const uint32_t* records, uint32_t* target, size_t count);
 
