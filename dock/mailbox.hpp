@@ -20,6 +20,7 @@ enum class Outcome : std::uint32_t {
   threw,
   changed_mode,
   wrote_before,
+  wrote_behind,
   unwritten,
   non_deterministic,
   too_large,

@@ -376,6 +376,8 @@ std::string Worker::misdeed() const {
       return "left the rounding or flush mode changed" + (message_.empty() ? "" : " " + message_);
     case Outcome::wrote_before:
       return "wrote before the start of its output";
+    case Outcome::wrote_behind:
+      return "wrote behind the end of its output";
     case Outcome::unwritten:
       return "left its output unwritten";
     case Outcome::non_deterministic:

@@ -190,9 +190,9 @@ void Desk::answer(bool thorough) {
   mailbox_.report.answer_bytes = first;
 }
 
-void Desk::ask_blob_after(const Arguments& before, const std::uint8_t* blob, std::uint64_t size,
+void Desk::ask_blob_after(const Arguments& before, Fenced& out, const std::uint8_t* blob, std::uint64_t size,
                           const std::string& how) {
-  guarded(before, 0);
+  guarded(before, out, 0);
   const std::uint64_t again = call_at_guard(again_.size(), blank_again, blob);
   if (again != size)
     stop(Outcome::non_deterministic, 0, how + ": " + text(size) + " returned, then " + text(again));
@@ -203,8 +203,8 @@ void Desk::ask_blob_after_like_ones(const std::uint8_t* blob) {
   constexpr std::size_t word = 8;
   const auto size = static_cast<std::size_t>(mailbox_.blob_bytes);
   if (size < 2 * word) return;
-  std::vector<std::byte> answer(static_cast<std::size_t>(mailbox_.room));
-  Arguments before = whole(answer.data(), mailbox_.room);
+  Fenced answer(static_cast<std::size_t>(mailbox_.room), blank);
+  Arguments before = whole(nullptr, mailbox_.room);
   const std::vector<std::uint8_t> these(blob, blob + size);
   const auto inverted = [&](std::size_t from, std::size_t to) {
     std::vector<std::uint8_t> other = these;
@@ -217,9 +217,9 @@ void Desk::ask_blob_after_like_ones(const std::uint8_t* blob) {
   for (std::size_t k = 0; k < size; ++k) unlike[k] = static_cast<std::uint8_t>(unlike[k] + 1 + 3 * k);
   const auto after = [&](const std::vector<std::uint8_t>& bytes, const char* how) {
     before.blob = unlike.data();
-    guarded(before, 0);
+    guarded(before, answer, 0);
     before.blob = bytes.data();
-    ask_blob_after(before, blob, mailbox_.room, how);
+    ask_blob_after(before, answer, blob, mailbox_.room, how);
   };
   std::vector<std::uint8_t> turned = these;
   std::rotate(turned.begin(), turned.begin() + word,
@@ -232,11 +232,11 @@ void Desk::ask_blob_after_like_ones(const std::uint8_t* blob) {
 void Desk::ask_blob_after_level_below(const std::uint8_t* blob) {
   if (mailbox_.level < 2) return;
   // This asks the first quarter of the bytes.
-  std::vector<std::byte> answer(static_cast<std::size_t>(mailbox_.room));
-  Arguments before = whole(answer.data(), mailbox_.room);
+  Fenced answer(static_cast<std::size_t>(mailbox_.room), blank);
+  Arguments before = whole(nullptr, mailbox_.room);
   before.blob = blob;
   before.level = mailbox_.level - 1;
-  ask_blob_after(before, blob, mailbox_.room, "asked after level " + text(before.level));
+  ask_blob_after(before, answer, blob, mailbox_.room, "asked after level " + text(before.level));
 }
 
 Desk::Question Desk::this_question(std::uint64_t size) const {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "dock/desk/arguments.hpp"
+#include "dock/desk/fenced.hpp"
 #include "dock/desk/places.hpp"
 #include "dock/layout.hpp"
 
@@ -65,6 +66,10 @@ class Desk {
   /// Makes call(), and stops the command if it throws or leaves a mode changed; `element` is blamed.
   std::uint64_t guarded(const Arguments& a, std::uint64_t element);
 
+  /// The same with the answer in `out`; nothing around it may change.
+  std::uint64_t guarded(Arguments a, Fenced& out, std::uint64_t element);
+  void check_fence(const Fenced& out, std::uint64_t element);
+
   /// Marks the bytes before an output.
   static void set_canary(std::byte* out);
   void check_canary(const std::byte* out, std::uint64_t element);
@@ -78,16 +83,11 @@ class Desk {
   };
   /// The answers that a thread got, round by round.
   struct Answers {
-    static constexpr std::size_t margin = 4096;  ///< room for a subject that writes outside its output
-    std::vector<std::vector<std::byte>> rooms;   ///< an answer between two margins each
+    std::vector<Fenced> rooms;
     std::vector<std::uint64_t> sizes;
-    std::size_t bytes = 0;
     bool threw = false, changed_mode = false, lacks_memory = false;
     std::size_t first_address = 0, value_bytes = 1;  ///< answers take each place in turn
-    std::size_t place(std::size_t round) const {
-      return before_line(rooms[round]) + margin + place_behind_line(first_address + round, value_bytes);
-    }
-    const std::byte* in_round(std::size_t round) const { return rooms[round].data() + place(round); }
+    const std::byte* in_round(std::size_t round) const { return rooms[round].data(); }
   };
   using FromThreads = std::array<Answers, 2>;
   /// The number of rounds in a thread: at least `least`, then more until `within` is over, up to `most`.
@@ -115,9 +115,11 @@ class Desk {
   /// fewer questions are repeated.
   void run_on_large_batches(std::uint64_t number);
   /// Asks `count` elements from `from` on, of several slots, in one call, over bytes of `filling`.
-  std::vector<std::byte> ask_at_once(std::size_t from, std::size_t count, unsigned char filling);
+  Fenced ask_at_once(std::size_t from, std::size_t count, unsigned char filling);
   /// The arguments for `count` elements of a slot from `at` on.
   Arguments piece(std::size_t slot, std::size_t at, std::size_t count, std::byte* out) const;
+  /// Asks `count` elements of a slot from `at` on into their place in `out`, which is blank from there on.
+  void ask_piece(std::size_t slot, std::size_t at, std::size_t count, Fenced& out);
   std::byte* slot_answer(std::size_t slot) const;
   void call_slot(std::size_t slot);
   /// Asks the batch from two threads before any other question of its level: a table that the first call
@@ -129,9 +131,8 @@ class Desk {
   void ask_slot_from_threads(std::size_t slot);
   /// Repeats a batch in two threads, one of them with the batch rotated by half its length; `answers` are the
   /// right ones.
-  void ask_turned_from_threads(const Arguments& here, const std::vector<std::byte>& answers,
-                               std::size_t count, const Rounds& rounds, std::uint64_t from,
-                               const std::string& how);
+  void ask_turned_from_threads(const Arguments& here, const std::byte* answers, std::size_t count,
+                               const Rounds& rounds, std::uint64_t from, const std::string& how);
   /// Repeats each of the first `most` elements right after the same element at another level.
   void ask_slot_after_another_level(std::size_t slot, std::size_t most = batch_size);
   /// Repeats each element of several numbers right after an element of the previous level with the same first
@@ -188,8 +189,8 @@ class Desk {
   void encode(bool thorough);
   void answer(bool thorough);
   /// Repeats the question right after the call `before`. Domain: the question returned `size`, and its answer
-  /// is in again_.
-  void ask_blob_after(const Arguments& before, const std::uint8_t* blob, std::uint64_t size,
+  /// is in again_; `out` is room for the answer to `before`.
+  void ask_blob_after(const Arguments& before, Fenced& out, const std::uint8_t* blob, std::uint64_t size,
                       const std::string& how);
   /// Repeats the question after bytes that a cache may mistake for these: the same words in another order,
   /// the same first half, the same second half. Domain: any bytes are a valid map or block for the question.

@@ -128,20 +128,25 @@ void Desk::ask_codes_after_each_other() {
   const std::size_t in = elements_in_blob(mailbox_.call).bytes,
                     out = elements_in_blob(mailbox_.call).answer_bytes;
   // Each byte of an element takes all values, since its step is odd, and bytes have different steps.
-  std::vector<std::byte> elements(codes * in), alone(codes * out, std::byte{blank_again});
+  std::vector<std::byte> elements(codes * in);
   for (std::size_t k = 0; k < elements.size(); ++k)
     elements[k] = static_cast<std::byte>(k / in * (2 * (k % in) + 1) + k % in);
-  const auto ask = [&](const std::byte* of, std::size_t count, std::byte* answers) {
-    Arguments a = whole(answers, count * out);
+  const auto ask = [&](const std::byte* of, std::size_t count, Fenced& answers) {
+    Arguments a = whole(nullptr, count * out);
     a.blob = reinterpret_cast<const std::uint8_t*>(of);
     a.blob_bytes = count * in;
-    guarded(a, 0);
+    guarded(a, answers, 0);
   };
-  for (std::size_t k = 0; k < codes; ++k) ask(elements.data() + k * in, 1, alone.data() + k * out);
+  std::vector<std::byte> alone;
+  for (std::size_t k = 0; k < codes; ++k) {
+    Fenced one(out, blank_again);
+    ask(elements.data() + k * in, 1, one);
+    alone.insert(alone.end(), one.data(), one.data() + out);
+  }
   const std::vector<std::size_t> order = each_after_each(codes);
   const auto of = [&](std::size_t k) { return order[k]; };
-  std::vector<std::byte> together(order.size() * out, std::byte{blank_again});
-  ask(gathered(elements.data(), in, order.size(), of).data(), order.size(), together.data());
+  Fenced together(order.size() * out, blank_again);
+  ask(gathered(elements.data(), in, order.size(), of).data(), order.size(), together);
   const std::vector<std::byte> expected = gathered(alone.data(), out, order.size(), of);
   compare(expected.data(), together.data(), expected.size(), 0,
           "asked with other codes, each alone and then after each other one");
