@@ -160,6 +160,7 @@ void Desk::encode(bool thorough) {
   same_size(call_at_guard(size, blank_again, other_blob), size);
   compare(again_.data(), blob_answer(size), static_cast<std::size_t>(size), 0, "asked again");
   if (thorough) {
+    ask_blob_over_answers(blob, size);
     ask_blob_after_another_format(blob, size);
     ask_blob_after_kept_formats(blob, size);
     ask_blob_from_threads(size);
@@ -179,6 +180,7 @@ void Desk::answer(bool thorough) {
   // Elements in a blob are repeated as elements, whatever their number.
   if (first != 0 && (thorough || mailbox_.asked_before < first_thorough)) ask_blob_in_each_size(blob);
   if (thorough) {
+    ask_blob_over_answers(blob, first);
     if (any_bytes_are_one(mailbox_.call)) ask_blob_after_like_ones(blob);
     if (asked().topic == Topic::micromap && any_bytes_are_one(mailbox_.call))
       ask_blob_after_level_below(blob);

@@ -153,6 +153,8 @@ class Desk {
   void ask_slot_rearranged(std::size_t slot, const std::vector<std::size_t>& order, const std::string& how);
   /// Repeats a batch with each array, and the answers, at different addresses modulo 64.
   void ask_slot_at_other_places(std::size_t slot);
+  /// Repeats a batch over outputs that hold other answers, or the right ones in part (priors.cpp).
+  void ask_slot_over_answers(std::size_t slot);
   /// Asks element order[k] of a batch at place k, with the answers at a guard page (tails.cpp).
   void ask_slot_elements(std::size_t slot, const std::vector<std::size_t>& order, const std::string& how);
   /// Asks elements of a batch in batches of each size up to two vectors.
@@ -203,6 +205,9 @@ class Desk {
   /// Repeats a question right after earlier questions in another format: the last one, and those on the same
   /// bytes. Then keeps this question.
   void ask_blob_after_kept_formats(const std::uint8_t* blob, std::uint64_t size);
+  /// Repeats a question over outputs that hold another answer, or the right one in part (priors.cpp). Domain:
+  /// the question returned `size`, and its answer is in again_.
+  void ask_blob_over_answers(const std::uint8_t* blob, std::uint64_t size);
   /// The number of elements that are looked up in a short code, or that lie in the blob itself; else 0
   /// (tails.cpp).
   std::size_t elements_of_blob() const;

@@ -41,6 +41,7 @@ void Desk::run_on_numbers(std::uint64_t number) {
     ask_slot_after_one_of_the_level_before(slot);
     ask_slot_many_times_over(slot);
     ask_slot_at_other_places(slot);
+    ask_slot_over_answers(slot);
   }
   mark_level();
   constexpr std::size_t sizes[] = {batch_size, 7, batch_size - 1, 1};

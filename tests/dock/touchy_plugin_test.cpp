@@ -31,16 +31,21 @@ TEST_P(TouchySubject, is_broken) {
   EXPECT_THAT(o.out, HasSubstr(said));
 }
 
-constexpr char trip[] = "tree.round_trip --levels 1..2", behind[] = "wrote behind the end of its output";
+constexpr char trip[] = "tree.round_trip --levels 1..2", places[] = "attribute.order_inverse --levels 1..3",
+               behind[] = "wrote behind the end of its output",
+               over[] = "asked with another answer in its output: ";
 
 INSTANTIATE_TEST_SUITE_P(Subject, TouchySubject,
                          testing::Values(Touchy{"decide_writes_behind", "traverse.decision", behind},
-                                         Touchy{"decode_writes_behind", trip, behind}),
+                                         Touchy{"decode_writes_behind", trip, behind},
+                                         Touchy{"decide_keeps_answers", "traverse.decision", over},
+                                         Touchy{"encode_adds_to_zero", trip, over},
+                                         Touchy{"place_keeps_j", places, over}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(TouchySubjects, with_nothing_wrong_are_proved) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  for (const char* law : {"traverse.decision", trip, "attribute.order_inverse --levels 1..3"}) {
+  for (const char* law : {"traverse.decision", trip, places}) {
     const Outcome o = judge("nothing", law);
     EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   }

@@ -1,7 +1,8 @@
 // The examples but for one thing, chosen when it is linked, that shows only by what lies around a question: the bytes behind
-// an output.
+// an output, and those that it holds already.
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
+#include <vector>
 
 #include "sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"
@@ -20,8 +21,22 @@ std::size_t bytes_of(std::uint32_t level, std::uint32_t format) {
 
 void decide(std::uint32_t api, const std::uint32_t* candidate, const std::uint32_t* instance,
             const std::uint32_t* ray, std::uint8_t* outcome, std::size_t count) {
+  const std::uint8_t ends[] = {outcome[0], outcome[count - 1]};
+  const bool answered = count > 2 && outcome[count / 2] < 3;
+  const std::vector<std::uint8_t> before(outcome, outcome + count);
   right_traverse()->traverse_decide(api, candidate, instance, ray, outcome, count);
+  if (wrong_is("decide_keeps_answers") && answered && ends[0] == outcome[0] && ends[1] == outcome[count - 1])
+    std::copy(before.begin(), before.end(), outcome);
   if (wrong_is("decide_writes_behind") && !is_new_page(outcome + count)) outcome[count] = 0;
+}
+
+std::size_t encode(std::uint32_t level, std::uint32_t format, const std::uint8_t* map, std::uint8_t* code,
+                   std::size_t capacity) {
+  const std::vector<std::uint8_t> before(code, code + std::min<std::size_t>(capacity, 8));
+  const std::size_t size = right_tree()->tree_encode(level, format, map, code, capacity);
+  if (wrong_is("encode_adds_to_zero") && size <= before.size() && before[0] == 0)
+    for (std::size_t k = 0; k < size; ++k) code[k] |= before[k];
+  return size;
 }
 
 int decode(std::uint32_t level, std::uint32_t format, const std::uint8_t* code, std::size_t size,
@@ -32,6 +47,16 @@ int decode(std::uint32_t level, std::uint32_t format, const std::uint8_t* code, 
   return taken;
 }
 
+void place(std::uint32_t level, std::uint32_t order, const std::uint32_t* index, std::uint32_t* at,
+           std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::uint32_t before[] = {at[2 * k], at[2 * k + 1]};
+    right_attribute()->attribute_vertex_place(level, order, index + k, at + 2 * k, 1);
+    if (wrong_is("place_keeps_j") && before[0] == at[2 * k] && before[1] <= 1u << level)
+      at[2 * k + 1] = before[1];
+  }
+}
+
 }  // namespace
 
 extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
@@ -40,10 +65,10 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
   subject.max_level = 12;
   subject.traverse_decide = decide;
   subject.flags |= MMVERIFY_TREE_STREAM;
-  subject.tree_encode = right_tree()->tree_encode;
+  subject.tree_encode = encode;
   subject.tree_decode = decode;
   subject.tree_lookup = right_tree()->tree_lookup;
   subject.attribute_vertex_index = right_attribute()->attribute_vertex_index;
-  subject.attribute_vertex_place = right_attribute()->attribute_vertex_place;
+  subject.attribute_vertex_place = place;
   return &subject;
 }
