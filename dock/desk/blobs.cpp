@@ -9,6 +9,8 @@ namespace mmverify::dock {
 namespace {
 
 constexpr std::uint32_t first_from_threads = 8, first_thorough = 64, later_one_in = 64;
+/// Of later questions, one in one_in_other_rooms is asked with another room for its code.
+constexpr std::uint32_t one_in_other_rooms = 16;
 /// Later questions that are repeated from threads as long as the first ones: one in one_in_from_threads of
 /// the first later_from_threads. Laws begin with plain cases, and a plain map leaves nothing in memory that
 /// two threads share.
@@ -138,26 +140,46 @@ std::uint64_t Desk::call_at_guard(std::uint64_t room, unsigned char filling, con
   return size;
 }
 
+void Desk::encode_within(std::uint64_t room, std::uint64_t size, unsigned char filling,
+                         const std::uint8_t* blob) {
+  if (const std::uint64_t again = call_at_guard(room, filling, blob); again != size)
+    stop(Outcome::non_deterministic, 0,
+         "a code of " + text(size) + " bytes, then, with room for " + text(room) + ", of " + text(again));
+}
+
+void Desk::encode_in_other_rooms(std::uint64_t size, const std::uint8_t* blob) {
+  const std::uint32_t before = mailbox_.asked_before;
+  const bool late = before >= first_thorough && before % one_in_other_rooms != 0;
+  if (late || std::max({mailbox_.blob_bytes, mailbox_.room, size}) > most_thorough) return;
+  // A vector's store, or a word's, may need room behind the last byte.
+  std::vector<std::uint64_t> rooms{1, size / 2, mailbox_.blob_bytes};
+  for (std::uint64_t more = 1; more <= 8; ++more) rooms.push_back(size + more);
+  const std::size_t turn = before < first_thorough ? before : before / one_in_other_rooms;
+  for (std::size_t k = 0; k < rooms.size(); ++k) {
+    if (before >= first_from_threads && turn % rooms.size() != k) continue;
+    encode_within(rooms[k], size, blank_again, blob);
+    if (rooms[k] >= size)
+      compare(again_.data(), blob_answer(rooms[k]), static_cast<std::size_t>(size), 0,
+              "asked with room for " + text(rooms[k]) + " bytes");
+  }
+}
+
 void Desk::encode(bool thorough) {
   const auto [blob, other_blob] = blobs();
   std::uint64_t room = mailbox_.room, size = call_at_guard(room, blank, blob);
   if (size > blob_capacity)
     stop(Outcome::too_large, 0, "asked for " + text(size) + " bytes, more than " + text(blob_capacity));
-  const auto same_size = [&](std::uint64_t again, std::uint64_t given) {
-    if (again != size)
-      stop(Outcome::non_deterministic, 0,
-           "a code of " + text(size) + " bytes, then, with room for " + text(given) + ", of " + text(again));
-  };
   if (size > room) {
     room = size;
-    same_size(call_at_guard(room, blank, blob), room);
+    encode_within(room, size, blank, blob);
   }
   again_.assign(blob_answer(room), blob_answer(room) + size);
   if (thorough && size != 0)
     for (const std::uint64_t too_little : {std::uint64_t{0}, size - 1})
-      same_size(call_at_guard(too_little, blank, blob), too_little);
+      encode_within(too_little, size, blank, blob);
+  if (size != 0) encode_in_other_rooms(size, blob);
   // The last call gives exactly the room that the code needs.
-  same_size(call_at_guard(size, blank_again, other_blob), size);
+  encode_within(size, size, blank_again, other_blob);
   compare(again_.data(), blob_answer(size), static_cast<std::size_t>(size), 0, "asked again");
   if (thorough) {
     ask_blob_over_answers(blob, size);

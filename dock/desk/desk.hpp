@@ -189,6 +189,11 @@ class Desk {
   /// Compares those calls' answers with the later one, of `size` bytes, in its place; they had `room` bytes.
   void compare_first(const FromThreads& before, std::uint64_t room, std::uint64_t size);
   void encode(bool thorough);
+  /// Asks for a code of `size` bytes at a guard page, with `room` for it. The size may not change.
+  void encode_within(std::uint64_t room, std::uint64_t size, unsigned char filling, const std::uint8_t* blob);
+  /// Asks for a code with little room, and with more than it needs. Domain: `size` is not 0; the code is in
+  /// again_.
+  void encode_in_other_rooms(std::uint64_t size, const std::uint8_t* blob);
   void answer(bool thorough);
   /// Repeats the question right after the call `before`. Domain: the question returned `size`, and its answer
   /// is in again_; `out` is room for the answer to `before`.

@@ -35,13 +35,15 @@ constexpr char trip[] = "tree.round_trip --levels 1..2", places[] = "attribute.o
                behind[] = "wrote behind the end of its output",
                over[] = "asked with another answer in its output: ";
 
-INSTANTIATE_TEST_SUITE_P(Subject, TouchySubject,
-                         testing::Values(Touchy{"decide_writes_behind", "traverse.decision", behind},
-                                         Touchy{"decode_writes_behind", trip, behind},
-                                         Touchy{"decide_keeps_answers", "traverse.decision", over},
-                                         Touchy{"encode_adds_to_zero", trip, over},
-                                         Touchy{"place_keeps_j", places, over}),
-                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Subject, TouchySubject,
+    testing::Values(Touchy{"decide_writes_behind", "traverse.decision", behind},
+                    Touchy{"decode_writes_behind", trip, behind},
+                    Touchy{"decide_keeps_answers", "traverse.decision", over},
+                    Touchy{"encode_adds_to_zero", trip, over}, Touchy{"place_keeps_j", places, over},
+                    Touchy{"encode_ends_in_a_word", trip, "asked with room for "},
+                    Touchy{"encode_asks_for_twice", trip, " bytes, then, with room for 1, of "}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 TEST(TouchySubjects, with_nothing_wrong_are_proved) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();

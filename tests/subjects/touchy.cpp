@@ -1,5 +1,6 @@
 // The examples but for one thing, chosen when it is linked, that shows only by what lies around a question: the bytes behind
-// an output, and those that it holds already.
+// an output, and those that it holds already, and how much room is
+// there.
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -36,7 +37,8 @@ std::size_t encode(std::uint32_t level, std::uint32_t format, const std::uint8_t
   const std::size_t size = right_tree()->tree_encode(level, format, map, code, capacity);
   if (wrong_is("encode_adds_to_zero") && size <= before.size() && before[0] == 0)
     for (std::size_t k = 0; k < size; ++k) code[k] |= before[k];
-  return size;
+  if (wrong_is("encode_ends_in_a_word") && capacity > size && capacity < size + 8) code[size - 1] ^= 1;
+  return wrong_is("encode_asks_for_twice") && capacity != 0 && capacity < size / 2 ? 2 * capacity : size;
 }
 
 int decode(std::uint32_t level, std::uint32_t format, const std::uint8_t* code, std::size_t size,
