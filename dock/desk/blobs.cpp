@@ -9,6 +9,10 @@ namespace mmverify::dock {
 namespace {
 
 constexpr std::uint32_t first_from_threads = 8, first_thorough = 64, later_one_in = 64;
+/// Short maps and codes, and their answers, in bytes; the first of them are asked at every place, since a law may have one map
+/// that matters. Longer ones are so asked as often as from threads.
+constexpr std::uint64_t most_at_all_places = 64, most_answer_at_all_places = 256;
+constexpr std::uint32_t first_short_at_all_places = 256;
 /// Of later questions, one in one_in_other_rooms is asked with another room for its code.
 constexpr std::uint32_t one_in_other_rooms = 16;
 /// Later questions that are repeated from threads as long as the first ones: one in one_in_from_threads of
@@ -181,6 +185,7 @@ void Desk::encode(bool thorough) {
   // The last call gives exactly the room that the code needs.
   encode_within(size, size, blank_again, other_blob);
   compare(again_.data(), blob_answer(size), static_cast<std::size_t>(size), 0, "asked again");
+  ask_blob_at_other_places(size);
   if (thorough) {
     ask_blob_over_answers(blob, size);
     ask_blob_after_another_format(blob, size);
@@ -201,6 +206,7 @@ void Desk::answer(bool thorough) {
   if (first != 0) compare(again_.data(), blob_answer(room), static_cast<std::size_t>(room), 0, "asked again");
   // Elements in a blob are repeated as elements, whatever their number.
   if (first != 0 && (thorough || mailbox_.asked_before < first_thorough)) ask_blob_in_each_size(blob);
+  ask_blob_at_other_places(first);
   if (thorough) {
     ask_blob_over_answers(blob, first);
     if (any_bytes_are_one(mailbox_.call)) ask_blob_after_like_ones(blob);
@@ -221,6 +227,32 @@ void Desk::ask_blob_after(const Arguments& before, Fenced& out, const std::uint8
   if (again != size)
     stop(Outcome::non_deterministic, 0, how + ": " + text(size) + " returned, then " + text(again));
   if (size != 0) compare(again_.data(), blob_answer(again_.size()), again_.size(), 0, how);
+}
+
+void Desk::ask_blob_into(Fenced& out, const std::uint8_t* blob, std::uint64_t size, const std::string& how) {
+  Arguments a = whole(nullptr, again_.size());
+  a.blob = blob;
+  if (const std::uint64_t again = guarded(a, out, 0); again != size)
+    stop(Outcome::non_deterministic, 0, how + ": " + text(size) + " returned, then " + text(again));
+  if (size != 0) compare(again_.data(), out.data(), again_.size(), 0, how);
+}
+
+void Desk::ask_blob_at_other_places(std::uint64_t size) {
+  if (asked().topic == Topic::bake || mailbox_.blob_bytes == 0) return;
+  if (std::max(mailbox_.blob_bytes, mailbox_.room) > most_thorough) return;
+  const bool is_short =
+      mailbox_.blob_bytes <= most_at_all_places && again_.size() <= most_answer_at_all_places;
+  if (mailbox_.asked_before >= (is_short ? first_short_at_all_places : first_from_threads)) return;
+  const std::uint8_t* here = whole(nullptr, 0).blob;
+  std::vector<std::byte> room(static_cast<std::size_t>(mailbox_.blob_bytes) + 2 * line);
+  for (std::size_t turn = 0; turn < places; ++turn) {
+    auto* there =
+        reinterpret_cast<std::uint8_t*>(room.data() + before_line(room) + place_behind_line(turn, 1));
+    std::copy_n(here, mailbox_.blob_bytes, there);
+    // The output moves as well, to places in another order.
+    Fenced out(again_.size(), blank_again, place_behind_line(5 * turn + 1, asked().signature.value_bytes));
+    ask_blob_into(out, there, size, "asked with its bytes at another address");
+  }
 }
 
 void Desk::ask_blob_after_like_ones(const std::uint8_t* blob) {

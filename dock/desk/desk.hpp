@@ -199,6 +199,11 @@ class Desk {
   /// is in again_; `out` is room for the answer to `before`.
   void ask_blob_after(const Arguments& before, Fenced& out, const std::uint8_t* blob, std::uint64_t size,
                       const std::string& how);
+  /// Repeats the question with its answer in `out`. Domain: as ask_blob_after().
+  void ask_blob_into(Fenced& out, const std::uint8_t* blob, std::uint64_t size, const std::string& how);
+  /// Repeats one of the first questions with its map or code, and its answer, at each place. Domain: as
+  /// ask_blob_after().
+  void ask_blob_at_other_places(std::uint64_t size);
   /// Repeats the question after bytes that a cache may mistake for these: the same words in another order,
   /// the same first half, the same second half. Domain: any bytes are a valid map or block for the question.
   void ask_blob_after_like_ones(const std::uint8_t* blob);

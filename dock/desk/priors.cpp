@@ -93,12 +93,7 @@ void Desk::ask_blob_over_answers(const std::uint8_t* blob, std::uint64_t size) {
     if (before >= first_over_all && before % of_bytes.size() != k) continue;
     Fenced out(again_.size(), blank_again);
     lay(of_bytes[k], again_, another, 1, out.data());
-    Arguments a = whole(nullptr, again_.size());
-    a.blob = blob;
-    if (const std::uint64_t again = guarded(a, out, 0); again != size)
-      stop(Outcome::non_deterministic, 0,
-           std::string(how) + ": " + std::to_string(size) + " returned, then " + std::to_string(again));
-    compare(again_.data(), out.data(), again_.size(), 0, how);
+    ask_blob_into(out, blob, size, how);
   }
 }
 

@@ -42,6 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Touchy{"decide_keeps_answers", "traverse.decision", over},
                     Touchy{"encode_adds_to_zero", trip, over}, Touchy{"place_keeps_j", places, over},
                     Touchy{"encode_ends_in_a_word", trip, "asked with room for "},
+                    Touchy{"decode_at_13", trip, "asked with its bytes at another address: byte 0 was "},
                     Touchy{"encode_asks_for_twice", trip, " bytes, then, with room for 1, of "}),
     [](const auto& info) { return std::string(info.param.name); });
 

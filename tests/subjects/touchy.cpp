@@ -1,6 +1,6 @@
 // The examples but for one thing, chosen when it is linked, that shows only by what lies around a question: the bytes behind
-// an output, and those that it holds already, and how much room is
-// there.
+// an output, and those that it holds already, how much room is
+// there, and where the code lies.
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -45,6 +45,8 @@ int decode(std::uint32_t level, std::uint32_t format, const std::uint8_t* code, 
            std::uint8_t* map) {
   const int taken = right_tree()->tree_decode(level, format, code, size, map);
   std::uint8_t* const end = map + bytes_of(level, format);
+  const auto at = reinterpret_cast<std::uintptr_t>(code) % 16;
+  if (wrong_is("decode_at_13") && taken != 0 && size == 2 && code[1] != 0 && at == 13) map[0] ^= 1;
   if (wrong_is("decode_writes_behind") && taken != 0 && !is_new_page(end)) *end = 0;
   return taken;
 }
