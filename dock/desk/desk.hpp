@@ -159,6 +159,8 @@ class Desk {
   void ask_slot_elements(std::size_t slot, const std::vector<std::size_t>& order, const std::string& how);
   /// Asks elements of a batch in batches of each size up to two vectors.
   void ask_slot_in_each_size(std::size_t slot);
+  /// Asks a batch in descending order, every other element first, and in long runs of one element.
+  void ask_slot_in_orders_of_callers(std::size_t slot);
   /// Repeats elements, together and one by one, right after others of the batch that differ in one number
   /// only, and in one bit of it only (neighbours.cpp).
   void ask_slot_after_neighbours(std::size_t slot);
@@ -224,7 +226,7 @@ class Desk {
   /// Asks element order[k] of these at place k. Domain: the answers are in again_.
   void ask_blob_elements(const std::uint8_t* blob, const std::vector<std::size_t>& order,
                          const std::string& how);
-  /// Asks these elements in another order; for the first questions also in batches of each small size, and
+  /// Asks these elements in another order; for the first questions also in the orders of callers, in batches of each small size, and
   /// repeated until they fill one of more than 2^16.
   void ask_blob_in_each_size(const std::uint8_t* blob);
   /// Asks elements with every value in each byte, alone and then each right after each other one. Domain: any

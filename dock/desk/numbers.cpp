@@ -35,6 +35,7 @@ void Desk::run_on_numbers(std::uint64_t number) {
     if (slot != 0) continue;
     ask_slot_in_runs(slot);
     ask_slot_in_each_size(slot);
+    ask_slot_in_orders_of_callers(slot);
     ask_slot_after_another_level(slot);
     ask_slot_after_another_format(slot);
     ask_slot_after_neighbours(slot);

@@ -43,6 +43,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Touchy{"encode_adds_to_zero", trip, over}, Touchy{"place_keeps_j", places, over},
                     Touchy{"encode_ends_in_a_word", trip, "asked with room for "},
                     Touchy{"decode_at_13", trip, "asked with its bytes at another address: byte 0 was "},
+                    Touchy{"place_descending", places, "asked in descending order: "},
+                    Touchy{"place_by_twos", places, "asked by twos, every other one first: "},
+                    Touchy{"decide_runs_of_256", "traverse.decision",
+                           "asked in runs of more than 256 equal ones: "},
                     Touchy{"encode_asks_for_twice", trip, " bytes, then, with room for 1, of "}),
     [](const auto& info) { return std::string(info.param.name); });
 

@@ -1,8 +1,10 @@
 // The examples but for one thing, chosen when it is linked, that shows only by what lies around a question: the bytes behind
 // an output, and those that it holds already, how much room is
-// there, and where the code lies.
+// there, where the code lies, and
+// which questions are its neighbours.
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "sdk/mmverify_subject.h"
@@ -28,6 +30,13 @@ void decide(std::uint32_t api, const std::uint32_t* candidate, const std::uint32
   right_traverse()->traverse_decide(api, candidate, instance, ray, outcome, count);
   if (wrong_is("decide_keeps_answers") && answered && ends[0] == outcome[0] && ends[1] == outcome[count - 1])
     std::copy(before.begin(), before.end(), outcome);
+  std::size_t run = 0;
+  for (std::size_t k = 1; wrong_is("decide_runs_of_256") && k < count; ++k) {
+    const bool same =
+        candidate[k] == candidate[k - 1] && instance[k] == instance[k - 1] && ray[k] == ray[k - 1];
+    run = same ? run + 1 : 0;
+    if (run >= 256) outcome[k] ^= 1;
+  }
   if (wrong_is("decide_writes_behind") && !is_new_page(outcome + count)) outcome[count] = 0;
 }
 
@@ -59,6 +68,10 @@ void place(std::uint32_t level, std::uint32_t order, const std::uint32_t* index,
     if (wrong_is("place_keeps_j") && before[0] == at[2 * k] && before[1] <= 1u << level)
       at[2 * k + 1] = before[1];
   }
+  // A gather that is taken for one with a stride.
+  for (const auto& [thing, step] : {std::pair{"place_descending", ~0u}, {"place_by_twos", 2u}})
+    for (std::size_t k = 4; wrong_is(thing) && k < count; ++k)
+      if (index[k] == index[k - 1] + step && index[k] == index[k - 4] + 4 * step) at[2 * k] ^= 1;
 }
 
 }  // namespace
