@@ -320,21 +320,30 @@ void Desk::ask_blob_from_threads(std::uint64_t size) {
       before < first_from_threads || (before < later_from_threads && before % one_in_from_threads == 0);
   const Rounds rounds = early ? Rounds{2, 256, std::chrono::milliseconds(2)} : Rounds{};
   Question now = this_question(size);
+  std::string how = asked_from_threads;
   const auto asked_by_thread = [&](const Question& q) {
-    return Asked{
-        q.arguments, q.answer.size(), [this, &q](const std::byte* theirs, std::uint64_t their_size) {
-          if (their_size != q.size)
-            stop(Outcome::non_deterministic, 0,
-                 "asked from two threads at once: " + text(q.size) + " bytes, then " + text(their_size));
-          if (q.size != 0)
-            compare(q.answer.data(), theirs, q.answer.size(), 0, "asked from two threads at once");
-        }};
+    return Asked{q.arguments, q.answer.size(),
+                 [this, &q, &how](const std::byte* theirs, std::uint64_t their_size) {
+                   if (their_size != q.size)
+                     stop(Outcome::non_deterministic, 0,
+                          how + ": " + text(q.size) + " bytes, then " + text(their_size));
+                   if (q.size != 0) compare(q.answer.data(), theirs, q.answer.size(), 0, how);
+                 }};
   };
   std::optional<Question>& earlier = earlier_[static_cast<std::size_t>(mailbox_.call)];
   const Asked this_one = asked_by_thread(now);
   ask_from_threads(this_one, this_one, rounds, 0);
-  if (earlier) ask_from_threads(this_one, asked_by_thread(*earlier), rounds, 0);
+  const bool another_kind = (before < first_thorough ? before : before / 64 + before / 256) % 2 != 0;
+  const Question* other = another_kind ? question_of_another_kind() : nullptr;
+  if (other != nullptr) {
+    how += in_another_kind;
+    const Question longer = longer_question(size);
+    ask_from_threads(asked_by_thread(longer), asked_by_thread(*other), rounds, 0);
+  } else if (earlier) {
+    ask_from_threads(this_one, asked_by_thread(*earlier), rounds, 0);
+  }
   earlier.emplace(std::move(now));
+  keep_for_other_kinds(size);
 }
 
 }  // namespace mmverify::dock

@@ -42,6 +42,9 @@ std::vector<std::byte> gathered(const std::byte* elements, std::size_t bytes, st
   return all;
 }
 
+constexpr char asked_from_threads[] = "asked from two threads at once",
+               in_another_kind[] = ", one of them at another level or in another format, order or mode";
+
 class Desk {
  public:
   /// Domain: `base` is from map(), `subject` from cannot_load(); mode_before_loading is this thread's
@@ -170,6 +173,9 @@ class Desk {
   /// Calls ask_after with each element of a kept batch, and its place in this one.
   void ask_slot_after_kept_formats(std::size_t slot,
                                    const std::function<void(const Arguments&, std::size_t)>& ask_after);
+  /// Repeats a batch in one thread, and the first batches of earlier levels and formats in another one; then
+  /// keeps this one (two_questions.cpp).
+  void ask_slot_beside_another_kind(std::size_t slot);
   bool first_at_this_level() const;
   void mark_level();
 
@@ -232,8 +238,8 @@ class Desk {
   /// Asks elements with every value in each byte, alone and then each right after each other one. Domain: any
   /// bytes are an element.
   void ask_codes_after_each_other();
-  /// Repeats the question in two threads; then, if there is an earlier question to the entry point, with that
-  /// one in the second thread.
+  /// Repeats the question in two threads; then with an earlier question to the entry point in the second
+  /// thread: the last one, or one in another level, format, order or mode, in turn.
   /// Domain: the answer of `size` bytes is in its place.
   void ask_blob_from_threads(std::uint64_t size);
   /// A question on a blob, with its answer.
@@ -242,6 +248,15 @@ class Desk {
     std::vector<std::byte> blob, arrays[most_arrays], answer;
     std::uint64_t size = 0;  ///< the result of the call
   };
+  /// An earlier question to the entry point at another level or in another format; null: there was none.
+  const Question* question_of_another_kind() const;
+  /// Keeps the question in the mailbox for later ones of other kinds, in place of the last one of its own kind
+  /// unless that tells more. Domain: as ask_blob_from_threads().
+  void keep_for_other_kinds(std::uint64_t size);
+  /// A copy of the question in the mailbox; if it is a lookup in a short code, with its elements over and over.
+  Question longer_question(std::uint64_t size) const;
+  /// A longer batch of a slot's elements, with its answers. Domain: the slot is answered.
+  Question batch_over_and_over(std::size_t slot) const;
   /// A copy of the question in the mailbox. Domain: as ask_blob_from_threads().
   Question this_question(std::uint64_t size) const;
   std::byte* blob_answer(std::uint64_t size) const;
@@ -266,6 +281,7 @@ class Desk {
   /// Questions on blobs by entry point, level and format: the first ones, and the last one.
   std::map<std::array<std::uint32_t, 3>, std::deque<Question>> kept_;
   std::optional<Question> earlier_[calls];                ///< the last one that two threads asked
+  std::deque<Question> other_kinds_[calls];               ///< questions at other levels and in other formats
   std::vector<std::byte> again_;                          ///< the answer to compare another one with
   std::vector<std::byte> elsewhere_;                      ///< the copy of blob_elsewhere()
   std::vector<std::byte> arrays_elsewhere_[most_arrays];  ///< the copies of a lookup's arrays

@@ -8,11 +8,6 @@
 #include "dock/desk/desk.hpp"
 
 namespace mmverify::dock {
-namespace {
-
-constexpr char asked_from_threads[] = "asked from two threads at once";
-
-}  // namespace
 
 void Desk::run_on_numbers(std::uint64_t number) {
   if ((subject_.flags & MMVERIFY_LARGE_BATCHES) != 0 && mailbox_.one_by_one == 0)
@@ -43,6 +38,7 @@ void Desk::run_on_numbers(std::uint64_t number) {
     ask_slot_many_times_over(slot);
     ask_slot_at_other_places(slot);
     ask_slot_over_answers(slot);
+    ask_slot_beside_another_kind(slot);
   }
   mark_level();
   constexpr std::size_t sizes[] = {batch_size, 7, batch_size - 1, 1};

@@ -245,6 +245,7 @@ foreach(wrong decide_without_flag_1024 blend_without_operation encode_without_fo
 endforeach()
 mmverify_add_part(touchy subjects/touchy.cpp)
 foreach(wrong nothing decide_writes_behind decode_writes_behind decide_keeps_answers encode_adds_to_zero place_keeps_j
-    encode_ends_in_a_word encode_asks_for_twice decode_at_13 place_descending place_by_twos decide_runs_of_256)
+    encode_ends_in_a_word encode_asks_for_twice decode_at_13 place_descending place_by_twos decide_runs_of_256
+    place_shares_order lookup_shares_level)
   mmverify_add_wrong(touchy_${wrong} ${wrong} touchy right_traverse right_tree right_attribute)
 endforeach()

@@ -33,7 +33,8 @@ TEST_P(TouchySubject, is_broken) {
 
 constexpr char trip[] = "tree.round_trip --levels 1..2", places[] = "attribute.order_inverse --levels 1..3",
                behind[] = "wrote behind the end of its output",
-               over[] = "asked with another answer in its output: ";
+               over[] = "asked with another answer in its output: ",
+               beside[] = "one of them at another level or in another format, order or mode: ";
 
 INSTANTIATE_TEST_SUITE_P(
     Subject, TouchySubject,
@@ -47,6 +48,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Touchy{"place_by_twos", places, "asked by twos, every other one first: "},
                     Touchy{"decide_runs_of_256", "traverse.decision",
                            "asked in runs of more than 256 equal ones: "},
+                    Touchy{"place_shares_order", "attribute.order_inverse --levels 1..4", beside},
+                    Touchy{"lookup_shares_level", "tree.lookup_is_decode --levels 1..2", beside},
                     Touchy{"encode_asks_for_twice", trip, " bytes, then, with room for 1, of "}),
     [](const auto& info) { return std::string(info.param.name); });
 

@@ -1,7 +1,6 @@
 // The examples but for one thing, chosen when it is linked, that shows only by what lies around a question: the bytes behind
-// an output, and those that it holds already, how much room is
-// there, where the code lies, and
-// which questions are its neighbours.
+// an output and those that it holds already, how much room is there, where the code lies, which elements are neighbours, or
+// what another thread asks.
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -60,9 +59,22 @@ int decode(std::uint32_t level, std::uint32_t format, const std::uint8_t* code, 
   return taken;
 }
 
+void look_up(std::uint32_t level, std::uint32_t format, const std::uint8_t* code, std::size_t size,
+             const std::uint32_t* index, std::uint8_t* state, std::size_t count) {
+  static volatile std::uint32_t shared;
+  shared = level;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (wrong_is("lookup_shares_level")) level = shared;
+    right_tree()->tree_lookup(level, format, code, size, index + k, state + k, 1);
+  }
+}
+
 void place(std::uint32_t level, std::uint32_t order, const std::uint32_t* index, std::uint32_t* at,
            std::size_t count) {
+  static volatile std::uint32_t shared;
+  shared = order;
   for (std::size_t k = 0; k < count; ++k) {
+    if (wrong_is("place_shares_order")) order = shared;
     const std::uint32_t before[] = {at[2 * k], at[2 * k + 1]};
     right_attribute()->attribute_vertex_place(level, order, index + k, at + 2 * k, 1);
     if (wrong_is("place_keeps_j") && before[0] == at[2 * k] && before[1] <= 1u << level)
@@ -84,7 +96,7 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
   subject.flags |= MMVERIFY_TREE_STREAM;
   subject.tree_encode = encode;
   subject.tree_decode = decode;
-  subject.tree_lookup = right_tree()->tree_lookup;
+  subject.tree_lookup = look_up;
   subject.attribute_vertex_index = right_attribute()->attribute_vertex_index;
   subject.attribute_vertex_place = place;
   return &subject;
