@@ -19,6 +19,7 @@ enum class Outcome : std::uint32_t {
   answered,
   threw,
   changed_mode,
+  unmasked_exceptions,
   wrote_before,
   wrote_behind,
   unwritten,

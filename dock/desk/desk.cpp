@@ -73,7 +73,7 @@ void Desk::serve() {
 void Desk::run(std::uint64_t number) {
   finish(Outcome::answered, 0, "");
   try {
-    if (mode_of_loading_ != mode_) stop(Outcome::changed_mode, 0, "since it was loaded");
+    check_mode(mode_of_loading_, 0, "since it was loaded");
     if (asked().signature.of_blob)
       run_on_blob();
     else
@@ -114,8 +114,14 @@ std::uint64_t Desk::guarded(const Arguments& a, std::uint64_t element) {
   } catch (...) {
     stop(Outcome::threw, element, "");
   }
-  if (float_mode() != mode_) stop(Outcome::changed_mode, element, "");
+  check_mode(float_mode(), element, "");
   return size;
+}
+
+void Desk::check_mode(std::uint64_t left, std::uint64_t element, const char* where) {
+  if (left == mode_) return;
+  stop(differ_in_masks_alone(left, mode_) ? Outcome::unmasked_exceptions : Outcome::changed_mode, element,
+       where);
 }
 
 std::uint64_t Desk::guarded(Arguments a, Fenced& out, std::uint64_t element) {
@@ -162,7 +168,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
         mine.threw = true;
         return;
       }
-      mine.changed_mode = mine.changed_mode || float_mode() != mode_;
+      if (const std::uint64_t left = float_mode(); left != mode_) mine.mode = left;
     }
   };
   const auto ask_within_memory = [&](const Asked& what, Answers& mine) {
@@ -190,7 +196,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
   for (const Answers& mine : answers) {
     if (mine.lacks_memory) throw std::bad_alloc();
     // Threads inherit this thread's mode. Exceptions are reported when the answers are compared.
-    if (mine.changed_mode) stop(Outcome::changed_mode, element, "in a thread");
+    if (mine.mode) check_mode(*mine.mode, element, "in a thread");
     for (const Fenced& room : mine.rooms) check_fence(room, element);
   }
   return answers;

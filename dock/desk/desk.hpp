@@ -71,6 +71,8 @@ class Desk {
 
   /// The same with the answer in `out`; nothing around it may change.
   std::uint64_t guarded(Arguments a, Fenced& out, std::uint64_t element);
+  /// Stops the command if `left` is not the floating-point mode that every call must leave.
+  void check_mode(std::uint64_t left, std::uint64_t element, const char* where);
   void check_fence(const Fenced& out, std::uint64_t element);
 
   /// Marks the bytes before an output.
@@ -88,7 +90,8 @@ class Desk {
   struct Answers {
     std::vector<Fenced> rooms;
     std::vector<std::uint64_t> sizes;
-    bool threw = false, changed_mode = false, lacks_memory = false;
+    bool threw = false, lacks_memory = false;
+    std::optional<std::uint64_t> mode;               ///< a changed floating-point mode
     std::size_t first_address = 0, value_bytes = 1;  ///< answers take each place in turn
     const std::byte* in_round(std::size_t round) const { return rooms[round].data(); }
   };
