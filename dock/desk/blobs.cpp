@@ -13,7 +13,7 @@ constexpr std::uint32_t first_from_threads = 8, first_thorough = 64, later_one_i
 /// that matters. Longer ones are so asked as often as from threads.
 constexpr std::uint64_t most_at_all_places = 64, most_answer_at_all_places = 256;
 constexpr std::uint32_t first_short_at_all_places = 256;
-/// Of later questions, one in one_in_other_rooms is asked with another room for its code.
+/// One later question in one_in_other_rooms is asked with another room for its code.
 constexpr std::uint32_t one_in_other_rooms = 16;
 /// Later questions that are repeated from threads as long as the first ones: one in one_in_from_threads of
 /// the first later_from_threads. Laws begin with plain cases, and a plain map leaves nothing in memory that

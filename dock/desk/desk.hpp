@@ -42,6 +42,9 @@ std::vector<std::byte> gathered(const std::byte* elements, std::size_t bytes, st
   return all;
 }
 
+/// The longest code, in bytes, whose lookups are repeated: a lookup in a longer one takes more time.
+constexpr std::uint64_t longest_code = 512;
+
 constexpr char asked_from_threads[] = "asked from two threads at once",
                in_another_kind[] = ", one of them at another level or in another format, order or mode";
 

@@ -10,7 +10,7 @@
 namespace mmverify::dock {
 namespace {
 
-constexpr char how[] = "asked with another answer in its output";
+constexpr char asked_over[] = "asked with another answer in its output";
 
 /// What an output holds before a call, in numbers: all are another question's, or some are right already.
 enum class Prior {
@@ -78,7 +78,7 @@ void Desk::ask_slot_over_answers(std::size_t slot) {
     Fenced out(count * wide, blank_again);
     lay(prior, right, another, asked().signature.value_bytes, out.data());
     guarded(piece(slot, 0, count, nullptr), out, from);
-    compare(right.data(), out.data(), count, from, how);
+    compare(right.data(), out.data(), count, from, asked_over);
   }
 }
 
@@ -93,7 +93,7 @@ void Desk::ask_blob_over_answers(const std::uint8_t* blob, std::uint64_t size) {
     if (before >= first_over_all && before % of_bytes.size() != k) continue;
     Fenced out(again_.size(), blank_again);
     lay(of_bytes[k], again_, another, 1, out.data());
-    ask_blob_into(out, blob, size, how);
+    ask_blob_into(out, blob, size, asked_over);
   }
 }
 

@@ -14,8 +14,6 @@ namespace {
 /// One more than the bytes of the longest vector, 64: covers each remainder, with and without a whole vector
 /// before it.
 constexpr std::size_t largest_small = 65;
-/// The longest code, in bytes, whose lookups are repeated: a lookup in a longer one takes more time.
-constexpr std::uint64_t longest_code = 512;
 /// The number of questions of a kind whose elements are asked in each size, and alone.
 constexpr std::uint32_t first_in_sizes = 2;
 /// The same of those whose elements are asked in the orders of callers.

@@ -10,15 +10,13 @@
 namespace mmverify::dock {
 namespace {
 
-const std::string how = std::string(asked_from_threads) + in_another_kind;
+const std::string asked_beside = std::string(asked_from_threads) + in_another_kind;
 /// Elements of a batch, so many that two threads meet in it.
 constexpr std::size_t elements_in_threads = 2048;
 /// Batches that are kept for an entry point: the last two, as the last one may differ in nothing that matters.
 constexpr std::size_t most_batches = 2;
 /// Kinds of questions on blobs that are kept for an entry point, and the most bytes of one.
 constexpr std::size_t most_kinds = 8, most_bytes = 1u << 16;
-/// The longest code, in bytes, whose lookups are repeated until there are as many.
-constexpr std::size_t longest_code = 512;
 /// Two threads repeat their batches for so long.
 constexpr std::chrono::milliseconds long_enough(1);
 
@@ -42,7 +40,7 @@ void Desk::ask_slot_beside_another_kind(std::size_t slot) {
   const auto asked_by_thread = [&](const Question& q) {
     return Asked{q.arguments, q.answer.size(), [this, &q](const std::byte* theirs, std::uint64_t) {
                    // The element of a longer batch is none of this command's.
-                   compare(q.answer.data(), theirs, q.arguments.count, mailbox_.count, how);
+                   compare(q.answer.data(), theirs, q.arguments.count, mailbox_.count, asked_beside);
                  }};
   };
   Question now = batch_over_and_over(slot);
