@@ -374,8 +374,12 @@ std::string Worker::misdeed() const {
       return message_.empty() ? "threw an exception" : "threw an exception: " + message_;
     case Outcome::changed_mode:
       return "left the rounding or flush mode changed" + (message_.empty() ? "" : " " + message_);
+    case Outcome::unmasked_exceptions:
+      return "left floating-point exceptions unmasked" + (message_.empty() ? "" : " " + message_);
     case Outcome::wrote_before:
       return "wrote before the start of its output";
+    case Outcome::wrote_behind:
+      return "wrote behind the end of its output";
     case Outcome::unwritten:
       return "left its output unwritten";
     case Outcome::non_deterministic:

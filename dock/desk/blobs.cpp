@@ -9,6 +9,12 @@ namespace mmverify::dock {
 namespace {
 
 constexpr std::uint32_t first_from_threads = 8, first_thorough = 64, later_one_in = 64;
+/// Short maps and codes, and their answers, in bytes; the first of them are asked at every place, since a law may have one map
+/// that matters. Longer ones are so asked as often as from threads.
+constexpr std::uint64_t most_at_all_places = 64, most_answer_at_all_places = 256;
+constexpr std::uint32_t first_short_at_all_places = 256;
+/// One later question in one_in_other_rooms is asked with another room for its code.
+constexpr std::uint32_t one_in_other_rooms = 16;
 /// Later questions that are repeated from threads as long as the first ones: one in one_in_from_threads of
 /// the first later_from_threads. Laws begin with plain cases, and a plain map leaves nothing in memory that
 /// two threads share.
@@ -138,28 +144,50 @@ std::uint64_t Desk::call_at_guard(std::uint64_t room, unsigned char filling, con
   return size;
 }
 
+void Desk::encode_within(std::uint64_t room, std::uint64_t size, unsigned char filling,
+                         const std::uint8_t* blob) {
+  if (const std::uint64_t again = call_at_guard(room, filling, blob); again != size)
+    stop(Outcome::non_deterministic, 0,
+         "a code of " + text(size) + " bytes, then, with room for " + text(room) + ", of " + text(again));
+}
+
+void Desk::encode_in_other_rooms(std::uint64_t size, const std::uint8_t* blob) {
+  const std::uint32_t before = mailbox_.asked_before;
+  const bool late = before >= first_thorough && before % one_in_other_rooms != 0;
+  if (late || std::max({mailbox_.blob_bytes, mailbox_.room, size}) > most_thorough) return;
+  // A vector's store, or a word's, may need room behind the last byte.
+  std::vector<std::uint64_t> rooms{1, size / 2, mailbox_.blob_bytes};
+  for (std::uint64_t more = 1; more <= 8; ++more) rooms.push_back(size + more);
+  const std::size_t turn = before < first_thorough ? before : before / one_in_other_rooms;
+  for (std::size_t k = 0; k < rooms.size(); ++k) {
+    if (before >= first_from_threads && turn % rooms.size() != k) continue;
+    encode_within(rooms[k], size, blank_again, blob);
+    if (rooms[k] >= size)
+      compare(again_.data(), blob_answer(rooms[k]), static_cast<std::size_t>(size), 0,
+              "asked with room for " + text(rooms[k]) + " bytes");
+  }
+}
+
 void Desk::encode(bool thorough) {
   const auto [blob, other_blob] = blobs();
   std::uint64_t room = mailbox_.room, size = call_at_guard(room, blank, blob);
   if (size > blob_capacity)
     stop(Outcome::too_large, 0, "asked for " + text(size) + " bytes, more than " + text(blob_capacity));
-  const auto same_size = [&](std::uint64_t again, std::uint64_t given) {
-    if (again != size)
-      stop(Outcome::non_deterministic, 0,
-           "a code of " + text(size) + " bytes, then, with room for " + text(given) + ", of " + text(again));
-  };
   if (size > room) {
     room = size;
-    same_size(call_at_guard(room, blank, blob), room);
+    encode_within(room, size, blank, blob);
   }
   again_.assign(blob_answer(room), blob_answer(room) + size);
   if (thorough && size != 0)
     for (const std::uint64_t too_little : {std::uint64_t{0}, size - 1})
-      same_size(call_at_guard(too_little, blank, blob), too_little);
+      encode_within(too_little, size, blank, blob);
+  if (size != 0) encode_in_other_rooms(size, blob);
   // The last call gives exactly the room that the code needs.
-  same_size(call_at_guard(size, blank_again, other_blob), size);
+  encode_within(size, size, blank_again, other_blob);
   compare(again_.data(), blob_answer(size), static_cast<std::size_t>(size), 0, "asked again");
+  ask_blob_at_other_places(size);
   if (thorough) {
+    ask_blob_over_answers(blob, size);
     ask_blob_after_another_format(blob, size);
     ask_blob_after_kept_formats(blob, size);
     ask_blob_from_threads(size);
@@ -178,7 +206,9 @@ void Desk::answer(bool thorough) {
   if (first != 0) compare(again_.data(), blob_answer(room), static_cast<std::size_t>(room), 0, "asked again");
   // Elements in a blob are repeated as elements, whatever their number.
   if (first != 0 && (thorough || mailbox_.asked_before < first_thorough)) ask_blob_in_each_size(blob);
+  ask_blob_at_other_places(first);
   if (thorough) {
+    ask_blob_over_answers(blob, first);
     if (any_bytes_are_one(mailbox_.call)) ask_blob_after_like_ones(blob);
     if (asked().topic == Topic::micromap && any_bytes_are_one(mailbox_.call))
       ask_blob_after_level_below(blob);
@@ -190,21 +220,47 @@ void Desk::answer(bool thorough) {
   mailbox_.report.answer_bytes = first;
 }
 
-void Desk::ask_blob_after(const Arguments& before, const std::uint8_t* blob, std::uint64_t size,
+void Desk::ask_blob_after(const Arguments& before, Fenced& out, const std::uint8_t* blob, std::uint64_t size,
                           const std::string& how) {
-  guarded(before, 0);
+  guarded(before, out, 0);
   const std::uint64_t again = call_at_guard(again_.size(), blank_again, blob);
   if (again != size)
     stop(Outcome::non_deterministic, 0, how + ": " + text(size) + " returned, then " + text(again));
   if (size != 0) compare(again_.data(), blob_answer(again_.size()), again_.size(), 0, how);
 }
 
+void Desk::ask_blob_into(Fenced& out, const std::uint8_t* blob, std::uint64_t size, const std::string& how) {
+  Arguments a = whole(nullptr, again_.size());
+  a.blob = blob;
+  if (const std::uint64_t again = guarded(a, out, 0); again != size)
+    stop(Outcome::non_deterministic, 0, how + ": " + text(size) + " returned, then " + text(again));
+  if (size != 0) compare(again_.data(), out.data(), again_.size(), 0, how);
+}
+
+void Desk::ask_blob_at_other_places(std::uint64_t size) {
+  if (asked().topic == Topic::bake || mailbox_.blob_bytes == 0) return;
+  if (std::max(mailbox_.blob_bytes, mailbox_.room) > most_thorough) return;
+  const bool is_short =
+      mailbox_.blob_bytes <= most_at_all_places && again_.size() <= most_answer_at_all_places;
+  if (mailbox_.asked_before >= (is_short ? first_short_at_all_places : first_from_threads)) return;
+  const std::uint8_t* here = whole(nullptr, 0).blob;
+  std::vector<std::byte> room(static_cast<std::size_t>(mailbox_.blob_bytes) + 2 * line);
+  for (std::size_t turn = 0; turn < places; ++turn) {
+    auto* there =
+        reinterpret_cast<std::uint8_t*>(room.data() + before_line(room) + place_behind_line(turn, 1));
+    std::copy_n(here, mailbox_.blob_bytes, there);
+    // The output moves as well, to places in another order.
+    Fenced out(again_.size(), blank_again, place_behind_line(5 * turn + 1, asked().signature.value_bytes));
+    ask_blob_into(out, there, size, "asked with its bytes at another address");
+  }
+}
+
 void Desk::ask_blob_after_like_ones(const std::uint8_t* blob) {
   constexpr std::size_t word = 8;
   const auto size = static_cast<std::size_t>(mailbox_.blob_bytes);
   if (size < 2 * word) return;
-  std::vector<std::byte> answer(static_cast<std::size_t>(mailbox_.room));
-  Arguments before = whole(answer.data(), mailbox_.room);
+  Fenced answer(static_cast<std::size_t>(mailbox_.room), blank);
+  Arguments before = whole(nullptr, mailbox_.room);
   const std::vector<std::uint8_t> these(blob, blob + size);
   const auto inverted = [&](std::size_t from, std::size_t to) {
     std::vector<std::uint8_t> other = these;
@@ -217,9 +273,9 @@ void Desk::ask_blob_after_like_ones(const std::uint8_t* blob) {
   for (std::size_t k = 0; k < size; ++k) unlike[k] = static_cast<std::uint8_t>(unlike[k] + 1 + 3 * k);
   const auto after = [&](const std::vector<std::uint8_t>& bytes, const char* how) {
     before.blob = unlike.data();
-    guarded(before, 0);
+    guarded(before, answer, 0);
     before.blob = bytes.data();
-    ask_blob_after(before, blob, mailbox_.room, how);
+    ask_blob_after(before, answer, blob, mailbox_.room, how);
   };
   std::vector<std::uint8_t> turned = these;
   std::rotate(turned.begin(), turned.begin() + word,
@@ -232,11 +288,11 @@ void Desk::ask_blob_after_like_ones(const std::uint8_t* blob) {
 void Desk::ask_blob_after_level_below(const std::uint8_t* blob) {
   if (mailbox_.level < 2) return;
   // This asks the first quarter of the bytes.
-  std::vector<std::byte> answer(static_cast<std::size_t>(mailbox_.room));
-  Arguments before = whole(answer.data(), mailbox_.room);
+  Fenced answer(static_cast<std::size_t>(mailbox_.room), blank);
+  Arguments before = whole(nullptr, mailbox_.room);
   before.blob = blob;
   before.level = mailbox_.level - 1;
-  ask_blob_after(before, blob, mailbox_.room, "asked after level " + text(before.level));
+  ask_blob_after(before, answer, blob, mailbox_.room, "asked after level " + text(before.level));
 }
 
 Desk::Question Desk::this_question(std::uint64_t size) const {
@@ -264,21 +320,30 @@ void Desk::ask_blob_from_threads(std::uint64_t size) {
       before < first_from_threads || (before < later_from_threads && before % one_in_from_threads == 0);
   const Rounds rounds = early ? Rounds{2, 256, std::chrono::milliseconds(2)} : Rounds{};
   Question now = this_question(size);
+  std::string how = asked_from_threads;
   const auto asked_by_thread = [&](const Question& q) {
-    return Asked{
-        q.arguments, q.answer.size(), [this, &q](const std::byte* theirs, std::uint64_t their_size) {
-          if (their_size != q.size)
-            stop(Outcome::non_deterministic, 0,
-                 "asked from two threads at once: " + text(q.size) + " bytes, then " + text(their_size));
-          if (q.size != 0)
-            compare(q.answer.data(), theirs, q.answer.size(), 0, "asked from two threads at once");
-        }};
+    return Asked{q.arguments, q.answer.size(),
+                 [this, &q, &how](const std::byte* theirs, std::uint64_t their_size) {
+                   if (their_size != q.size)
+                     stop(Outcome::non_deterministic, 0,
+                          how + ": " + text(q.size) + " bytes, then " + text(their_size));
+                   if (q.size != 0) compare(q.answer.data(), theirs, q.answer.size(), 0, how);
+                 }};
   };
   std::optional<Question>& earlier = earlier_[static_cast<std::size_t>(mailbox_.call)];
   const Asked this_one = asked_by_thread(now);
   ask_from_threads(this_one, this_one, rounds, 0);
-  if (earlier) ask_from_threads(this_one, asked_by_thread(*earlier), rounds, 0);
+  const bool another_kind = (before < first_thorough ? before : before / 64 + before / 256) % 2 != 0;
+  const Question* other = another_kind ? question_of_another_kind() : nullptr;
+  if (other != nullptr) {
+    how += in_another_kind;
+    const Question longer = longer_question(size);
+    ask_from_threads(asked_by_thread(longer), asked_by_thread(*other), rounds, 0);
+  } else if (earlier) {
+    ask_from_threads(this_one, asked_by_thread(*earlier), rounds, 0);
+  }
   earlier.emplace(std::move(now));
+  keep_for_other_kinds(size);
 }
 
 }  // namespace mmverify::dock

@@ -35,10 +35,6 @@ bool no_thread_can_be_had() {
   }
 }
 
-bool all(const std::byte* bytes, std::size_t size, unsigned char value) {
-  return std::all_of(bytes, bytes + size, [value](std::byte b) { return b == std::byte{value}; });
-}
-
 template <class Number>
 std::string number_at(const std::byte* bytes) {
   Number number{};
@@ -77,7 +73,7 @@ void Desk::serve() {
 void Desk::run(std::uint64_t number) {
   finish(Outcome::answered, 0, "");
   try {
-    if (mode_of_loading_ != mode_) stop(Outcome::changed_mode, 0, "since it was loaded");
+    check_mode(mode_of_loading_, 0, "since it was loaded");
     if (asked().signature.of_blob)
       run_on_blob();
     else
@@ -118,8 +114,26 @@ std::uint64_t Desk::guarded(const Arguments& a, std::uint64_t element) {
   } catch (...) {
     stop(Outcome::threw, element, "");
   }
-  if (float_mode() != mode_) stop(Outcome::changed_mode, element, "");
+  check_mode(float_mode(), element, "");
   return size;
+}
+
+void Desk::check_mode(std::uint64_t left, std::uint64_t element, const char* where) {
+  if (left == mode_) return;
+  stop(differ_in_masks_alone(left, mode_) ? Outcome::unmasked_exceptions : Outcome::changed_mode, element,
+       where);
+}
+
+std::uint64_t Desk::guarded(Arguments a, Fenced& out, std::uint64_t element) {
+  a.out = out.data();
+  const std::uint64_t size = guarded(a, element);
+  check_fence(out, element);
+  return size;
+}
+
+void Desk::check_fence(const Fenced& out, std::uint64_t element) {
+  if (!out.is_whole_before()) stop(Outcome::wrote_before, element, "");
+  if (!out.is_whole_behind()) stop(Outcome::wrote_behind, element, "");
 }
 
 void Desk::set_canary(std::byte* out) { std::memset(out - canary_size, canary, canary_size); }
@@ -134,7 +148,6 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
   if ((subject_.flags & MMVERIFY_SINGLE_THREADED) != 0) return answers;
   std::atomic<int> ready = 0;
   const auto ask = [&](const Asked& what, Answers& mine) {
-    mine.bytes = what.bytes;
     mine.first_address = mailbox_.asked_before;
     mine.value_bytes = asked().signature.value_bytes;
     // Both begin at once: a batch is shorter than the start of a thread, or the return from a yield.
@@ -145,9 +158,8 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
     const auto end = Clock::now() + rounds.within;
     for (std::size_t k = 0; k < rounds.least || (k < rounds.most && Clock::now() < end); ++k) {
       Arguments own = what.arguments;
-      std::vector<std::byte>& room =
-          mine.rooms.emplace_back(what.bytes + 2 * (Answers::margin + line), std::byte{blank_again});
-      own.out = room.data() + mine.place(k);
+      const std::size_t behind = place_behind_line(mine.first_address + k, mine.value_bytes);
+      own.out = mine.rooms.emplace_back(what.bytes, blank_again, behind, Fenced::wide_margin).data();
       mine.sizes.reserve(k + 1);
       mailbox_.calls.fetch_add(1, std::memory_order_relaxed);
       try {
@@ -156,7 +168,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
         mine.threw = true;
         return;
       }
-      mine.changed_mode = mine.changed_mode || float_mode() != mode_;
+      if (const std::uint64_t left = float_mode(); left != mode_) mine.mode = left;
     }
   };
   const auto ask_within_memory = [&](const Asked& what, Answers& mine) {
@@ -184,7 +196,8 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
   for (const Answers& mine : answers) {
     if (mine.lacks_memory) throw std::bad_alloc();
     // Threads inherit this thread's mode. Exceptions are reported when the answers are compared.
-    if (mine.changed_mode) stop(Outcome::changed_mode, element, "in a thread");
+    if (mine.mode) check_mode(*mine.mode, element, "in a thread");
+    for (const Fenced& room : mine.rooms) check_fence(room, element);
   }
   return answers;
 }

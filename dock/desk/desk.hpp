@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "dock/desk/arguments.hpp"
+#include "dock/desk/fenced.hpp"
 #include "dock/desk/places.hpp"
 #include "dock/layout.hpp"
 
@@ -40,6 +41,12 @@ std::vector<std::byte> gathered(const std::byte* elements, std::size_t bytes, st
     std::memcpy(all.data() + k * bytes, elements + of(k) * bytes, bytes);
   return all;
 }
+
+/// The longest code, in bytes, whose lookups are repeated: a lookup in a longer one takes more time.
+constexpr std::uint64_t longest_code = 512;
+
+constexpr char asked_from_threads[] = "asked from two threads at once",
+               in_another_kind[] = ", one of them at another level or in another format, order or mode";
 
 class Desk {
  public:
@@ -65,6 +72,12 @@ class Desk {
   /// Makes call(), and stops the command if it throws or leaves a mode changed; `element` is blamed.
   std::uint64_t guarded(const Arguments& a, std::uint64_t element);
 
+  /// The same with the answer in `out`; nothing around it may change.
+  std::uint64_t guarded(Arguments a, Fenced& out, std::uint64_t element);
+  /// Stops the command if `left` is not the floating-point mode that every call must leave.
+  void check_mode(std::uint64_t left, std::uint64_t element, const char* where);
+  void check_fence(const Fenced& out, std::uint64_t element);
+
   /// Marks the bytes before an output.
   static void set_canary(std::byte* out);
   void check_canary(const std::byte* out, std::uint64_t element);
@@ -78,16 +91,12 @@ class Desk {
   };
   /// The answers that a thread got, round by round.
   struct Answers {
-    static constexpr std::size_t margin = 4096;  ///< room for a subject that writes outside its output
-    std::vector<std::vector<std::byte>> rooms;   ///< an answer between two margins each
+    std::vector<Fenced> rooms;
     std::vector<std::uint64_t> sizes;
-    std::size_t bytes = 0;
-    bool threw = false, changed_mode = false, lacks_memory = false;
+    bool threw = false, lacks_memory = false;
+    std::optional<std::uint64_t> mode;               ///< a changed floating-point mode
     std::size_t first_address = 0, value_bytes = 1;  ///< answers take each place in turn
-    std::size_t place(std::size_t round) const {
-      return before_line(rooms[round]) + margin + place_behind_line(first_address + round, value_bytes);
-    }
-    const std::byte* in_round(std::size_t round) const { return rooms[round].data() + place(round); }
+    const std::byte* in_round(std::size_t round) const { return rooms[round].data(); }
   };
   using FromThreads = std::array<Answers, 2>;
   /// The number of rounds in a thread: at least `least`, then more until `within` is over, up to `most`.
@@ -115,9 +124,11 @@ class Desk {
   /// fewer questions are repeated.
   void run_on_large_batches(std::uint64_t number);
   /// Asks `count` elements from `from` on, of several slots, in one call, over bytes of `filling`.
-  std::vector<std::byte> ask_at_once(std::size_t from, std::size_t count, unsigned char filling);
+  Fenced ask_at_once(std::size_t from, std::size_t count, unsigned char filling);
   /// The arguments for `count` elements of a slot from `at` on.
   Arguments piece(std::size_t slot, std::size_t at, std::size_t count, std::byte* out) const;
+  /// Asks `count` elements of a slot from `at` on into their place in `out`, which is blank from there on.
+  void ask_piece(std::size_t slot, std::size_t at, std::size_t count, Fenced& out);
   std::byte* slot_answer(std::size_t slot) const;
   void call_slot(std::size_t slot);
   /// Asks the batch from two threads before any other question of its level: a table that the first call
@@ -129,9 +140,8 @@ class Desk {
   void ask_slot_from_threads(std::size_t slot);
   /// Repeats a batch in two threads, one of them with the batch rotated by half its length; `answers` are the
   /// right ones.
-  void ask_turned_from_threads(const Arguments& here, const std::vector<std::byte>& answers,
-                               std::size_t count, const Rounds& rounds, std::uint64_t from,
-                               const std::string& how);
+  void ask_turned_from_threads(const Arguments& here, const std::byte* answers, std::size_t count,
+                               const Rounds& rounds, std::uint64_t from, const std::string& how);
   /// Repeats each of the first `most` elements right after the same element at another level.
   void ask_slot_after_another_level(std::size_t slot, std::size_t most = batch_size);
   /// Repeats each element of several numbers right after an element of the previous level with the same first
@@ -152,10 +162,14 @@ class Desk {
   void ask_slot_rearranged(std::size_t slot, const std::vector<std::size_t>& order, const std::string& how);
   /// Repeats a batch with each array, and the answers, at different addresses modulo 64.
   void ask_slot_at_other_places(std::size_t slot);
+  /// Repeats a batch over outputs that hold other answers, or the right ones in part (priors.cpp).
+  void ask_slot_over_answers(std::size_t slot);
   /// Asks element order[k] of a batch at place k, with the answers at a guard page (tails.cpp).
   void ask_slot_elements(std::size_t slot, const std::vector<std::size_t>& order, const std::string& how);
   /// Asks elements of a batch in batches of each size up to two vectors.
   void ask_slot_in_each_size(std::size_t slot);
+  /// Asks a batch in descending order, every other element first, and in long runs of one element.
+  void ask_slot_in_orders_of_callers(std::size_t slot);
   /// Repeats elements, together and one by one, right after others of the batch that differ in one number
   /// only, and in one bit of it only (neighbours.cpp).
   void ask_slot_after_neighbours(std::size_t slot);
@@ -165,6 +179,9 @@ class Desk {
   /// Calls ask_after with each element of a kept batch, and its place in this one.
   void ask_slot_after_kept_formats(std::size_t slot,
                                    const std::function<void(const Arguments&, std::size_t)>& ask_after);
+  /// Repeats a batch in one thread, and the first batches of earlier levels and formats in another one; then
+  /// keeps this one (two_questions.cpp).
+  void ask_slot_beside_another_kind(std::size_t slot);
   bool first_at_this_level() const;
   void mark_level();
 
@@ -186,11 +203,21 @@ class Desk {
   /// Compares those calls' answers with the later one, of `size` bytes, in its place; they had `room` bytes.
   void compare_first(const FromThreads& before, std::uint64_t room, std::uint64_t size);
   void encode(bool thorough);
+  /// Asks for a code of `size` bytes at a guard page, with `room` for it. The size may not change.
+  void encode_within(std::uint64_t room, std::uint64_t size, unsigned char filling, const std::uint8_t* blob);
+  /// Asks for a code with little room, and with more than it needs. Domain: `size` is not 0; the code is in
+  /// again_.
+  void encode_in_other_rooms(std::uint64_t size, const std::uint8_t* blob);
   void answer(bool thorough);
   /// Repeats the question right after the call `before`. Domain: the question returned `size`, and its answer
-  /// is in again_.
-  void ask_blob_after(const Arguments& before, const std::uint8_t* blob, std::uint64_t size,
+  /// is in again_; `out` is room for the answer to `before`.
+  void ask_blob_after(const Arguments& before, Fenced& out, const std::uint8_t* blob, std::uint64_t size,
                       const std::string& how);
+  /// Repeats the question with its answer in `out`. Domain: as ask_blob_after().
+  void ask_blob_into(Fenced& out, const std::uint8_t* blob, std::uint64_t size, const std::string& how);
+  /// Repeats one of the first questions with its map or code, and its answer, at each place. Domain: as
+  /// ask_blob_after().
+  void ask_blob_at_other_places(std::uint64_t size);
   /// Repeats the question after bytes that a cache may mistake for these: the same words in another order,
   /// the same first half, the same second half. Domain: any bytes are a valid map or block for the question.
   void ask_blob_after_like_ones(const std::uint8_t* blob);
@@ -202,20 +229,23 @@ class Desk {
   /// Repeats a question right after earlier questions in another format: the last one, and those on the same
   /// bytes. Then keeps this question.
   void ask_blob_after_kept_formats(const std::uint8_t* blob, std::uint64_t size);
+  /// Repeats a question over outputs that hold another answer, or the right one in part (priors.cpp). Domain:
+  /// the question returned `size`, and its answer is in again_.
+  void ask_blob_over_answers(const std::uint8_t* blob, std::uint64_t size);
   /// The number of elements that are looked up in a short code, or that lie in the blob itself; else 0
   /// (tails.cpp).
   std::size_t elements_of_blob() const;
   /// Asks element order[k] of these at place k. Domain: the answers are in again_.
   void ask_blob_elements(const std::uint8_t* blob, const std::vector<std::size_t>& order,
                          const std::string& how);
-  /// Asks these elements in another order; for the first questions also in batches of each small size, and
+  /// Asks these elements in another order; for the first questions also in the orders of callers, in batches of each small size, and
   /// repeated until they fill one of more than 2^16.
   void ask_blob_in_each_size(const std::uint8_t* blob);
   /// Asks elements with every value in each byte, alone and then each right after each other one. Domain: any
   /// bytes are an element.
   void ask_codes_after_each_other();
-  /// Repeats the question in two threads; then, if there is an earlier question to the entry point, with that
-  /// one in the second thread.
+  /// Repeats the question in two threads; then with an earlier question to the entry point in the second
+  /// thread: the last one, or one in another level, format, order or mode, in turn.
   /// Domain: the answer of `size` bytes is in its place.
   void ask_blob_from_threads(std::uint64_t size);
   /// A question on a blob, with its answer.
@@ -224,6 +254,15 @@ class Desk {
     std::vector<std::byte> blob, arrays[most_arrays], answer;
     std::uint64_t size = 0;  ///< the result of the call
   };
+  /// An earlier question to the entry point at another level or in another format; null: there was none.
+  const Question* question_of_another_kind() const;
+  /// Keeps the question in the mailbox for later ones of other kinds, in place of the last one of its own kind
+  /// unless that tells more. Domain: as ask_blob_from_threads().
+  void keep_for_other_kinds(std::uint64_t size);
+  /// A copy of the question in the mailbox; if it is a lookup in a short code, with its elements over and over.
+  Question longer_question(std::uint64_t size) const;
+  /// A longer batch of a slot's elements, with its answers. Domain: the slot is answered.
+  Question batch_over_and_over(std::size_t slot) const;
   /// A copy of the question in the mailbox. Domain: as ask_blob_from_threads().
   Question this_question(std::uint64_t size) const;
   std::byte* blob_answer(std::uint64_t size) const;
@@ -248,6 +287,7 @@ class Desk {
   /// Questions on blobs by entry point, level and format: the first ones, and the last one.
   std::map<std::array<std::uint32_t, 3>, std::deque<Question>> kept_;
   std::optional<Question> earlier_[calls];                ///< the last one that two threads asked
+  std::deque<Question> other_kinds_[calls];               ///< questions at other levels and in other formats
   std::vector<std::byte> again_;                          ///< the answer to compare another one with
   std::vector<std::byte> elsewhere_;                      ///< the copy of blob_elsewhere()
   std::vector<std::byte> arrays_elsewhere_[most_arrays];  ///< the copies of a lookup's arrays

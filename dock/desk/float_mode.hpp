@@ -24,4 +24,16 @@ inline std::uint64_t float_mode() {
 #endif
 }
 
+/// Whether nothing but masks of exceptions differs in two modes.
+inline bool differ_in_masks_alone(std::uint64_t mode, std::uint64_t other) {
+#if defined(__x86_64__)
+  constexpr std::uint64_t masks = 0x1f80u | std::uint64_t{0x3fu} << 16;
+#elif defined(__aarch64__)
+  constexpr std::uint64_t masks = 0x9f00u;
+#else
+  constexpr std::uint64_t masks = 0;
+#endif
+  return mode != other && ((mode ^ other) & ~masks) == 0;
+}
+
 }  // namespace mmverify::dock

@@ -12,7 +12,7 @@ constexpr std::size_t one_by_one = 64;
 
 }  // namespace
 
-std::vector<std::byte> Desk::ask_at_once(std::size_t from, std::size_t count, unsigned char filling) {
+Fenced Desk::ask_at_once(std::size_t from, std::size_t count, unsigned char filling) {
   const std::size_t bytes = asked().signature.number_bytes, wide = asked().answer_bytes;
   std::vector<std::byte> inputs[most_arrays];
   Arguments a{};
@@ -28,22 +28,18 @@ std::vector<std::byte> Desk::ask_at_once(std::size_t from, std::size_t count, un
     }
     a.arrays[array] = inputs[array].data();
   }
-  std::vector<std::byte> room(canary_size + count * wide, std::byte{filling});
-  a.out = room.data() + canary_size;
-  set_canary(a.out);
+  Fenced out(count * wide, filling);
   mailbox_.begun.store(from, std::memory_order_relaxed);
-  guarded(a, from);
-  check_canary(a.out, from);
-  return room;
+  guarded(a, out, from);
+  return out;
 }
 
 void Desk::run_on_large_batches(std::uint64_t number) {
   const auto all = static_cast<std::size_t>(mailbox_.count);
   const std::size_t wide = asked().answer_bytes, batches = (all + batch_size - 1) / batch_size;
-  const auto each_slot = [&](std::size_t from, std::size_t count, const std::vector<std::byte>& room,
-                             auto visit) {
+  const auto each_slot = [&](std::size_t from, std::size_t count, const Fenced& out, auto visit) {
     for (std::size_t at = from; at < from + count; at += batch_size)
-      visit(at / batch_size, room.data() + canary_size + (at - from) * wide);
+      visit(at / batch_size, out.data() + (at - from) * wide);
   };
   const auto each_call = [&](auto visit) {
     for (std::size_t from = 0; from < all; from += large_batch_size)

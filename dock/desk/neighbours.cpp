@@ -84,9 +84,9 @@ void Desk::ask_slot_after_neighbours(std::size_t slot) {
   }
   constexpr char how[] = "asked after one that differs in one number";
   ask_slot_elements(slot, order, how);
-  std::vector<std::byte> here(wide);
+  Fenced here(wide, blank_again);
   for (const std::size_t k : order) {
-    guarded(piece(slot, k, 1, here.data()), from + k);
+    guarded(piece(slot, k, 1, nullptr), here, from + k);
     compare(slot_answer(slot) + k * wide, here.data(), 1, from + k, how);
   }
 }
@@ -98,13 +98,11 @@ void Desk::ask_slot_after_another_format(std::size_t slot) {
                     from = slot * batch_size, wide = asked().answer_bytes;
   // Asks `what`, which has another format, then repeats the elements from `at` on.
   const auto ask_after = [&](const Arguments& what, std::size_t at) {
-    std::vector<std::byte> there(what.count * wide), here(what.count * wide, std::byte{blank_again});
-    Arguments before = what;
-    before.out = there.data();
+    Fenced there(what.count * wide, blank), here(what.count * wide, blank_again);
     mailbox_.another_level.store(1, std::memory_order_relaxed);
-    guarded(before, from + at);
+    guarded(what, there, from + at);
     mailbox_.another_level.store(0, std::memory_order_relaxed);
-    guarded(piece(slot, at, what.count, here.data()), from + at);
+    guarded(piece(slot, at, what.count, nullptr), here, from + at);
     compare(slot_answer(slot) + at * wide, here.data(), what.count, from + at, how);
   };
   for (const std::uint32_t other : other_formats(mailbox_.call, mailbox_.level, mailbox_.format)) {
@@ -147,8 +145,8 @@ void Desk::ask_blob_after_another_format(const std::uint8_t* blob, std::uint64_t
   const std::span<const std::uint8_t> bytes(blob, static_cast<std::size_t>(mailbox_.blob_bytes));
   for (const std::uint32_t other : other_formats(mailbox_.call, mailbox_.level, mailbox_.format)) {
     const std::vector<std::uint8_t> same = as_of_format(mailbox_.call, mailbox_.level, other, bytes);
-    std::vector<std::byte> answer(2 * static_cast<std::size_t>(std::max(room, size)));
-    Arguments before = whole(answer.data(), asked().signature.sizes_answer ? answer.size() : room);
+    Fenced answer(2 * static_cast<std::size_t>(std::max(room, size)), blank);
+    Arguments before = whole(nullptr, asked().signature.sizes_answer ? answer.size() : room);
     before.format = other;
     // Something else comes first: otherwise a cache still has this question's answer, and gives it for the
     // other format. It is a code of no bytes, or the inverted bytes; an inverted array is invalid, so arrays
@@ -159,10 +157,10 @@ void Desk::ask_blob_after_another_format(const std::uint8_t* blob, std::uint64_t
     const std::vector<std::uint8_t> unlike = as_of_format(mailbox_.call, mailbox_.level, other, inverted);
     before.blob = unlike.data();
     if (of_code) before.blob_bytes = 0;
-    if (mailbox_.call != Call::array_save) guarded(before, 0);
+    if (mailbox_.call != Call::array_save) guarded(before, answer, 0);
     before.blob = same.data();
     before.blob_bytes = bytes.size();
-    ask_blob_after(before, blob, size, "asked after the same bytes in another format, order or mode");
+    ask_blob_after(before, answer, blob, size, "asked after the same bytes in another format, order or mode");
   }
 }
 
@@ -180,14 +178,12 @@ void Desk::ask_blob_after_kept_formats(const std::uint8_t* blob, std::uint64_t s
     if (other == mailbox_.format) continue;
     for (const std::deque<Question>& all = of(other); const Question& q : all) {
       if (&q != &all.back() && !is_here(q)) continue;
-      std::vector<std::byte> answer(q.answer.size(), std::byte{blank_again});
-      Arguments before = q.arguments;
-      before.out = answer.data();
-      if (guarded(before, 0) != q.size ||
-          (q.size != 0 && !std::equal(answer.begin(), answer.end(), q.answer.begin())))
+      Fenced answer(q.answer.size(), blank_again);
+      if (guarded(q.arguments, answer, 0) != q.size ||
+          (q.size != 0 && !std::equal(q.answer.begin(), q.answer.end(), answer.data())))
         stop(Outcome::non_deterministic, 0,
              "a question in another format, asked before, was answered otherwise after this one");
-      ask_blob_after(before, blob, size, "asked after a question in another format");
+      ask_blob_after(q.arguments, answer, blob, size, "asked after a question in another format");
     }
   }
   std::deque<Question>& mine = of(mailbox_.format);

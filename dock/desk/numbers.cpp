@@ -8,11 +8,6 @@
 #include "dock/desk/desk.hpp"
 
 namespace mmverify::dock {
-namespace {
-
-constexpr char asked_from_threads[] = "asked from two threads at once";
-
-}  // namespace
 
 void Desk::run_on_numbers(std::uint64_t number) {
   if ((subject_.flags & MMVERIFY_LARGE_BATCHES) != 0 && mailbox_.one_by_one == 0)
@@ -35,12 +30,15 @@ void Desk::run_on_numbers(std::uint64_t number) {
     if (slot != 0) continue;
     ask_slot_in_runs(slot);
     ask_slot_in_each_size(slot);
+    ask_slot_in_orders_of_callers(slot);
     ask_slot_after_another_level(slot);
     ask_slot_after_another_format(slot);
     ask_slot_after_neighbours(slot);
     ask_slot_after_one_of_the_level_before(slot);
     ask_slot_many_times_over(slot);
     ask_slot_at_other_places(slot);
+    ask_slot_over_answers(slot);
+    ask_slot_beside_another_kind(slot);
   }
   mark_level();
   constexpr std::size_t sizes[] = {batch_size, 7, batch_size - 1, 1};
@@ -71,6 +69,12 @@ Arguments Desk::piece(std::size_t slot, std::size_t at, std::size_t count, std::
   return a;
 }
 
+void Desk::ask_piece(std::size_t slot, std::size_t at, std::size_t count, Fenced& out) {
+  const std::size_t wide = asked().answer_bytes, element = slot * batch_size + at;
+  guarded(piece(slot, at, count, out.data() + at * wide), element);
+  if (!out.is_blank_from((at + count) * wide)) stop(Outcome::wrote_behind, element, "");
+}
+
 std::byte* Desk::slot_answer(std::size_t slot) const {
   return base_ + layout_.answer_at(slot, in_slot(mailbox_.count, slot), asked().answer_bytes);
 }
@@ -94,10 +98,10 @@ void Desk::ask_slot_again(std::size_t slot, std::size_t size, std::size_t most) 
   const std::size_t count = std::min(in_slot(mailbox_.count, slot), most), from = slot * batch_size,
                     wide = asked().answer_bytes;
   mailbox_.begun.store(from, std::memory_order_relaxed);
-  again_.assign(count * wide, std::byte{blank_again});
-  for (std::size_t at = 0; at < count; at += size)
-    guarded(piece(slot, at, std::min(size, count - at), again_.data() + at * wide), from + at);
-  compare(slot_answer(slot), again_.data(), count, from,
+  Fenced again(count * wide, blank_again);
+  for (std::size_t at = 0; at < count; at += size) ask_piece(slot, at, std::min(size, count - at), again);
+  check_fence(again, from);
+  compare(slot_answer(slot), again.data(), count, from,
           size == batch_size ? "asked again" : "asked in batches of " + std::to_string(size));
 }
 
@@ -132,10 +136,10 @@ void Desk::ask_slot_after_one_of_the_level_before(std::size_t slot) {
   std::unordered_map<std::uint32_t, std::size_t> places;
   for (std::size_t k = 0; kept && kept->level != mailbox_.level && k * bytes < kept->arrays[0].size(); ++k)
     places.emplace(word(kept->arrays[0].data() + k * bytes), k);
-  std::vector<std::byte> there(wide), here(wide);
+  Fenced there(wide, blank), here(wide, blank_again);
   std::size_t matches = 0;
   for (std::size_t at = 0; at < count && matches < most && !places.empty(); ++at) {
-    Arguments before = piece(slot, at, 1, there.data());
+    Arguments before = piece(slot, at, 1, nullptr);
     const auto same = places.find(word(before.arrays[0]));
     if (same == places.end()) continue;
     ++matches;
@@ -143,9 +147,9 @@ void Desk::ask_slot_after_one_of_the_level_before(std::size_t slot) {
     for (std::size_t array = 0; array < asked().signature.arrays; ++array)
       before.arrays[array] = kept->arrays[array].data() + same->second * bytes;
     mailbox_.another_level.store(1, std::memory_order_relaxed);
-    guarded(before, from + at);
+    guarded(before, there, from + at);
     mailbox_.another_level.store(0, std::memory_order_relaxed);
-    guarded(piece(slot, at, 1, here.data()), from + at);
+    guarded(piece(slot, at, 1, nullptr), here, from + at);
     compare(slot_answer(slot) + at * wide, here.data(), 1, from + at,
             "asked after one of level " + std::to_string(kept->level) + " with the same first number");
   }
@@ -158,10 +162,9 @@ void Desk::ask_slot_after_one_of_the_level_before(std::size_t slot) {
 void Desk::ask_slot_after(std::size_t slot, std::uint32_t other, unsigned less_bits, std::size_t most) {
   const std::size_t count = std::min(in_slot(mailbox_.count, slot), most), from = slot * batch_size,
                     wide = asked().answer_bytes;
-  std::vector<std::byte> there(wide);
-  again_.assign(count * wide, std::byte{blank_again});
+  Fenced there(wide, blank), again(count * wide, blank_again);
   for (std::size_t at = 0; at < count; ++at) {
-    Arguments before = piece(slot, at, 1, there.data());
+    Arguments before = piece(slot, at, 1, nullptr);
     before.level = other;
     std::uint32_t index = 0;
     if (less_bits != 0) {
@@ -170,11 +173,12 @@ void Desk::ask_slot_after(std::size_t slot, std::uint32_t other, unsigned less_b
       before.arrays[0] = reinterpret_cast<const std::byte*>(&index);
     }
     mailbox_.another_level.store(1, std::memory_order_relaxed);
-    guarded(before, from + at);
+    guarded(before, there, from + at);
     mailbox_.another_level.store(0, std::memory_order_relaxed);
-    guarded(piece(slot, at, 1, again_.data() + at * wide), from + at);
+    ask_piece(slot, at, 1, again);
   }
-  compare(slot_answer(slot), again_.data(), count, from, "asked after level " + std::to_string(other));
+  check_fence(again, from);
+  compare(slot_answer(slot), again.data(), count, from, "asked after level " + std::to_string(other));
 }
 
 void Desk::ask_slot_many_times_over(std::size_t slot) {
@@ -187,17 +191,16 @@ void Desk::ask_slot_many_times_over(std::size_t slot) {
                              [=](std::size_t k) { return element_over_and_over(k, count); });
     a.arrays[array] = inputs[array].data();
   }
-  again_.assign(odd_batch * wide, std::byte{blank_again});
+  Fenced again(odd_batch * wide, blank_again);
   a.count = odd_batch;
-  a.out = again_.data();
-  guarded(a, from);
+  guarded(a, again, from);
   const std::string how = "asked in a batch of " + std::to_string(odd_batch);
   for (std::size_t k = 0; k < odd_batch; ++k) {
     const std::size_t of = element_over_and_over(k, count);
-    compare(slot_answer(slot) + of * wide, again_.data() + k * wide, 1, from + of, how);
+    compare(slot_answer(slot) + of * wide, again.data() + k * wide, 1, from + of, how);
   }
 
-  ask_turned_from_threads(a, again_, odd_batch, {}, from, how + " from two threads at once");
+  ask_turned_from_threads(a, again.data(), odd_batch, {}, from, how + " from two threads at once");
 }
 
 void Desk::ask_slot_in_another_order(std::size_t slot) {
@@ -232,13 +235,13 @@ void Desk::ask_slot_rearranged(std::size_t slot, const std::vector<std::size_t>&
     inputs[array] = gathered(a.arrays[array], bytes, count, [&](std::size_t k) { return order[k]; });
     a.arrays[array] = inputs[array].data();
   }
-  again_.assign(count * wide, std::byte{blank_again});
-  a.out = again_.data();
-  guarded(a, from);
+  Fenced again(count * wide, blank_again);
+  guarded(a, again, from);
   for (std::size_t k = 0; k < count; ++k)
-    compare(slot_answer(slot) + order[k] * wide, again_.data() + k * wide, 1, from + order[k], how);
+    compare(slot_answer(slot) + order[k] * wide, again.data() + k * wide, 1, from + order[k], how);
   // Alternating distant neighbours change shared memory with every element.
-  if (slot == 0) ask_turned_from_threads(a, again_, count, often, from, how + ", from two threads at once");
+  if (slot == 0)
+    ask_turned_from_threads(a, again.data(), count, often, from, how + ", from two threads at once");
 }
 
 void Desk::ask_slot_at_other_places(std::size_t slot) {
@@ -260,9 +263,9 @@ void Desk::ask_slot_at_other_places(std::size_t slot) {
       std::memcpy(copy, a.arrays[array], count * bytes);
       a.arrays[array] = copy;
     }
-    a.out = placed(again_, count * wide, turn * (most_arrays + 1) * value);
-    guarded(a, from);
-    compare(slot_answer(slot), a.out, count, from, "asked with its arrays at other addresses");
+    Fenced again(count * wide, blank_again, turn * (most_arrays + 1) * value % line);
+    guarded(a, again, from);
+    compare(slot_answer(slot), again.data(), count, from, "asked with its arrays at other addresses");
   }
 }
 
@@ -281,13 +284,11 @@ void Desk::ask_slot_from_threads(std::size_t slot) {
                      compare(slot_answer(slot), theirs, count, from, asked_from_threads);
                    }};
   ask_from_threads(here, here, rounds, from);
-  ask_turned_from_threads(here.arguments, {slot_answer(slot), slot_answer(slot) + bytes}, count, rounds, from,
-                          asked_from_threads);
+  ask_turned_from_threads(here.arguments, slot_answer(slot), count, rounds, from, asked_from_threads);
 }
 
-void Desk::ask_turned_from_threads(const Arguments& here, const std::vector<std::byte>& answers,
-                                   std::size_t count, const Rounds& rounds, std::uint64_t from,
-                                   const std::string& how) {
+void Desk::ask_turned_from_threads(const Arguments& here, const std::byte* answers, std::size_t count,
+                                   const Rounds& rounds, std::uint64_t from, const std::string& how) {
   const std::size_t bytes = asked().signature.number_bytes, wide = asked().answer_bytes;
   const auto turned = [=](const std::byte* numbers, std::size_t width) {
     std::vector<std::byte> copy(numbers, numbers + count * width);
@@ -300,15 +301,12 @@ void Desk::ask_turned_from_threads(const Arguments& here, const std::vector<std:
     inputs[array] = turned(here.arrays[array], bytes);
     there.arrays[array] = inputs[array].data();
   }
-  // `answers` may be again_: nothing here writes to it.
-  const std::vector<std::byte> turned_answers = turned(answers.data(), wide);
-  const auto sees = [&](const std::vector<std::byte>& right) {
-    return [&, this](const std::byte* theirs, std::uint64_t) {
-      compare(right.data(), theirs, count, from, how);
-    };
+  const std::vector<std::byte> turned_answers = turned(answers, wide);
+  const auto sees = [&](const std::byte* right) {
+    return [&, right](const std::byte* theirs, std::uint64_t) { compare(right, theirs, count, from, how); };
   };
-  ask_from_threads({here, count * wide, sees(answers)}, {there, count * wide, sees(turned_answers)}, rounds,
-                   from);
+  ask_from_threads({here, count * wide, sees(answers)}, {there, count * wide, sees(turned_answers.data())},
+                   rounds, from);
 }
 
 }  // namespace mmverify::dock

@@ -1,6 +1,7 @@
 // Batches of every small size, and elements in a blob: tests the remainder after a vector's last whole one,
-// and effects of one lane on the next.
+// and effects of one element on another.
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <string>
 
@@ -13,10 +14,10 @@ namespace {
 /// One more than the bytes of the longest vector, 64: covers each remainder, with and without a whole vector
 /// before it.
 constexpr std::size_t largest_small = 65;
-/// The longest code, in bytes, whose lookups are repeated: a lookup in a longer one takes more time.
-constexpr std::uint64_t longest_code = 512;
 /// The number of questions of a kind whose elements are asked in each size, and alone.
 constexpr std::uint32_t first_in_sizes = 2;
+/// The same of those whose elements are asked in the orders of callers.
+constexpr std::uint32_t first_in_orders = 8;
 
 std::string in_batches_of(std::size_t size) { return "asked in a batch of " + std::to_string(size); }
 
@@ -25,6 +26,42 @@ std::vector<std::size_t> some(std::size_t from, std::size_t size, std::size_t co
   std::vector<std::size_t> order(size);
   for (std::size_t k = 0; k < size; ++k) order[k] = (from + k) % count;
   return order;
+}
+
+/// The numbers below `count`, from the last to the first.
+std::vector<std::size_t> descending(std::size_t count) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.rbegin(), order.rend(), std::size_t{0});
+  return order;
+}
+
+/// The even numbers below `count`, then the odd ones.
+std::vector<std::size_t> by_twos(std::size_t count) {
+  const std::size_t evens = (count + 1) / 2;
+  std::vector<std::size_t> order(count);
+  for (std::size_t k = 0; k < count; ++k) order[k] = k < evens ? 2 * k : 2 * (k - evens) + 1;
+  return order;
+}
+
+/// Runs of one number each: of more than 8 bits count, and of no multiple of a vector's length.
+std::vector<std::size_t> long_runs(std::size_t count) {
+  constexpr std::size_t length = 300, most_runs = 8;
+  const std::size_t runs = std::min(most_runs, count);
+  std::vector<std::size_t> order;
+  for (std::size_t run = 0; run < runs; ++run)
+    order.insert(order.end(), length + run, (count - 1) * (run + 1) / runs);
+  return order;
+}
+
+/// Orders that a caller may have, each with its name.
+struct Order {
+  std::vector<std::size_t> order;
+  const char* how;
+};
+std::array<Order, 3> orders_of_callers(std::size_t count) {
+  return {{{descending(count), "asked in descending order"},
+           {by_twos(count), "asked by twos, every other one first"},
+           {long_runs(count), "asked in runs of more than 256 equal ones"}}};
 }
 
 /// All pairs of different numbers below `count`, one after the other.
@@ -63,6 +100,11 @@ void Desk::ask_slot_in_each_size(std::size_t slot) {
   std::size_t at = 0;
   for (std::size_t size = 1; size <= largest_small; at += size++)
     ask_slot_elements(slot, some(at, size, count), in_batches_of(size));
+}
+
+void Desk::ask_slot_in_orders_of_callers(std::size_t slot) {
+  for (const Order& one : orders_of_callers(in_slot(mailbox_.count, slot)))
+    ask_slot_elements(slot, one.order, one.how);
 }
 
 void Desk::ask_blob_elements(const std::uint8_t* blob, const std::vector<std::size_t>& order,
@@ -113,6 +155,8 @@ void Desk::ask_blob_in_each_size(const std::uint8_t* blob) {
       ask_blob_elements(blob, order, in_batches_of(odd_batch));
     }
   }
+  if (mailbox_.asked_before < first_in_orders)
+    for (const Order& one : orders_of_callers(count)) ask_blob_elements(blob, one.order, one.how);
   std::size_t stride = count * 618 / 1000 + 1;
   while (std::gcd(stride, count) != 1) ++stride;
   std::vector<std::size_t> order(count);
@@ -128,20 +172,25 @@ void Desk::ask_codes_after_each_other() {
   const std::size_t in = elements_in_blob(mailbox_.call).bytes,
                     out = elements_in_blob(mailbox_.call).answer_bytes;
   // Each byte of an element takes all values, since its step is odd, and bytes have different steps.
-  std::vector<std::byte> elements(codes * in), alone(codes * out, std::byte{blank_again});
+  std::vector<std::byte> elements(codes * in);
   for (std::size_t k = 0; k < elements.size(); ++k)
     elements[k] = static_cast<std::byte>(k / in * (2 * (k % in) + 1) + k % in);
-  const auto ask = [&](const std::byte* of, std::size_t count, std::byte* answers) {
-    Arguments a = whole(answers, count * out);
+  const auto ask = [&](const std::byte* of, std::size_t count, Fenced& answers) {
+    Arguments a = whole(nullptr, count * out);
     a.blob = reinterpret_cast<const std::uint8_t*>(of);
     a.blob_bytes = count * in;
-    guarded(a, 0);
+    guarded(a, answers, 0);
   };
-  for (std::size_t k = 0; k < codes; ++k) ask(elements.data() + k * in, 1, alone.data() + k * out);
+  std::vector<std::byte> alone;
+  for (std::size_t k = 0; k < codes; ++k) {
+    Fenced one(out, blank_again);
+    ask(elements.data() + k * in, 1, one);
+    alone.insert(alone.end(), one.data(), one.data() + out);
+  }
   const std::vector<std::size_t> order = each_after_each(codes);
   const auto of = [&](std::size_t k) { return order[k]; };
-  std::vector<std::byte> together(order.size() * out, std::byte{blank_again});
-  ask(gathered(elements.data(), in, order.size(), of).data(), order.size(), together.data());
+  Fenced together(order.size() * out, blank_again);
+  ask(gathered(elements.data(), in, order.size(), of).data(), order.size(), together);
   const std::vector<std::byte> expected = gathered(alone.data(), out, order.size(), of);
   compare(expected.data(), together.data(), expected.size(), 0,
           "asked with other codes, each alone and then after each other one");

@@ -37,7 +37,7 @@ Finding same_scene(const Scene& expected, const Scene& got) {
       return wrong(fmt::format("map {} of {} bytes", m, e.packed.size()), fmt::format("{}", g.packed.size()));
     for (std::uint64_t k = 0; k < micro_triangles(e.level); ++k)
       if (state_at(e, expected.format, k) != state_at(g, expected.format, k))
-        return wrong(fmt::format("map {} state {} {}", m, k, state_at(e, expected.format, k)),
+        return wrong(fmt::format("map {} index {} state {}", m, k, state_at(e, expected.format, k)),
                      fmt::format("{}", state_at(g, expected.format, k)));
     if (e.packed != g.packed) return wrong(fmt::format("map {} padding bits 0", m), "1");
   }
@@ -98,7 +98,7 @@ Finding looked_up(const Functions& s, const Code& code, const Scene& scene, cons
   for (std::size_t k = 0; k < states.size(); ++k)
     if (const std::uint8_t expected = state_at(scene.maps[e.map[k]], scene.format, e.index[k]);
         states[k] != expected)
-      return wrong(fmt::format("map {} state {} {}", e.map[k], e.index[k], expected),
+      return wrong(fmt::format("map {} index {} state {}", e.map[k], e.index[k], expected),
                    fmt::format("{}", states[k]));
   return {hash_of(states)};
 }

@@ -50,10 +50,10 @@ TEST_P(WrongDag, is_refuted_and_replayed) {
 
 INSTANTIATE_TEST_SUITE_P(
     Subject, WrongDag,
-    testing::Values(WrongDagAnswer{"dag_merges_near", "dag.round_trip", "3", "map 1 state 63 0"},
+    testing::Values(WrongDagAnswer{"dag_merges_near", "dag.round_trip", "3", "map 1 index 63 state 0"},
                     WrongDagAnswer{"dag_forgets_the_second", "dag.round_trip", "0", "2 maps got 1"},
                     WrongDagAnswer{"dag_padding_set", "dag.round_trip", "0", "map 0 padding bits 0"},
-                    WrongDagAnswer{"dag_looks_in_the_first", "dag.lookup_is_decode", "3", "map 1 state 63 0"},
+                    WrongDagAnswer{"dag_looks_in_the_first", "dag.lookup_is_decode", "3", "map 1 index 63 state 0"},
                     WrongDagAnswer{"dag_answers_no_scene", "dag.damaged_codes", "2", ""},
                     WrongDagAnswer{"dag_promises_the_container", "dag.canonical", "0", ""}),
     [](const auto& info) { return std::string(info.param.name); });
@@ -67,7 +67,7 @@ TEST(DagSubject, that_takes_one_of_many_maps_for_another_is_refuted) {
         library(name));
     expect_refuted_and_replayed(o, "dag.many_maps");
     EXPECT_THAT(o.out,
-                HasSubstr(std::string(name) == "dag_numbers_of_16_bits" ? "map 655" : "map 256 state "));
+                HasSubstr(std::string(name) == "dag_numbers_of_16_bits" ? "map 655" : "map 256 index "));
   }
 }
 

@@ -42,6 +42,12 @@ TEST(LargeBatches, that_leave_an_answer_unwritten_are_broken) {
   EXPECT_THAT(o.out, HasSubstr("left its output unwritten"));
 }
 
+TEST(LargeBatches, that_write_behind_their_output_are_broken) {
+  const Outcome o = judge("WRITES_BEHIND");
+  EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
+  EXPECT_THAT(o.out, HasSubstr("wrote behind the end of its output"));
+}
+
 TEST(NotHere, is_not_applicable_with_the_librarys_own_reason) {
   const Outcome o = judge("NOT_HERE");
   EXPECT_EQ(o.exit_code, 2) << o.out << o.err;

@@ -101,14 +101,14 @@ foreach(fault 0 1 2)
   mmverify_add_subject(fault_${fault} subjects/no_subject.c FAULT=${fault})
 endforeach()
 
-mmverify_add_room(subjects_tests large_batches_test tree_plugin_test dag_plugin_test vq_plugin_test forgetful_plugin_test traverse_plugin_test array_plugin_test array_changes_plugin_test attribute_plugin_test
+mmverify_add_room(subjects_tests large_batches_test tree_plugin_test dag_plugin_test vq_plugin_test forgetful_plugin_test touchy_plugin_test traverse_plugin_test array_plugin_test array_changes_plugin_test attribute_plugin_test
   attribute_bake_plugin_test bake_plugin_test LIBRARIES mmverify::proofs)
 target_compile_definitions(subjects_tests PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
 add_dependencies(subjects_tests mmverify mmverify-worker)
 set(judged_by subjects_tests)
 
 # Those that are called with many thousand elements at once.
-foreach(kind RIGHT SEES_BATCH CRASHES NOT_HERE UNWRITTEN)
+foreach(kind RIGHT SEES_BATCH CRASHES NOT_HERE UNWRITTEN WRITES_BEHIND)
   mmverify_add_subject(large_batches_${kind} subjects/large_batches.cpp KIND=${kind})
   target_link_libraries(subject_large_batches_${kind} PRIVATE mmverify::impl)
 endforeach()
@@ -242,4 +242,10 @@ mmverify_add_part(forgetful subjects/forgetful.cpp)
 foreach(wrong decide_without_flag_1024 blend_without_operation encode_without_format decode_without_format
     lookup_without_format vertex_without_order decide_tail_of_16 lookup_tail_of_16 mip_tail_of_4 mip_after_13)
   mmverify_add_wrong(forgetful_${wrong} ${wrong} forgetful right_traverse right_tree right_attribute)
+endforeach()
+mmverify_add_part(touchy subjects/touchy.cpp)
+foreach(wrong nothing decide_writes_behind decode_writes_behind decide_keeps_answers encode_adds_to_zero place_keeps_j
+    encode_ends_in_a_word encode_asks_for_twice decode_at_13 place_descending place_by_twos decide_runs_of_256
+    place_shares_order lookup_shares_level)
+  mmverify_add_wrong(touchy_${wrong} ${wrong} touchy right_traverse right_tree right_attribute)
 endforeach()
