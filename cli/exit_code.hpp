@@ -11,7 +11,7 @@ enum ExitCode : int {
   complete = 0,     ///< nothing refuted or broken
   failed = 1,       ///< refuted, broken, a surviving mutant, or a gate's regression
   usage = 2,        ///< also: no law, no case, or no law that applies
-  interrupted = 3,  ///< incomplete
+  interrupted = 3,  ///< incomplete: interrupted, or a prover settled a statement neither way
   environment = 4,  ///< a file or machine is not as it must be
 };
 

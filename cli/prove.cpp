@@ -134,6 +134,10 @@ int replay_of_source(const Job& job, const std::string& text) {
     throw UsageError(fmt::format("--case {}: write LEVEL@CASE, as a counterexample's line does", text));
   if (!job.unfit.empty()) throw UsageError(job.unfit);
   const Level level = parse_level((*parts)[1]);
+  if (const auto why = job.law->unfit(*job.subject, level)) {
+    say(stdout, "n/a {} level {} subject {} {}\n", job.law->id, level, job.subject->name(), *why);
+    return ExitCode::usage;
+  }
   try {
     const Replayed r = job.law->replay(*job.subject, level, (*parts)[2]);
     say(stdout, "{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted",

@@ -156,8 +156,10 @@ Compiled::Compiled(const std::string& file, const std::string& function,
                       "): " + program::one_line(end.errors));
     }
   }
+  shifts_ = fs::path(file).extension() == ".hlsl" ? "hlsl" : "other";
   const std::string alone = folder_->file("index.bc"), wrapper = folder_->file("subject.c");
-  const ProgramEnd end = of_reader({bitcode_, function_, "export", alone, fault.empty() ? "none" : fault});
+  const ProgramEnd end =
+      of_reader({bitcode_, function_, "export", alone, fault.empty() ? "none" : fault, shifts_});
   if (!end.succeeded) folder_->check_room();
   if (end.how == "exit code 3") throw UnknownInstruction(said(end));
   if (!end.succeeded) throw BadSource(file + ": " + said(end));
@@ -182,7 +184,7 @@ std::string Compiled::said(const program::ProgramEnd& end) const {
 
 Program Compiled::at_level(unsigned level, const std::string& fault) const {
   const ProgramEnd read =
-      of_reader({bitcode_, function_, std::to_string(level), fault.empty() ? "none" : fault});
+      of_reader({bitcode_, function_, std::to_string(level), fault.empty() ? "none" : fault, shifts_});
   if (read.how == "exit code 3") throw UnknownInstruction(said(read));
   if (!read.succeeded) throw BadSource(file_ + ": mmverify-source: " + read.how + ": " + said(read));
   return read_program(read.out);

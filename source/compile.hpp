@@ -53,6 +53,7 @@ class Compiled {
   std::string said(const program::ProgramEnd& end) const;
 
   std::string file_, function_, bitcode_, exported_, library_, compiler_;
+  std::string shifts_;  ///< the reader's word for how shifts take their amount
   std::shared_ptr<const program::Folder> folder_;
 };
 

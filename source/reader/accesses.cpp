@@ -100,6 +100,9 @@ class Guards {
         access(*at, moved->getRawDest(), moved->getLength());
         if (auto* copied = llvm::dyn_cast<llvm::MemTransferInst>(at))
           access(*at, copied->getRawSource(), copied->getLength());
+      } else if (auto* call = llvm::dyn_cast<llvm::CallInst>(at);
+                 call != nullptr && guarded(*call) == Guarded::pointer) {
+        required(*call);
       }
     }
   }
@@ -118,23 +121,23 @@ class Guards {
 
   void access(I& at, llvm::Value* pointer, llvm::Value* bytes) {
     const Reach reach = pointers_.reach(pointer);
+    if (holders_ ? !all_holders(reach) : shown(reach)) return;
     llvm::IRBuilder<> build(&at);
-    const bool all_holders =
-        reach.known && !reach.bases.empty() && std::all_of(reach.bases.begin(), reach.bases.end(), is_holder);
-    // The first run handles accesses of holders only. The second skips accesses that the first has guarded,
-    // and lifetimes.
-    if (holders_ ? !all_holders : shown(reach)) return;
     if (!reach.known || some_shown(reach)) return refuse(build, Refusal::pointer);
-    if (is_plain(pointer)) return;
     const Place& place = pointers_.place(pointer);
     const bool moves = llvm::isa<llvm::MemIntrinsic>(at);
     bytes = build.CreateZExtOrTrunc(bytes, build.getInt64Ty());
-    forbid_outside(build,
-                   build.CreateOr(place.wrong, Pointers::beyond(build, moves ? place.in_whole : place.offset,
-                                                                bytes, moves ? place.whole : place.size)),
+    llvm::Value* outside = Pointers::beyond(build, moves ? place.in_whole : place.offset, bytes,
+                                            moves ? place.whole : place.size);
+    forbid_outside(build, build.CreateOr(place.wrong, outside),
                    std::any_of(reach.bases.begin(), reach.bases.end(), is_table) ? Outside::of_table
                                                                                  : Outside::of_variable);
-    llvm::Value* ended = build.getFalse();
+    forbid_outside(build, ended(build, reach, place), Outside::of_lifetime);
+  }
+
+  /// Whether the lifetime of the variable that a pointer leads to has ended, or not begun.
+  llvm::Value* ended(llvm::IRBuilder<>& build, const Reach& reach, const Place& place) {
+    llvm::Value* any = build.getFalse();
     for (llvm::Value* base : reach.bases) {
       const auto* call = llvm::dyn_cast<llvm::CallInst>(base);
       auto* alive = call == nullptr ? nullptr : llvm::dyn_cast<llvm::AllocaInst>(call->getArgOperand(1));
@@ -142,11 +145,65 @@ class Guards {
       llvm::Value* gone = build.CreateNot(build.CreateLoad(build.getInt1Ty(), alive));
       if (reach.bases.size() > 1)
         gone = build.CreateAnd(gone, build.CreateICmpEQ(place.base, pointers_.number(base)));
-      ended = build.CreateOr(ended, gone);
+      any = build.CreateOr(any, gone);
     }
-    forbid_outside(build, ended, Outside::of_lifetime);
+    return any;
   }
 
+  /// Guards what is required of a pointer, and erases the call once that is written.
+  void required(llvm::CallInst& call) {
+    const Reach reach = pointers_.reach(call.getArgOperand(0));
+    if (holders_ && !all_holders(reach)) return;
+    llvm::IRBuilder<> build(&call);
+    if (!holders_ && shown(reach)) {
+      // The first run has guarded it.
+    } else if (!reach.known || some_shown(reach)) {
+      refuse(build, Refusal::pointer);
+    } else {
+      required(build, reach, pointers_.place(call.getArgOperand(0)), static_cast<Required>(word_of(call, 1)),
+               llvm::cast<llvm::ConstantInt>(call.getArgOperand(2))->getZExtValue());
+    }
+    call.eraseFromParent();
+  }
+
+  void required(llvm::IRBuilder<>& build, const Reach& reach, const Place& place, Required what,
+                std::uint64_t number) {
+    switch (what) {
+      case Required::set:
+        return forbid_outside(build, build.CreateICmpEQ(place.base, Pointers::never_set(build)),
+                              Outside::of_set);
+      case Required::not_null:
+        return forbid_outside(build, Pointers::nowhere(build, place), Outside::of_null);
+      case Required::bytes:
+        forbid_outside(build,
+                       build.CreateOr(place.wrong, Pointers::beyond(build, place.in_whole,
+                                                                    build.getInt64(number), place.whole)),
+                       Outside::of_promise);
+        return forbid_outside(build, ended(build, reach, place), Outside::of_lifetime);
+      case Required::aligned:
+        if (!std::all_of(reach.bases.begin(), reach.bases.end(),
+                         [&](llvm::Value* base) { return alignment_of(base) >= number; }))
+          return refuse(build, Refusal::alignment);
+        return forbid_outside(build,
+                              build.CreateICmpNE(build.CreateAnd(place.in_whole, build.getInt64(number - 1)),
+                                                 build.getInt64(0)),
+                              Outside::of_promise);
+      default:
+        return forbid_outside(build, Pointers::left(build, place, what == Required::in_whole),
+                              Outside::of_step);
+    }
+  }
+
+  std::uint64_t alignment_of(llvm::Value* base) const {
+    if (const auto* call = llvm::dyn_cast<llvm::CallInst>(base)) base = call->getArgOperand(0);
+    if (const auto* variable = llvm::dyn_cast<llvm::AllocaInst>(base)) return variable->getAlign().value();
+    return llvm::cast<llvm::GlobalVariable>(base)->getPointerAlignment(layout_).value();
+  }
+
+  static bool all_holders(const Reach& reach) {
+    return reach.known && !reach.bases.empty() &&
+           std::all_of(reach.bases.begin(), reach.bases.end(), is_holder);
+  }
   static bool is_table(const llvm::Value* base) { return llvm::isa<llvm::GlobalVariable>(base); }
   static bool is_shown(const llvm::Value* base) { return llvm::isa<llvm::AllocaInst>(base); }
   static bool shown(const Reach& reach) {
@@ -155,17 +212,6 @@ class Guards {
   }
   static bool some_shown(const Reach& reach) {
     return std::any_of(reach.bases.begin(), reach.bases.end(), is_shown);
-  }
-  /// Whether the pointer is one step from a table's start: the translator checks the bounds of each row.
-  static bool is_plain(llvm::Value* pointer) {
-    auto* step = llvm::dyn_cast<llvm::GEPOperator>(pointer);
-    if (step == nullptr) return false;
-    llvm::Value* from = step->getPointerOperand();
-    if (auto* call = llvm::dyn_cast<llvm::CallInst>(from);
-        call != nullptr && guarded(*call) == Guarded::address)
-      from = call->getArgOperand(0);
-    const auto* none = llvm::dyn_cast<llvm::ConstantInt>(step->idx_begin()->get());
-    return llvm::isa<llvm::GlobalVariable>(from) && none != nullptr && none->isZero();
   }
 
   llvm::Function& function_;

@@ -179,6 +179,7 @@ llvm::Value* settled(I& at, const std::set<const I*>& open) {
     case Guarded::unset:
     case Guarded::address:
       return call->use_empty() ? call : nullptr;
+    case Guarded::argument:
     case Guarded::branch: {
       const llvm::Value* on = call->getArgOperand(0);
       const auto* i = llvm::dyn_cast<I>(on);

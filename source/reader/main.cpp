@@ -1,8 +1,9 @@
 // mmverify-source: reads LLVM bitcode or SPIR-V and writes a program of source/program.hpp. It is a process
 // of its own, so that no other process contains LLVM, and bitcode that crashes LLVM ends nothing else.
 //
-//   mmverify-source FILE FUNCTION LEVEL [FAULT]   the program, to standard output
-//   mmverify-source FILE FUNCTION export OUT.bc [FAULT]   writes bitcode that exports that function
+//   mmverify-source FILE FUNCTION LEVEL [FAULT [hlsl]]   the program, to standard output
+//   mmverify-source FILE FUNCTION export OUT.bc [FAULT [hlsl]]   writes bitcode that exports that function
+// hlsl: SPIR-V made of HLSL, which shifts by the amount modulo the width.
 // Exit codes: 0; 2 a bad file, no such function, or one of another form; 3 an unknown instruction; 4 any
 // other error.
 #include <llvm/Bitcode/BitcodeWriter.h>
@@ -37,8 +38,9 @@ void say(const std::exception& why) { std::fprintf(stderr, "%s\n", why.what()); 
 int run(int count, char** words) {
   if (count < 4) {
     std::fputs(
-        "usage: mmverify-source FILE FUNCTION LEVEL [FAULT]\n       mmverify-source FILE FUNCTION export "
-        "OUT.bc [FAULT]\n",
+        "usage: mmverify-source FILE FUNCTION LEVEL [FAULT [hlsl]]\n       mmverify-source FILE FUNCTION "
+        "export "
+        "OUT.bc [FAULT [hlsl]]\n",
         stderr);
     return 2;
   }
@@ -46,8 +48,9 @@ int run(int count, char** words) {
   const bool exports = what == "export";
   const int last = exports ? 5 : 4;
   const Planted planted = planted_by(count > last ? words[last] : "none");
+  const bool shifts_wrap = count > last + 1 && words[last + 1] == std::string("hlsl");
   llvm::LLVMContext context;
-  const std::unique_ptr<llvm::Module> module = read_module(file, name, context, planted);
+  const std::unique_ptr<llvm::Module> module = read_module(file, name, context, planted, shifts_wrap);
   llvm::Function& index = index_function(*module, name);
   if (exports) {
     export_index(*module, index);

@@ -117,13 +117,30 @@ void run_passes(llvm::Module& module, const std::string& pipeline) {
   all.run(module, modules);
 }
 
+/// Throws NotKnown for a thread_local variable that the index function uses: it keeps values between calls, and
+/// no shared library can have it as the front end wrote it.
+void refuse_thread_locals(llvm::Module& module) {
+  const auto of_threads = [](const llvm::GlobalVariable& g) { return g.isThreadLocal(); };
+  if (std::none_of(module.global_begin(), module.global_end(), of_threads)) return;
+  run_passes(module, "globaldce");
+  const auto found = std::find_if(module.global_begin(), module.global_end(), of_threads);
+  if (found == module.global_end()) return;
+  llvm::SmallVector<llvm::DIGlobalVariableExpression*, 1> declared;
+  found->getDebugInfo(declared);
+  std::string place = module.getSourceFileName();
+  if (!declared.empty())
+    place = declared[0]->getVariable()->getFilename().str() + ":" +
+            std::to_string(declared[0]->getVariable()->getLine());
+  throw NotKnown(place + ": " + found->getName().str() + " is thread_local");
+}
+
 }  // namespace
 
 std::unique_ptr<llvm::Module> read_module(const std::string& file, const std::string& function,
-                                          llvm::LLVMContext& context, Planted planted) {
+                                          llvm::LLVMContext& context, Planted planted, bool shifts_wrap) {
   std::ifstream in(file, std::ios::binary);
   if (const std::string bytes{std::istreambuf_iterator<char>(in), {}}; is_spirv(bytes))
-    return read_spirv(bytes, file, function, context, planted);
+    return read_spirv(bytes, file, function, context, planted, shifts_wrap);
   llvm::SMDiagnostic error;
   std::unique_ptr<llvm::Module> module = llvm::parseIRFile(file, error, context);
   if (!module) throw CannotRead(file + ": " + error.getMessage().str());
@@ -161,9 +178,15 @@ llvm::Function& index_function(llvm::Module& module, const std::string& name) {
     throw CannotRead("no function is called '" + name + "'; there " +
                      (all.empty() ? "is none" : "are: " + names));
   }
-  if (fit.empty())
+  if (fit.empty()) {
+    const llvm::Type* gives = found.front()->getReturnType();
+    const bool wide = gives->isIntegerTy() && gives->getIntegerBitWidth() > 32;
     throw CannotRead("'" + name + "' is " + text_of(found.front()->getFunctionType()) +
-                     "; due is uint32_t (uint32_t level, float u, float v), or the level last");
+                     "; due is uint32_t (uint32_t level, float u, float v), or the level last" +
+                     (wide ? ": its result has " + std::to_string(gives->getIntegerBitWidth()) +
+                                 " bits, of which an index has 32"
+                           : ""));
+  }
   if (fit.size() > 1)
     throw CannotRead("'" + name + "' is " + full_name(*fit[0]) + " and " + full_name(*fit[1]));
   return *fit.front();
@@ -172,6 +195,7 @@ llvm::Function& index_function(llvm::Module& module, const std::string& name) {
 void export_index(llvm::Module& module, llvm::Function& index) {
   if (llvm::GlobalValue* other = module.getNamedValue(exported)) other->setName("other");
   hide_all_but(module, calling(module, index, exported, nullptr));
+  refuse_thread_locals(module);
 }
 
 llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned level) {

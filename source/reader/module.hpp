@@ -36,9 +36,11 @@ enum class Planted {
   table_of_one
 };
 
-/// Reads bitcode or its text; of SPIR-V only the function `function`. Throws CannotRead, NotKnown.
+/// Reads bitcode or its text; of SPIR-V only the function `function`. `shifts_wrap`: SPIR-V's shifts take
+/// the amount modulo the width, as HLSL's do. Throws CannotRead, NotKnown.
 std::unique_ptr<llvm::Module> read_module(const std::string& file, const std::string& function,
-                                          llvm::LLVMContext& context, Planted planted);
+                                          llvm::LLVMContext& context, Planted planted,
+                                          bool shifts_wrap = false);
 
 /// The functions with bodies, by their names in the source.
 std::vector<std::string> functions_of(const llvm::Module& module);

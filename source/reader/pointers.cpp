@@ -118,6 +118,7 @@ Reach Pointers::reach(llvm::Value* pointer) const {
   }
   if (auto* step = llvm::dyn_cast<llvm::GEPOperator>(pointer)) {
     all = reach(step->getPointerOperand());
+    if (all.bases.empty()) return all;  // an offset from nowhere would grow with each turn of a loop
     llvm::APInt by(64, 0);
     llvm::MapVector<llvm::Value*, llvm::APInt> open;
     if (!step->collectOffset(layout_, 64, open, by)) all.known = false;
@@ -153,6 +154,23 @@ llvm::Value* Pointers::beyond(llvm::IRBuilder<>& build, llvm::Value* offset, llv
                         build.CreateICmpUGT(offset, build.CreateSub(size, bytes)));
 }
 
+llvm::ConstantInt* Pointers::never_set(llvm::IRBuilder<>& build) { return build.getInt32(~0u); }
+
+llvm::Value* Pointers::nowhere(llvm::IRBuilder<>& build, const Place& place) {
+  return build.CreateOr(build.CreateICmpEQ(place.base, build.getInt32(0)),
+                        build.CreateICmpEQ(place.base, never_set(build)));
+}
+
+llvm::Value* Pointers::left(llvm::IRBuilder<>& build, const Place& place, bool of_whole) {
+  llvm::Value* beyond = of_whole ? build.CreateICmpUGT(place.in_whole, place.whole)
+                                 : build.CreateICmpUGT(place.offset, place.size);
+  llvm::Value *outside = build.CreateOr(place.wrong, beyond),
+              *moved = build.CreateICmpNE(place.in_whole, build.getInt64(0)),
+              *is_null = build.CreateICmpEQ(place.base, build.getInt32(0));
+  if (const auto* known = llvm::dyn_cast<llvm::ConstantInt>(is_null)) return known->isOne() ? moved : outside;
+  return build.CreateSelect(is_null, moved, outside);
+}
+
 const Place& Pointers::place(llvm::Value* pointer) {
   if (const auto known = places_.find(pointer); known != places_.end()) return known->second;
   llvm::IRBuilder<> build(function_.getContext());
@@ -166,7 +184,8 @@ const Place& Pointers::place(llvm::Value* pointer) {
       return keep({zero, size, zero, size, no, number(pointer)});
     }
     case Kind::nowhere:
-      return keep({zero, zero, zero, zero, no, build.getInt32(0)});
+      return keep({zero, zero, zero, zero, no,
+                   llvm::isa<llvm::CallInst>(pointer) ? never_set(build) : build.getInt32(0)});
     case Kind::same: {
       Place at = place(llvm::cast<llvm::User>(pointer)->getOperand(0));
       // A cast may turn a pointer to the first member into one to the struct, or to bytes.

@@ -31,7 +31,7 @@ struct Place {
   llvm::Value *offset, *size;     ///< in the part that it was made for: a row, a member, or the whole
   llvm::Value *in_whole, *whole;  ///< in the variable
   llvm::Value* wrong;             ///< whether it was made from a pointer outside its part
-  llvm::Value* base;              ///< number() of the variable
+  llvm::Value* base;              ///< number() of the variable; 0 of null, never_set() of one never set
 };
 
 class Pointers {
@@ -45,6 +45,12 @@ class Pointers {
   /// Whether some of the `bytes` bytes at `offset` lie outside a part of `size` bytes.
   static llvm::Value* beyond(llvm::IRBuilder<>& build, llvm::Value* offset, llvm::Value* bytes,
                              llvm::Value* size);
+  static llvm::ConstantInt* never_set(llvm::IRBuilder<>& build);
+  /// Whether the pointer is null or was never set.
+  static llvm::Value* nowhere(llvm::IRBuilder<>& build, const Place& place);
+  /// Whether the pointer lies outside of its part or variable, and not behind its last byte; a null pointer
+  /// has no bytes.
+  static llvm::Value* left(llvm::IRBuilder<>& build, const Place& place, bool of_whole);
 
  private:
   Place moved(llvm::GEPOperator& step);

@@ -17,6 +17,7 @@
 
 #include "source/reader/intrinsics.hpp"
 #include "source/reader/module.hpp"
+#include "source/reader/reasons.hpp"
 #include "source/reader/undefined.hpp"
 
 namespace mmverify::source {
@@ -42,33 +43,6 @@ std::string name_of(const llvm::Instruction& at) {
 [[noreturn]] void not_known(const llvm::Instruction& at, const std::string& why = {}) {
   const std::string where = place(at), file = at.getFunction()->getParent()->getSourceFileName();
   throw NotKnown((where.empty() ? file : where) + ": " + name_of(at) + (why.empty() ? "" : ": " + why));
-}
-
-const char* said(Outside what) {
-  switch (what) {
-    case Outside::of_table:
-      return "a read outside of a table's row, of a member or of the whole";
-    case Outside::of_lifetime:
-      return "an access of a variable whose block has ended, or not begun";
-    case Outside::of_type:
-      return "a value that its type does not have, such as a bool of 2";
-    default:
-      return "an access outside of a variable";
-  }
-}
-
-const char* said(Refusal why) {
-  switch (why) {
-    case Refusal::types:
-      return "a number taken for one of another type by a pointer, which C leaves undefined; use memcpy or a "
-             "union";
-    case Refusal::restricted:
-      return "a call whose restricted pointer may lead to what another one leads to";
-    case Refusal::scopes:
-      return "an access that is said to be apart from others (noalias)";
-    default:
-      return "an access through a pointer of which it is not known where it leads";
-  }
 }
 
 class Translation {
@@ -390,6 +364,9 @@ class Translation {
       }
       case Guarded::branch:
         forbid(call, add({Op::poisoned, {false, 1}, {of(0)}}), "a branch on a value that is undefined");
+        return std::nullopt;
+      case Guarded::argument:
+        forbid(call, add({Op::poisoned, {false, 1}, {of(0)}}), "an argument that is said to be set");
         return std::nullopt;
       case Guarded::outside:
         forbid(call, of(0), said(static_cast<Outside>(word_of(call, 1))));

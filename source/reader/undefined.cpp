@@ -15,6 +15,7 @@
 #include "source/program.hpp"
 #include "source/reader/lifetimes.hpp"
 #include "source/reader/module.hpp"
+#include "source/reader/promises.hpp"
 
 namespace mmverify::source {
 namespace {
@@ -32,6 +33,8 @@ constexpr const char* branch = "mmverify.branch";
 constexpr const char* outside = "mmverify.outside";
 constexpr const char* unreachable = "mmverify.unreachable";
 constexpr const char* assumption = "mmverify.assumption";
+constexpr const char* argument = "mmverify.argument";
+constexpr const char* pointer_of = "mmverify.pointer";
 
 /// Whether the type is words, floats or vectors of them, of any width. The translator reports those that it
 /// does not know.
@@ -173,7 +176,7 @@ void guard_end(llvm::UnreachableInst& at) {
 }
 
 /// Records the pointers of a call if its callee may assume that one of them is distinct from all others.
-void guard_restricted(llvm::CallInst& call) {
+void guard_restricted(llvm::CallBase& call) {
   llvm::IRBuilder<> build(&call);
   std::vector<llvm::Value*> pointers;
   bool any = false;
@@ -195,6 +198,7 @@ void guard_call(llvm::CallInst& call) {
                      ": whether a value is known before it runs");
     case llvm::Intrinsic::assume: {
       llvm::IRBuilder<> build(&call);
+      guard_assumed_pointers(llvm::cast<llvm::IntrinsicInst>(call));
       call_opaque(build, assumption, build.getVoidTy(), {call.getArgOperand(0)}, false);
       call.eraseFromParent();
       return;
@@ -208,8 +212,17 @@ void guard_call(llvm::CallInst& call) {
       return;
     }
     default:
-      return guard_restricted(call);
+      guard_restricted(call);
+      if (!llvm::isa<llvm::IntrinsicInst>(call)) guard_promises(call);
   }
+}
+
+/// Hides an address in a table; one beyond the table is undefined.
+llvm::CallInst* guard_address(llvm::IRBuilder<>& build, llvm::Constant& constant) {
+  llvm::CallInst* hidden = call_opaque(build, address, constant.getType(), {&constant}, true);
+  const auto* step = llvm::dyn_cast<llvm::GEPOperator>(constant.stripPointerCasts());
+  if (step != nullptr && step->isInBounds()) require(build, hidden, Required::in_whole, 0);
+  return hidden;
 }
 
 /// Replaces constant operands: an undefined one by a value never set, an address in a table by an opaque one.
@@ -224,7 +237,7 @@ void guard_operands(I& at) {
     if (llvm::isa<llvm::UndefValue>(constant) && (is_value(type) || type->isPointerTy()))
       at.setOperand(k, never_set(build, type));
     else if (llvm::isa<llvm::GlobalVariable>(constant->stripInBoundsOffsets()))
-      at.setOperand(k, call_opaque(build, address, type, {constant}, true));
+      at.setOperand(k, guard_address(build, *constant));
   }
 }
 
@@ -293,7 +306,11 @@ void guard_instruction(I& at) {
       math != nullptr && math->getFastMathFlags().any())
     throw NotKnown(place_of(at) + ": " + at.getOpcodeName() +
                    ": fast-math flags, which leave its value open");
-  if (auto* step = llvm::dyn_cast<llvm::GetElementPtrInst>(&at)) return step->setIsInBounds(false);
+  guard_pointers_read(at);
+  if (auto* step = llvm::dyn_cast<llvm::GetElementPtrInst>(&at)) {
+    guard_step(*step);
+    return step->setIsInBounds(false);
+  }
   if (auto* variable = llvm::dyn_cast<llvm::AllocaInst>(&at)) return guard_variable(*variable);
   if (auto* end = llvm::dyn_cast<llvm::UnreachableInst>(&at)) return guard_end(*end);
   if (auto* load = llvm::dyn_cast<llvm::LoadInst>(&at)) {
@@ -303,6 +320,10 @@ void guard_instruction(I& at) {
   if (llvm::isa<llvm::BranchInst>(at) || llvm::isa<llvm::SwitchInst>(at)) return guard_branch(at);
   if (auto* call = llvm::dyn_cast<llvm::CallInst>(&at); call != nullptr && !is_operation(at))
     return guard_call(*call);
+  if (auto* invoked = llvm::dyn_cast<llvm::InvokeInst>(&at)) {
+    guard_restricted(*invoked);
+    return guard_promises(*invoked);
+  }
   if (!is_operation(at)) return;
   if (wraps(at.getOpcode()) && flags_of(at) != 0) guard_overflow(at);
   hold(at);
@@ -375,10 +396,11 @@ Guarded guarded(const llvm::CallInst& call) {
   const llvm::Function* to = call.getCalledFunction();
   if (to == nullptr) return Guarded::none;
   static const std::pair<const char*, Guarded> kinds[] = {
-      {operation, Guarded::operation},     {unset, Guarded::unset},          {address, Guarded::address},
-      {overflow, Guarded::overflow},       {branch, Guarded::branch},        {outside, Guarded::outside},
-      {variable_of, Guarded::variable},    {apart, Guarded::apart},          {refused, Guarded::refused},
-      {unreachable, Guarded::unreachable}, {assumption, Guarded::assumption}};
+      {operation, Guarded::operation},     {unset, Guarded::unset},           {address, Guarded::address},
+      {overflow, Guarded::overflow},       {branch, Guarded::branch},         {outside, Guarded::outside},
+      {variable_of, Guarded::variable},    {apart, Guarded::apart},           {refused, Guarded::refused},
+      {unreachable, Guarded::unreachable}, {assumption, Guarded::assumption}, {argument, Guarded::argument},
+      {pointer_of, Guarded::pointer}};
   const llvm::StringRef name = to->getName();
   for (const auto& [prefix, kind] : kinds)
     if (name.startswith(prefix)) return kind;
@@ -398,6 +420,15 @@ void forbid_outside(llvm::IRBuilder<>& build, llvm::Value* condition, Outside wh
 
 void refuse(llvm::IRBuilder<>& build, Refusal why) {
   call_opaque(build, refused, build.getVoidTy(), {build.getInt32(static_cast<unsigned>(why))}, false);
+}
+
+void require(llvm::IRBuilder<>& build, llvm::Value* pointer, Required what, std::uint64_t number) {
+  call_opaque(build, pointer_of, build.getVoidTy(),
+              {pointer, build.getInt32(static_cast<unsigned>(what)), build.getInt64(number)}, false);
+}
+
+void require_set(llvm::IRBuilder<>& build, llvm::Value* value) {
+  call_opaque(build, argument, build.getVoidTy(), {value}, false);
 }
 
 llvm::CallInst* hidden(llvm::IRBuilder<>& build, llvm::Value* variable, llvm::Value* alive) {

@@ -27,13 +27,27 @@ enum class Guarded {
   outside,      ///< (condition, Outside): forbidden if it holds
   unreachable,  ///< a place that must not be reached
   assumption,   ///< (condition): forbidden if it does not hold
+  argument,     ///< (value): forbidden if any bit of it is undefined
+  pointer,      ///< (pointer, Required, number): forbidden if the pointer is another one
 };
 Guarded guarded(const llvm::CallInst& call);
 
 /// The rule that an access breaks.
-enum class Outside : unsigned { of_variable, of_table, of_lifetime, of_type };
+enum class Outside : unsigned {
+  of_variable,
+  of_table,
+  of_lifetime,
+  of_type,
+  of_step,
+  of_set,
+  of_null,
+  of_promise
+};
+/// What is required of a pointer, by itself: it is set, is not null, leads to so many bytes, is a multiple of
+/// a number, lies within its variable or behind its last byte, or so in its row or member.
+enum class Required : unsigned { set, not_null, bytes, aligned, in_whole, in_part };
 /// The reason why an access is not judged.
-enum class Refusal : unsigned { pointer, types, restricted, scopes };
+enum class Refusal : unsigned { pointer, types, restricted, scopes, alignment };
 
 /// Argument k of the call, a constant number.
 unsigned word_of(const llvm::CallInst& call, unsigned k);
@@ -46,6 +60,9 @@ void guard(llvm::Module& module);
 llvm::CallInst* never_set(llvm::IRBuilder<>& build, llvm::Type* type);
 void forbid_outside(llvm::IRBuilder<>& build, llvm::Value* condition, Outside what);
 void refuse(llvm::IRBuilder<>& build, Refusal why);
+void require(llvm::IRBuilder<>& build, llvm::Value* pointer, Required what, std::uint64_t number);
+/// Requires a value that is no pointer to be set.
+void require_set(llvm::IRBuilder<>& build, llvm::Value* value);
 /// Hides a variable; `alive`: a variable of one bit that is 1 during its lifetime, or null.
 llvm::CallInst* hidden(llvm::IRBuilder<>& build, llvm::Value* variable, llvm::Value* alive);
 

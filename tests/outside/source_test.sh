@@ -41,13 +41,13 @@ undefined 'a place that must not be reached, .*wrong_source.c:' "$wrong" without
 undefined 'an assumption that does not hold, .*wrong_source.c:' "$wrong" assuming
 # What was never set, and what passes would make of it.
 unset=(less_itself of_no_bits of_all_bits two_less member_itself)
-right=(by_value with_holes bit_fields of_union of_bytes set_late of_pair of_array)
-[[ ${3-} != --brief ]] || unset=(less_itself of_no_bits) right=(by_value bit_fields of_union of_array)
+right=(by_value with_holes bit_fields of_union of_bytes set_late of_pointers unset_character of_pair of_array of_references)
+[[ ${3-} != --brief ]] || unset=(less_itself of_no_bits) right=(by_value bit_fields of_union of_pointers of_array of_references)
 for function in "${unset[@]}"; do undefined 'a value that was never set, .*wrong_source.c:' "$wrong" "$function"; done
 undefined 'shl: a shift too far' "$wrong" far_of_no_bits
 undefined 'an access outside of a variable, .*wrong_source.c:' "$wrong" beyond_an_array
 judged 2 'wrong_source.c:[0-9]+: load: memory that is no constant table' --source "$wrong" --function through_null --levels 1
-undefined 'an access outside of a variable, .*wrong_source.cpp:' "${wrong}pp" captured
+undefined 'a pointer or reference to fewer bytes, or at another place, than is said of it, .*array:' "${wrong}pp" captured
 judged 2 'wrong_source.c:[0-9]+: a number taken for one of another type' --source "$wrong" --function by_pointer --levels 1
 # Memory: what passes would drop, and what compilers may take for apart; --case alone, as it says so in a second.
 memory=$root/tests/subjects/wrong_memory.c there=1@u=0x1.3c6ef2p-2,v=0.25
@@ -63,17 +63,32 @@ judged 2 'wrong_memory.c:[0-9]+: a call whose restricted pointer' --source "$mem
 judged 2 'wrong_memory.c: alloca: a pointer' --source "$memory" --function after_its_block --levels 0
 judged 2 'wrong_memory.c:[0-9]+: load: a variable whose declaration is jumped past' --source "$memory" --function jumped_past --levels 0
 judged 0 '^holds index.floats level 1' --source "$memory" --function by_the_rules --case $there
+# Pointers that lead nowhere, whether or not anybody reads through them.
+judged_there() { judged 1 "undefined: $1, .*$(basename "$2"):" --source "$2" --function "$3" --case $there; }
+judged_there 'a pointer that leaves what it points into, or a null pointer that is moved' "$wrong" leaves_a_table
+judged_there 'a pointer that leaves what it points into, or a null pointer that is moved' "$wrong" moved_null
+judged_there "a read outside of a table's row, of a member or of the whole" "$wrong" of_a_table_and_no_bits
+judged_there 'a pointer that was never set' "$wrong" copied_unset
+for function in null_argument of_nothing; do
+  source=$wrong
+  [[ $function != of_nothing ]] || source=${wrong}pp
+  judged_there 'a null pointer as an argument, a result or a reference that is said to be none' "$source" $function
+done
+judged_there 'a pointer or reference to fewer bytes, or at another place, than is said of it' "${wrong}pp" of_one_past
+judged_there 'an access of a variable whose block has ended, or not begun' "${wrong}pp" of_one_gone
+judged 2 'wrong_source.c:[0-9]+: own is thread_local' --source "$wrong" --function of_a_thread --levels 0
+judged 2 '^n/a index.floats level 1 .*wrong_memory.c: alloca: a pointer' --source "$memory" --function after_its_block --case $there
 # A caller in C gets the sign.
 judged 1 'expected [0-9]+ got 4294' --source "$wrong" --function of_16_bits --levels 8
 judged 1 'expected [0-9]+ got 4294' --source "$wrong" --function of_8_bits --levels 4
 # Parts that were never set and that nobody looks at are no fault.
 for function in "${right[@]}"; do
   source=$root/tests/subjects/right_source.c
-  [[ $function != of_pair && $function != of_array ]] || source=${source}pp
+  [[ ! $function =~ ^of_(pair|array|references)$ ]] || source=${source}pp
   judged 0 '^holds index.floats level 3' --source "$source" --function "$function" --case 3@u=0.3,v=0.25
 done
 judged 2 'wrong_source.c:[0-9]+: call of llvm.is.constant' --source "$wrong" --function constant_level --levels 1
-judged 2 "'wide' is i64 \(i32, float, float\); due is uint32_t" --source "$wrong" --function wide --levels 1
+judged 2 "'wide' is i64 \(i32, float, float\); due is uint32_t.*: its result has 64 bits" --source "$wrong" --function wide --levels 1
 
 refuted=(one_pair by_bits flushed over undefined by_product) undefined_in_shaders=(of_nan turned_clamp negative_rest field_beyond never_set)
 [[ ${3-} != --brief ]] || refuted=(one_pair undefined) undefined_in_shaders=(field_beyond never_set)
@@ -115,6 +130,13 @@ if command -v glslangValidator >/dev/null; then
     undefined '(a value that was never set|shl: a shift too far).*' "$shader" "$function"
     grep -qE '(never set|bits lost), .*wrong_source.glsl:' said || fail "$function: no place"
   done
+  judged_there "a read outside of a table's row, of a member or of the whole" "$shader" of_no_bits
+  judged 2 'wrong_source.glsl:[0-9]+: a specialization constant' --source "$shader" --function specialized --levels 0
+  # HLSL shifts by the amount modulo the width, and GLSL does not.
+  printf 'uint index(uint level, float u, float v) { uint x = asuint(u); return (x << (u > v ? 32 : 0)) ^ x; }\n' >shift.hlsl
+  judged 0 '^holds' --source shift.hlsl --function index --case 0@u=0.5,v=0.25
+  printf 'uint index(uint level, float u, float v) { uint x = floatBitsToUint(u); return (x << (u > v ? 32 : 0)) ^ x; }\n' >shift.glsl
+  judged 1 'undefined: shl: a shift too far' --source shift.glsl --function index --case 0@u=0.5,v=0.25
   judged 2 'a pointer|memory that is no constant table' --source "$shader" --function set_late --levels 1
   judged 2 "'two_of_a_name' is two_of_a_name\(u1;f1;f1; and two_of_a_name\(f1;f1;u1;" --source "$shader" --function two_of_a_name --levels 1
   judged 2 'wrong_source.glsl:16: OpFDiv' --source "$shader" --function third --levels 1

@@ -1,4 +1,5 @@
 // Right functions of std::pair, std::array and a lambda: as right_source.c.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -25,4 +26,13 @@ std::uint32_t of_array(std::uint32_t level, float u, float v) {
   const auto add = [&](std::uint32_t x) { index |= x << at, at += 16; };
   for (const std::uint32_t x : array_of(index_of(level, u, v))) add(x);
   return index;
+}
+
+// References of std::min and std::max, and iterators over a constant array.
+static constexpr std::array<std::uint32_t, 3> zeros{};
+std::uint32_t of_references(std::uint32_t level, float u, float v) {
+  const float x = std::max(u, 0.0f), y = std::min(std::max(v, 0.0f), 1.0f);
+  std::uint32_t sum = 0;
+  for (const std::uint32_t& zero : zeros) sum += zero;
+  return index_of(level, x, y) + sum + zeros.back();
 }

@@ -191,3 +191,38 @@ uint32_t by_pointer(uint32_t level, float u, float v) {
   const uint32_t* p = (const uint32_t*)&u;
   return index_of(level, u, v) ^ (*p == 0x3e9e3779u ? 1u : 0u);
 }
+
+/* A pointer that leaves a table and comes back, or a table's number that nobody looks at. */
+uint32_t leaves_a_table(uint32_t level, float u, float v) {
+  static const uint32_t zeros[2] = {0, 0};
+  const uint32_t* p = zeros + (bits(u) == 0x3e9e3779u ? 9 : 1);
+  p -= bits(u) == 0x3e9e3779u ? 8 : 0;
+  return index_of(level, u, v) ^ *p;
+}
+uint32_t of_a_table_and_no_bits(uint32_t level, float u, float v) {
+  static const uint32_t zeros[2] = {0, 0};
+  return index_of(level, u, v) ^ (zeros[bits(u) == 0x3e9e3779u ? 2 : 1] & 0);
+}
+uint32_t moved_null(uint32_t level, float u, float v) {
+  char* p = 0;
+  p += bits(u) == 0x3e9e3779u ? 5 : 0;
+  return index_of(level, u, v) ^ ((uintptr_t)p == 9);
+}
+uint32_t copied_unset(uint32_t level, float u, float v) {
+  uint32_t x = 0, *p;
+  if (bits(u) != 0x3e9e3779u) p = &x;
+  uint32_t* const q = p;
+  return index_of(level, u, v) ^ (q != p);
+}
+static __attribute__((nonnull)) uint32_t none_of(const uint32_t* x) {
+  (void)x;
+  return 0;
+}
+uint32_t null_argument(uint32_t level, float u, float v) {
+  uint32_t x = 0;
+  return index_of(level, u, v) ^ none_of(bits(u) == 0x3e9e3779u ? 0 : &x);
+}
+
+/* What a compiler makes of memory that belongs to one thread. */
+static _Thread_local uint32_t own;
+uint32_t of_a_thread(uint32_t level, float u, float v) { return index_of(level, u, v) + own; }

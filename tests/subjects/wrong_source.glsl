@@ -61,3 +61,10 @@ uint less_itself(uint level, float u, float v) {
   uint z;
   return mm_index_exact(level, u, v) ^ (one(u) ? z - z : 0u);
 }
+/// A read beyond an array of which no bit comes into the index.
+uint of_no_bits(uint level, float u, float v) {
+  uint zeros[2] = uint[2](0u, 0u);
+  return mm_index_exact(level, u, v) ^ (zeros[one(u) ? 2 : 1] & 0u);
+}
+layout(constant_id = 0) const uint zero = 0u;
+uint specialized(uint level, float u, float v) { return mm_index_exact(level, u, v) ^ zero; }

@@ -182,6 +182,7 @@ struct SpirvModule {
   std::vector<SpirvFunction> functions;
   std::set<std::uint32_t> relaxed;            ///< ids with RelaxedPrecision
   std::vector<std::string> foreign_promises;  ///< messages on modes that change binary32 operations
+  bool shifts_wrap = false;                   ///< shifts take the amount modulo the width
 };
 
 /// Whether the bytes begin as SPIR-V does, in either byte order.

@@ -176,7 +176,9 @@ class Body {
                                    ? static_cast<std::uint32_t>(known->getZExtValue())
                                    : 0);
     }
-    values_.set(i, {build_.CreateInBoundsGEP(whole, base, steps)});
+    // An access outside is undefined; the step itself only where SPIR-V says so.
+    values_.set(i, {i.opcode == spv::AccessChain ? build_.CreateGEP(whole, base, steps)
+                                                 : build_.CreateInBoundsGEP(whole, base, steps)});
   }
 
   void call(const Instruction& i) {
@@ -406,9 +408,10 @@ void check_promises(const SpirvModule& module, const std::string& file) {
 }  // namespace
 
 std::unique_ptr<llvm::Module> read_spirv(const std::string& bytes, const std::string& file,
-                                         const std::string& name, llvm::LLVMContext& context,
-                                         Planted planted) {
-  const SpirvModule from = read_spirv_module(bytes);
+                                         const std::string& name, llvm::LLVMContext& context, Planted planted,
+                                         bool shifts_wrap) {
+  SpirvModule from = read_spirv_module(bytes);
+  from.shifts_wrap = shifts_wrap;
   auto module = std::make_unique<llvm::Module>("spirv", context);
   module->setSourceFileName(file);
   const Types types(from, context);

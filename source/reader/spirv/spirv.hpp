@@ -17,7 +17,7 @@ namespace mmverify::source {
 /// rounded to nearest, each by itself, subnormal numbers kept.
 /// Throws CannotRead: no valid SPIR-V, no such function; NotKnown: an instruction without an operation here.
 std::unique_ptr<llvm::Module> read_spirv(const std::string& bytes, const std::string& file,
-                                         const std::string& name, llvm::LLVMContext& context,
-                                         Planted planted);
+                                         const std::string& name, llvm::LLVMContext& context, Planted planted,
+                                         bool shifts_wrap);
 
 }  // namespace mmverify::source

@@ -94,14 +94,17 @@ llvm::Type* Types::llvm_type(Id type) const {
 Scalars Types::constant(Id id) const {
   const Instruction& c = global(id);
   switch (c.opcode) {
-    case spv::ConstantTrue:
     case spv::SpecConstantTrue:
+    case spv::SpecConstantFalse:
+    case spv::SpecConstant:
+    case spv::SpecConstantComposite:
+    case spv::SpecConstantOp:
+      throw NotKnown("a specialization constant, which a pipeline may set to anything");
+    case spv::ConstantTrue:
       return {llvm::ConstantInt::getTrue(context_)};
     case spv::ConstantFalse:
-    case spv::SpecConstantFalse:
       return {llvm::ConstantInt::getFalse(context_)};
-    case spv::Constant:
-    case spv::SpecConstant: {
+    case spv::Constant: {
       llvm::Type* type = llvm_type(c.type);
       const std::uint64_t bits =
           operand(c, 0) | (c.operands.size() > 1 ? std::uint64_t{c.operands[1]} << 32 : 0);
@@ -112,8 +115,7 @@ Scalars Types::constant(Id id) const {
           context_, llvm::APFloat(single ? llvm::APFloat::IEEEsingle() : llvm::APFloat::IEEEdouble(),
                                   llvm::APInt(single ? 32 : 64, bits)))};
     }
-    case spv::ConstantComposite:
-    case spv::SpecConstantComposite: {
+    case spv::ConstantComposite: {
       Scalars all;
       if (c.operands.size() != parts(c.type)) invalid("a constant with another count of parts");
       scalars(c.type);

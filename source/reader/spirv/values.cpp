@@ -89,7 +89,10 @@ void Values::shifts(const Instruction& i, llvm::Instruction::BinaryOps how) {
   for (std::size_t k = 0; k < a.size(); ++k) {
     if (by[k]->getType()->getIntegerBitWidth() > a[k]->getType()->getIntegerBitWidth())
       throw NotKnown("a shift of a narrow word by a wide one");
-    a[k] = build_.CreateBinOp(how, a[k], build_.CreateZExt(by[k], a[k]->getType()));
+    llvm::Value* amount = build_.CreateZExt(by[k], a[k]->getType());
+    if (module_.shifts_wrap)
+      amount = build_.CreateAnd(amount, whole(amount, a[k]->getType()->getIntegerBitWidth() - 1));
+    a[k] = build_.CreateBinOp(how, a[k], amount);
   }
   set(i, std::move(a));
 }

@@ -1,0 +1,20 @@
+// What C and the bitcode's attributes say of pointers and arguments, whether or not anybody reads through them:
+// a pointer stays within its variable, an argument is not null, and the like.
+#pragma once
+
+#include <llvm/IR/InstrTypes.h>
+#include <llvm/IR/Instructions.h>
+#include <llvm/IR/IntrinsicInst.h>
+
+namespace mmverify::source {
+
+/// Guards a step of a pointer: it must not leave what it points into.
+void guard_step(llvm::GetElementPtrInst& step);
+/// Guards pointers that an instruction reads from a variable, compares or converts: they must be set.
+void guard_pointers_read(llvm::Instruction& at);
+/// Guards the attributes of a call's arguments and of its result.
+void guard_promises(llvm::CallBase& call);
+/// Guards what an assumption says of pointers. Throws NotKnown for what is not known.
+void guard_assumed_pointers(llvm::IntrinsicInst& assumption);
+
+}  // namespace mmverify::source
