@@ -12,7 +12,7 @@ namespace {
 
 constexpr char asked_over[] = "asked with another answer in its output";
 
-/// What an output holds before a call, in numbers: all are another question's, or some are right already.
+/// The numbers that an output holds before a call: all are another question's, or some are right already.
 enum class Prior {
   another,
   right_ends,

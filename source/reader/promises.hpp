@@ -1,4 +1,4 @@
-// What C and the bitcode's attributes say of pointers and arguments, whether or not anybody reads through them:
+// Requirements of C and of the bitcode's attributes on pointers and arguments, whether or not anybody reads through them:
 // a pointer stays within its variable, an argument is not null, and the like.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What is said of an access or a pointer that is undefined, or that is not judged.
+// Reasons, in words: why an access or a pointer is undefined, or is not judged.
 #pragma once
 
 #include "source/reader/undefined.hpp"

@@ -43,7 +43,7 @@ enum class Outside : unsigned {
   of_null,
   of_promise
 };
-/// What is required of a pointer, by itself: it is set, is not null, leads to so many bytes, is a multiple of
+/// A requirement on a pointer by itself: it is set, is not null, leads to so many bytes, is a multiple of
 /// a number, lies within its variable or behind its last byte, or so in its row or member.
 enum class Required : unsigned { set, not_null, bytes, aligned, in_whole, in_part };
 /// The reason why an access is not judged.

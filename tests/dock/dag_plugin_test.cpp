@@ -53,7 +53,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(WrongDagAnswer{"dag_merges_near", "dag.round_trip", "3", "map 1 index 63 state 0"},
                     WrongDagAnswer{"dag_forgets_the_second", "dag.round_trip", "0", "2 maps got 1"},
                     WrongDagAnswer{"dag_padding_set", "dag.round_trip", "0", "map 0 padding bits 0"},
-                    WrongDagAnswer{"dag_looks_in_the_first", "dag.lookup_is_decode", "3", "map 1 index 63 state 0"},
+                    WrongDagAnswer{"dag_looks_in_the_first", "dag.lookup_is_decode", "3",
+                                   "map 1 index 63 state 0"},
                     WrongDagAnswer{"dag_answers_no_scene", "dag.damaged_codes", "2", ""},
                     WrongDagAnswer{"dag_promises_the_container", "dag.canonical", "0", ""}),
     [](const auto& info) { return std::string(info.param.name); });
