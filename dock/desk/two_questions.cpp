@@ -18,7 +18,7 @@ constexpr std::size_t most_batches = 2;
 /// Kinds of questions on blobs that are kept for an entry point, and the most bytes of one.
 constexpr std::size_t most_kinds = 8, most_bytes = 1u << 16;
 /// Two threads repeat their batches for so long.
-constexpr std::chrono::milliseconds long_enough(1);
+constexpr std::chrono::microseconds long_enough(1500);
 
 }  // namespace
 
