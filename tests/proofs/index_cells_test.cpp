@@ -15,7 +15,7 @@
 namespace index_cells_test {
 
 using namespace mmverify::proofs;
-using namespace mmverify::proofs::index;
+using namespace mmverify::proofs::points;
 
 struct Visited {
   std::uint64_t cell;
