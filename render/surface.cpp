@@ -80,8 +80,8 @@ bool Surface::opaque(const impl::bake::BaseTriangle& uv, const Barycentrics& at,
     bool certain;
   };
   const double shift = nearest_ ? 0 : 0.5;
-  // Coordinates are in texels from texel 0's centre, or from its corner if nearest_.  Each operation is off
-  // by 2^-53 of its result, which is at most 4 size; there are eight.
+  // Coordinates are in texels from texel 0's centre, or from its corner if nearest_.  The bound `error` covers
+  // eight operations, each off by 2^-53 of a result of at most 4 size.
   const auto along = [&](double c0, double c1, double c2, std::uint32_t side) {
     const double p = c0 + at.u * (c1 - c0) + at.v * (c2 - c0);
     const double x = p * side - shift;

@@ -301,9 +301,8 @@ typedef struct mmverify_subject {
   void (*corners)(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
   /* The index and the corners in row order (Gruen et al.; Color and Attribute Micromaps, figure 4): a point on an edge
-   * belongs where that figure's rows, columns and diagonals put it, floor((1-w)N), floor(vN), floor((1-u)N) of exact
-   * numbers, w = 1-u-v, each N-1 at most and the column no greater than the row. Points are those of index_f32. Corners
-   * come in any order. */
+   * belongs where that figure's row, column and diagonal put it: min(N-1, floor((1-w)N)), min(row, floor(vN)) and
+   * min(N-1, floor((1-u)N)), of exact numbers, w = 1-u-v. Points are those of index_f32. Corners come in any order. */
   void (*row_index_f32)(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
   void (*row_corners)(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
@@ -311,7 +310,7 @@ typedef struct mmverify_subject {
    * from the least significant bit of each byte on: ceil(4^n b / 8) bytes, the bits after the last state
    * zero. States are T 0, O 1, UT 2, UO 3; a map in 2-state has the first two.
    *   - Bytes may lie at any address. No byte outside a buffer's size is read or written.
-   *   - A subject built against a header without these has a smaller `size`, and none of them is called.
+   *   - A subject built against a header without these entry points has a smaller `size`, and none is called.
    *
    * With the flag MMVERIFY_TREE_STREAM the codes are those of Succinct Opacity Micromaps, Algorithms 1 and 2:
    * the tree's bits in pre-order, 1 internal and 0 leaf, child 0 first, then from the next whole byte on the
@@ -350,7 +349,7 @@ typedef struct mmverify_subject {
 
   /* The map of level + 1 in which four children have their parent's state; and the map of level - 1. There a parent
    * is T or O if its children all are, else, in 4-state, UO if two or more are O or UO, else UT; in 2-state it is O
-   * if two or more are. Level 0 has no level below, and no question. */
+   * if two or more are. micromap_down is never called at level 0. */
   void (*micromap_up)(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* above);
   void (*micromap_down)(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* below);
 
@@ -442,10 +441,10 @@ typedef struct mmverify_subject {
                                 uint32_t* vertices, size_t count);
   void (*attribute_weights_f32)(uint32_t level, const float* u, const float* v, float* weights, size_t count);
 
-  /* The vertex (i, j) that the value of (i[k], j[k]) is read from if the edges of `flags` (MMVERIFY_EDGE_W_U, ...) have a
-   * neighbour of level n-1; at level 0 no edge has one: i0 j0 i1 j1 ...  An odd vertex of such an edge goes to an even
-   * neighbour on it, any other one stays, and the choice of the neighbour leaves no crack and turns no micro-triangle
-   * over. */
+  /* The vertex that the value of vertex (i[k], j[k]) is read from if the edges of `flags` (MMVERIFY_EDGE_W_U, ...)
+   * have a neighbour of level n-1, as i0 j0 i1 j1 ...  At level 0 no edge has one.  An odd vertex of such an edge goes
+   * to one of the two even vertices next to it on the edge, so chosen that no crack opens and no micro-triangle turns
+   * over; any other vertex stays. */
   void (*attribute_decimate)(uint32_t level, uint32_t flags, const uint32_t* i, const uint32_t* j,
                              uint32_t* place, size_t count);
 
@@ -457,9 +456,9 @@ typedef struct mmverify_subject {
   /* Maps of attributes from a texture (Color and Attribute Micromaps, 5.1): bytes R G B A for each micro-triangle in the
    * order of the curve, and for each micro-vertex in W-minor order.  Nonzero if it is baked; 0 if the subject does not
    * support the case, and then the bytes of `map` do not count.
-   *   - Faces: the mean of the texels under the micro-triangle, each by its share of the area.  Along a segment texels
-   *     weigh by how much of the micro-triangle maps to them, and a point has its own: the limits of triangles with an
-   *     area.
+   *   - Faces: the mean of the texels under the micro-triangle, each by its share of the area.  If it is
+   *     a segment in the texture, texels weigh by how much of the micro-triangle maps to them; if it is a point, its
+   *     texel counts alone: the limits of triangles with an area.
    *   - Vertices: the filter's value at the micro-vertex.
    *   - Means are of codes with MMVERIFY_LINEAR.  MMVERIFY_SRGB has R, G and B on the sRGB curve and averages light.
    *     MMVERIFY_NORMAL has directions 2 code / 255 - 1, whose mean is made one unit long again; MMVERIFY_NORMAL_AND_LENGTH
@@ -506,10 +505,11 @@ typedef struct mmverify_subject {
    *     come first and keep their maps; each triangle after them has an index, and no new record is unused.
    *   - An index is its record less base_triangle; maps share records from base_triangle on. A special index is -1 T,
    *     -2 O, -3 UT, -4 UO in the type's width, and base_triangle is no part of it.
-   *   - Each triangle keeps its level and format, and resolves to its own map. With a bound T and O may be UT or UO
-   *     in 4-state, in at most so many micro-triangles of each triangle; nothing else may change. Nothing has to be merged.
-   *   - The array's usage counts are its records' by level and format; the geometry's, of EXT, OptiX and NVAPI, those of its
-   *     triangles' records, special indices left out; other APIs have none. In any order. */
+   *   - Each triangle keeps its level and format, and resolves to its own map. With a bound, T and O may become UT or
+   *     UO in 4-state, in at most `bound` micro-triangles of each triangle; nothing else may change. Nothing has to be
+   *     merged.
+   *   - The array's usage counts are its records' by level and format. The geometry's, which EXT, OptiX and NVAPI alone
+   *     have, are its triangles', by their records' level and format, special indices left out. Both in any order. */
   size_t (*array_build)(const mmverify_array_case_t* what, uint8_t* answer, size_t capacity);
 
   /* The target of code[k] < 2^width in a geometry with base_triangle[k], over records[k] records: two numbers each, its
@@ -521,7 +521,7 @@ typedef struct mmverify_subject {
   /* Changes of arrays, after which each triangle of each geometry resolves as before.  Arrays are bytes as in
    * mmverify_array_parts, before and after; the size is returned, as by tree_encode.  Every plain index names a
    * record, every record's bytes lie in the data.
-   *   compact      without unused records and without the bytes of no record
+   *   compact      drops unused records, and bytes that no record uses
    *   reorder      all records, those in use first, in the order of their first use
    *   concatenate  two arrays, whose bytes follow each other: the first's records and geometries, then the second's
    * After compact and reorder the data has no gaps and no bytes behind the last record's. */
@@ -530,7 +530,8 @@ typedef struct mmverify_subject {
   size_t (*array_concatenate)(const uint8_t* arrays, size_t arrays_size, uint8_t* changed, size_t capacity);
 
   /* The file of an array, of version 1 or 2, and the array of a file, as mmverify_array_parts; sizes as by tree_encode.
-   * Version 2 holds every array; 0 if version 1 does not hold this one, and for bytes that are no file.
+   * Version 2 holds every array. array_save returns 0 if version 1 does not hold this one; array_load, for bytes that
+   * are no file.
    *   - Any form of file will do if each array that is saved is loaded unchanged.  With the flag MMVERIFY_ARRAY_FILES files
    *     are docs/ARRAYS.md's, byte by byte, and array_load refuses other bytes: cut short, one bit flipped, 0 bytes.  A
    *     file whose indices or records make no array ("Files" there lists them) may be loaded as it is, or refused. */
@@ -556,8 +557,8 @@ typedef struct mmverify_subject {
                        size_t capacity);
 
   /* The size of the scene of a code, and the scene, likewise; 0 if no scene has that code, which may be any bytes: cut
-   * short, 0 bytes, one bit flipped.  For codes of a subject's own form 0 or a scene is right, the same one at each
-   * call. */
+   * short, 0 bytes, one bit flipped.  If the form of the codes is the subject's own, such bytes may give 0 or any
+   * scene, the same at each call. */
   size_t (*dag_decode)(uint32_t format, const uint8_t* code, size_t code_size, uint8_t* scene,
                        size_t capacity);
 

@@ -5,8 +5,8 @@
 namespace mmverify::dock {
 namespace {
 
-/// The bytes of an answer by the entry point's result: a size is the code's, an int says whether the input
-/// was taken.
+/// Calls the entry point and returns the number of answered bytes: the size that it returns; 0 if it returns
+/// an int of 0, a refusal; else `room`.
 template <class F>
 std::uint64_t answer_bytes_of(F called, std::uint64_t room) {
   using Result = decltype(called());

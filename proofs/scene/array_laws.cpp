@@ -19,7 +19,7 @@ using mmverify::scene::TriangleUse;
 micromap::Input input_of(const Data& data, std::size_t primitive, const micromap::Bytes& records) {
   const mmverify::scene::PrimitiveIndices& indices = data.arrays.primitives[primitive];
   micromap::Input in;
-  // u8 indices, and anything else that EXT forbids, do not occur, so all sets of rules must hold.
+  // The rules of all APIs must hold: a scene's array has no u8 indices, and nothing else that EXT forbids.
   in.records = records;
   in.record_count = data.arrays.array.records.size();
   in.data = data.arrays.array.data;

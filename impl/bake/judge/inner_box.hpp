@@ -8,7 +8,7 @@
 
 namespace mmverify::impl::bake::detail {
 
-/// A rectangle, counted from the triangle's centroid.  Empty: left > right.
+/// A rectangle, relative to the triangle's centroid.  Empty: left > right.
 struct InnerBox {
   double left = 1, right = -1, top = 1, bottom = -1;
 };

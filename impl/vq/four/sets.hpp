@@ -47,8 +47,8 @@ inline constexpr std::size_t stored_entries = 13;  ///< the indices 3..15 are st
 using Places = std::array<std::int8_t, stored_entries>;
 std::optional<Places> places_of(const std::vector<Set4>& entries);
 
-/// Keeps the entries if they have places; else makes some smaller until they have, first the one that loses the sources
-/// least.  Domain: at most 13 entries, each codable.
+/// While the entries have no places, makes one of them smaller: the one, and in the way, after which the sources keep
+/// most.  Domain: at most 13 entries, each codable.
 void fit_places(std::vector<Set4>& entries, std::span<const Set4> sources);
 
 /// The block of a codebook with places; each vector takes the entry that keeps most of it.

@@ -22,7 +22,7 @@ std::uint64_t shared_edge_cases(Level n);
 SharedEdge shared_edge(Level n, std::uint64_t k);
 /// "edge=0,flags=1,beside=2,its-flags=0,at=3/8".
 std::string text_of(Level n, const SharedEdge& e);
-/// Throws BadCase.
+/// Reads what text_of() writes.  Throws BadCase for any other text.
 SharedEdge shared_edge_of_text(Level n, const std::string& text);
 
 /// The point on an edge of a map of any level.
