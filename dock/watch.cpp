@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -110,6 +112,23 @@ char state_of(int pid) {
   for (char state = 0; status >> name; std::getline(status, rest))
     if (name == "State:" && status >> state) return state;
   return 0;
+}
+
+double Waiting::seconds() {
+  constexpr int most_threads = 16;
+  std::uint64_t longest = 0;
+  std::error_code error;
+  std::filesystem::directory_iterator at(fmt::format("/proc/{}/task", pid_), error);
+  for (int k = 0; !error && at != std::filesystem::directory_iterator() && k < most_threads;
+       at.increment(error), ++k) {
+    std::ifstream file(at->path() / "schedstat");
+    std::uint64_t ran = 0, waited = 0;
+    if (!(file >> ran >> waited)) continue;
+    std::uint64_t& before = nanoseconds_[at->path().filename().string()];
+    longest = std::max(longest, waited - before);
+    before = waited;
+  }
+  return 1e-9 * static_cast<double>(longest);
 }
 
 }  // namespace mmverify::dock

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -58,5 +59,18 @@ std::string over(const Bounds& bounds, int pid);
 /// The kernel's letter for the process's state: 'T' stopped by a signal, 't' by a debugger; 0 if it has
 /// ended.
 char state_of(int pid);
+
+/// Time that threads of a process wait for a processor.
+class Waiting {
+ public:
+  explicit Waiting(int pid) : pid_(pid) { seconds(); }
+  /// Seconds since the last call, or the start, that the thread which waited most has waited; 0 if the kernel does not say.
+  /// One of the first 16 threads: a subject of hundreds would cost more to look at than to run.
+  double seconds();
+
+ private:
+  int pid_;
+  std::map<std::string, std::uint64_t> nanoseconds_;  ///< by thread, so far
+};
 
 }  // namespace mmverify::dock
