@@ -188,10 +188,11 @@ struct Pair { float a; uint b; };
     text_ += "  PAIR pair;\n  pair.a = 0.5f;\n  pair.b = 11u;\n";
     statements(7, 0, "  ");
     text_ += "  bool c = u > v; uint late; if (c) late = a0 * 3u; a1 += c ? late : 5u;\n";
-    // What is rare by chance is in each.
+    // What is rare by chance is in each. The product keeps the shuffle: glslang makes one extraction of .yx.x.
     text_ +=
         "  a0 += float_of(a2) < 2147483648.0f ? 1u : 2u;\n"
-        "  a1 ^= table[a3 % 7u] + word_of(findMSB(a2 | 2u)) + bits(OF_THREE(x0, x1, x2).yx.x);\n"
+        "  a1 ^= table[a3 % 7u] + word_of(findMSB(a2 | 2u)) + bits((OF_THREE(x0, x1, x2).yx * OF_TWO(3.0f, "
+        "0.5f)).x);\n"
         "  a3 += bits(clamp(u - v, 0.125f, 0.5f));\n"
         "  return a0 ^ a1 * 3u ^ a2 * 5u ^ a3 * 7u ^ bits(x0) ^ bits(x1) * 9u ^ bits(x2) * 11u ^ bits(x3) * "
         "13u ^\n"

@@ -246,9 +246,12 @@ uint32_t word_up_to(float) __asm__("llvm.fptoui.sat.i32.f32");
     text_ += fmt::format("  uint32_t a0 = {}u, a1 = (uint32_t)(u * 1000.0f), a2 = bits(v), a3 = {}u;\n",
                          random_.below(1u << 30), random_.below(10));
     statements(7, 0, "  ");
-    // What is rare by chance is in each: a sum that wraps, an order of words, a floor below 0.
+    // What is rare by chance is in each: a sum that wraps, an order of words, a floor below 0. A bit-field is in
+    // every other one: a mistake in its shifts reads bits that are never set, so the whole result is undefined
+    // and differs from nothing.
+    text_ += fmt::format("  a1 += {} ^ of_pair(paired(a1, a3)) ^ lower(x0);\n",
+                         number % 2 == 0 ? "second(a0, a2)" : "a0 >> 5 ^ a2");
     text_ +=
-        "  a1 += second(a0, a2) ^ of_pair(paired(a1, a3)) ^ lower(x0);\n"
         "  a0 += a1 * 3u + (a2 < a3 ? 17u : 0u) + (uint32_t)(int32_t)floorf((u - v) * 8.3f) * 19u;\n"
         "  return a0 ^ a2 * 5u ^ a3 * 7u ^ bits(x0) ^ bits(x1) * 9u ^ bits(x2) * 11u ^ bits(x3) * 13u;\n}\n";
   }
