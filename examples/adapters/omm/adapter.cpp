@@ -1,6 +1,5 @@
 // NVIDIA's Opacity Micro-Map SDK as a subject: ommCpuBake is judged as a baker.  Opaque is alpha > cutoff,
-// and mixed micro-triangles are UO.  States count as right within 8 bits of a texel's fraction, as devices
-// filter.
+// and mixed micro-triangles are UO.  States count as right within 8 bits of a texel's fraction.
 #include <omm.h>
 
 #include "examples/adapters/subject.hpp"
