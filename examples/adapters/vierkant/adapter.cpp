@@ -1,6 +1,5 @@
-// vierkant's generate_omm_data as a subject: it makes micromaps of a mesh of one triangle.  It stores
-// coordinates as binary16, so the adapter declines other coordinates, except in scenes.  It also declines
-// triangles of one state, for which the function makes no map.
+// vierkant's generate_omm_data as a subject: micromaps of a mesh of one triangle.  It stores coordinates as
+// binary16, so the adapter declines others, except in scenes, and triangles of one state, which get no map.
 #include <meshoptimizer.h>
 
 #include <map>
