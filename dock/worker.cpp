@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 #include "dock/broken.hpp"
 #include "dock/clean_text.hpp"
@@ -246,8 +247,9 @@ bool Worker::wait_for_turn(double seconds, bool loading) {
   constexpr Seconds longest_look(10e-3 * slice_milliseconds);
   std::uint64_t calls = mailbox_->calls.load(std::memory_order_relaxed);
   auto last = Clock::now();
-  // A busy machine is no fault of the subject: time without a processor does not count for a call.
-  Waiting waiting(pid_);
+  // A busy machine is no fault of the subject: time without a processor does not count for a call.  Most calls end within
+  // a slice, so nothing is read from the kernel for them.
+  std::optional<Waiting> waiting;
   Seconds of_call(0), of_command(0);
   std::uint32_t turn = 0;
   while ((turn = mailbox_->turn.load(std::memory_order_acquire)) == 1) {
@@ -259,7 +261,8 @@ bool Worker::wait_for_turn(double seconds, bool loading) {
     const Seconds look = std::min<Seconds>(now - last, longest_look);
     last = now;
     of_command += look;
-    of_call += std::max(Seconds(0), look - Seconds(waiting.seconds()));
+    if (!waiting) waiting.emplace(pid_);
+    of_call += std::max(Seconds(0), look - Seconds(waiting->seconds()));
     const std::uint64_t made = mailbox_->calls.load(std::memory_order_relaxed);
     const bool starting = static_cast<const volatile Report&>(mailbox_->report).outcome == Outcome::starting;
     if (loading ? starting : made != calls) {

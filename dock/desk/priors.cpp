@@ -22,12 +22,11 @@ enum class Prior {
   zeros_then_ones,
   ones_then_zeros
 };
-constexpr std::array of_numbers{Prior::another, Prior::right_ends, Prior::right_first_half,
-                                Prior::right_last_half, Prior::right_every_other};
-/// Bytes are also a half of zeros and a half of ones.
 constexpr std::array of_bytes{Prior::another,         Prior::right_ends,        Prior::right_first_half,
                               Prior::right_last_half, Prior::right_every_other, Prior::zeros_then_ones,
                               Prior::ones_then_zeros};
+/// Halves of zeros and of ones are for bytes alone.
+constexpr std::span of_numbers = std::span(of_bytes).first<5>();
 /// The first questions of a kind are asked over each; later ones over one in turn.
 constexpr std::uint32_t first_over_all = 16;
 

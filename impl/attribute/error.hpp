@@ -1,7 +1,7 @@
 // The error of a map against its texture: bounds on the exact error.
 //
-// On a micro-triangle within a cell between four texel centres, the difference is of degree 2 on a convex polygon: its
-// extremes are at corners and where it stands still along an edge, its square integrates in closed form.
+// The difference on a micro-triangle within a cell between four texel centres is of degree 2 on a convex polygon: its
+// extremes are at corners and where it stands still along an edge, and its square integrates in closed form.
 // Source: spec/attribute/error.hpp.  How: in binary64, and what rounding may amount to is added.
 #pragma once
 

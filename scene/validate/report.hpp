@@ -48,7 +48,7 @@ std::string found(const nlohmann::json& value);
 std::optional<std::uint64_t> whole(const nlohmann::json& value, std::uint64_t end = std::uint64_t{1} << 32);
 
 /// The bytes of a view that the extension names.  None, and a finding, if the view lies outside its buffer.
-/// In the newest draft, a byteStride is a finding too.
+/// A byteStride is a finding, too, in the newest draft.
 std::optional<std::span<const unsigned char>> plain_view(const Document& document, const Buffers& buffers,
                                                          std::size_t view, const std::string& pointer,
                                                          Report& report);

@@ -1,6 +1,6 @@
 // Attribute micromaps: the exact error of a map against its texture.
 //
-// On each texel, or cell between four centres, the sampled texture is a + b x + c y + d x y, and the shown map is
+// The sampled texture is a + b x + c y + d x y on each texel, or cell between four centres, and the shown map is
 // affine in (s, t).  Their difference e is of degree 2 on a convex part of the micro-triangle, with no other second
 // derivative than that of d x y.
 //   Largest |e|.  If x and y are independent, d x y is a saddle, and e has no extreme inside.  If they are not (a

@@ -138,7 +138,7 @@ foreach(wrong nothing old_header keeps_padding merges_ut_with_t promises_opaque 
   mmverify_add_wrong(several_${wrong} ${wrong} several right_tree mmverify::impl)
 endforeach()
 
-mmverify_add_test(worker_place_test mmverify::dock)
+mmverify_add_tests(worker_place_test worker_place_test watch_test LIBRARIES mmverify::dock)
 target_compile_definitions(worker_place_test PRIVATE MMVERIFY_SUBJECTS="${subjects_dir}"
   MMVERIFY_WORKER_PROGRAM="$<TARGET_FILE:mmverify-worker>")
 add_dependencies(worker_place_test mmverify-worker subject_tree_example)

@@ -188,7 +188,7 @@ struct Pair { float a; uint b; };
     text_ += "  PAIR pair;\n  pair.a = 0.5f;\n  pair.b = 11u;\n";
     statements(7, 0, "  ");
     text_ += "  bool c = u > v; uint late; if (c) late = a0 * 3u; a1 += c ? late : 5u;\n";
-    // What is rare by chance is in each. The product keeps the shuffle: glslang makes one extraction of .yx.x.
+    // Each function has the operations that are rare by chance. The product keeps the shuffle: glslang makes one extraction of .yx.x.
     text_ +=
         "  a0 += float_of(a2) < 2147483648.0f ? 1u : 2u;\n"
         "  a1 ^= table[a3 % 7u] + word_of(findMSB(a2 | 2u)) + bits((OF_THREE(x0, x1, x2).yx * OF_TWO(3.0f, "

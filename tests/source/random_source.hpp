@@ -246,7 +246,7 @@ uint32_t word_up_to(float) __asm__("llvm.fptoui.sat.i32.f32");
     text_ += fmt::format("  uint32_t a0 = {}u, a1 = (uint32_t)(u * 1000.0f), a2 = bits(v), a3 = {}u;\n",
                          random_.below(1u << 30), random_.below(10));
     statements(7, 0, "  ");
-    // What is rare by chance is in each: a sum that wraps, an order of words, a floor below 0. A bit-field is in
+    // Each function has the operations that are rare by chance: a sum that wraps, an order of words, a floor below 0. A bit-field is in
     // every other one: a mistake in its shifts reads bits that are never set, so the whole result is undefined
     // and differs from nothing.
     text_ += fmt::format("  a1 += {} ^ of_pair(paired(a1, a3)) ^ lower(x0);\n",

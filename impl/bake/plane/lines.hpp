@@ -10,8 +10,8 @@
 // computed dx and dy differ by 2 delta at most and |dy| >= 1, so that slopes differ by less than
 // 2^2 delta (1 + |s|), and lines on rows up to `reach` = 2^7 from (x', y') by less than
 //   (2^9 + 1) delta (1 + |s|).
-// In binary32, with whole rows and places within `reach` of the origin, the place at row 0, the slope and their sum are
-// rounded: 2^-24 each of at most 2^8 (1 + |s|), and once more if a margin is added or a strip's columns are taken off.
+// Rows are whole, and places lie within `reach` of the origin.  Binary32 rounds the place at row 0, the slope and their
+// sum: by 2^-24 each of at most 2^8 (1 + |s|), and once more if a margin is added or a strip's columns are taken off.
 // With
 //   margin (1 + |s|),   margin = 2^10 delta + 2^-12,
 // to spare, points of T are computed to be on T's side of a line, and points that are not are computed so.

@@ -8,7 +8,7 @@
 namespace mmverify::proofs::bake {
 
 /// Sample k of a seed, the same everywhere: textures of up to 7x7 texels of 8 bits, any addressing, bilinear, MASK.
-/// Of each 104 samples 64 are of the kinds k % 8: any; a sliver of 10^6 to 1; corners an ulp off texel lines; 10^6
+/// Each 104 samples have 64 of the kinds k % 8: any; a sliver of 10^6 to 1; corners an ulp off texel lines; 10^6
 /// repeats away; one alpha throughout, exactly at the cutoff or a step beside it; a line or a point; far below 0 or
 /// turned over; many repeats, with few values of alpha.  16 have micro-vertices a hair beside lines, and every second
 /// of these repeats the case before with other texels below its first row.  24 have one corner a step over a line, or
