@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "dock/library.hpp"
 #include "proofs/bake/subject.hpp"
 #include "proofs/engine/law.hpp"
+#include "subjects/dock/library.hpp"
 
 namespace mmverify::cli {
 

@@ -14,8 +14,8 @@
 #include "cli/read_json.hpp"
 #include "cli/streams.hpp"
 #include "cli/text.hpp"
-#include "gate/compare.hpp"
-#include "gate/runs.hpp"
+#include "delivery/gate/compare.hpp"
+#include "delivery/gate/runs.hpp"
 
 namespace mmverify::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cli/exit_code.hpp"
-#include "program/program.hpp"
+#include "subjects/program/program.hpp"
 
 namespace mmverify::cli {
 

@@ -8,7 +8,7 @@
 #include "cli/json_text.hpp"
 #include "cli/text.hpp"
 #include "cli/tool.hpp"
-#include "gate/seal.hpp"
+#include "delivery/gate/seal.hpp"
 #include "proofs/engine/kinds.hpp"
 
 namespace mmverify::cli {

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/exit_code.hpp"
-#include "gate/contradictions.hpp"
-#include "gate/seal.hpp"
+#include "delivery/gate/contradictions.hpp"
+#include "delivery/gate/seal.hpp"
 #include "proofs/engine/kinds.hpp"
 #include "scene/read/unique_names.hpp"
 

@@ -14,7 +14,7 @@
 #include "cli/report_input.hpp"
 #include "cli/report_pictures.hpp"
 #include "cli/streams.hpp"
-#include "report/page.hpp"
+#include "display/report/page.hpp"
 
 namespace mmverify::cli {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/read_json.hpp"
-#include "gate/contradictions.hpp"
-#include "gate/figures.hpp"
-#include "gate/schema.hpp"
+#include "delivery/gate/contradictions.hpp"
+#include "delivery/gate/figures.hpp"
+#include "delivery/gate/schema.hpp"
 
 namespace mmverify::cli {
 namespace {

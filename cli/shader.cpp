@@ -7,7 +7,7 @@
 
 #include "cli/exit_code.hpp"
 #include "proofs/registry/plugin.hpp"
-#include "shaders/compile/compile.hpp"
+#include "subjects/shaders/compile/compile.hpp"
 
 namespace mmverify::cli {
 namespace {

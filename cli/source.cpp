@@ -12,9 +12,9 @@
 #include "proofs/index/plugin_subject.hpp"
 #include "proofs/index/source/law.hpp"
 #include "proofs/registry/plugin.hpp"
-#include "shaders/compile/compile.hpp"
-#include "source/compile.hpp"
-#include "source/encode/encode.hpp"
+#include "subjects/shaders/compile/compile.hpp"
+#include "subjects/source/compile.hpp"
+#include "subjects/source/encode/encode.hpp"
 
 namespace mmverify::cli {
 namespace {

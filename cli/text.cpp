@@ -8,9 +8,9 @@
 
 #include "cli/arguments.hpp"
 #include "cli/streams.hpp"
-#include "dock/clean_text.hpp"
 #include "proofs/planning/plan.hpp"
 #include "proofs/registry/registry.hpp"
+#include "subjects/dock/clean_text.hpp"
 
 namespace mmverify::cli {
 

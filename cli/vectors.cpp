@@ -13,9 +13,9 @@
 #include "cli/exit_code.hpp"
 #include "cli/streams.hpp"
 #include "cli/vectors_folder.hpp"
+#include "delivery/vectors/families.hpp"
 #include "proofs/engine/interrupt.hpp"
-#include "shaders/compile/sha256.hpp"
-#include "vectors/families.hpp"
+#include "subjects/shaders/compile/sha256.hpp"
 
 namespace mmverify::cli {
 namespace {

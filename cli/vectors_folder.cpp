@@ -11,7 +11,7 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
-#include "vectors/families.hpp"
+#include "delivery/vectors/families.hpp"
 
 namespace mmverify::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "vectors/forms/forms.hpp"
+#include "delivery/vectors/forms/forms.hpp"
 
 namespace mmverify::cli {
 

@@ -14,7 +14,7 @@ if(TARGET mmverify-described)
   install(FILES ${described}/_mmverify DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
   install(FILES ${described}/mmverify.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 endif()
-install(DIRECTORY shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/mmverify FILES_MATCHING PATTERN *.glsl PATTERN *.rchit
+install(DIRECTORY subjects/shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/mmverify FILES_MATCHING PATTERN *.glsl PATTERN *.rchit
   PATTERN compile EXCLUDE PATTERN device EXCLUDE PATTERN speed EXCLUDE)
 file(GLOB documents CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md ${PROJECT_SOURCE_DIR}/docs/*.svg ${PROJECT_SOURCE_DIR}/docs/*.png)
 install(FILES ${documents} docs/result.schema.json docs/bench.schema.json docs/validate.schema.json docs/array.schema.json docs/vectors.schema.json LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -14,7 +14,7 @@ foreach(header IN LISTS public_headers)
   file(CONFIGURE OUTPUT ${installed}/${name} CONTENT "${text}" @ONLY)
 endforeach()
 # Subjects include it by its own name, too.
-configure_file(sdk/mmverify_subject.h ${installed}/mmverify/mmverify_subject.h COPYONLY)
+configure_file(subjects/sdk/mmverify_subject.h ${installed}/mmverify/mmverify_subject.h COPYONLY)
 file(CONFIGURE OUTPUT ${installed}/mmverify_subject.h CONTENT "#include \"mmverify/mmverify_subject.h\"\n")
 install(DIRECTORY ${installed}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h PATTERN *.hpp)
 

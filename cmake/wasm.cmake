@@ -25,9 +25,9 @@ set_target_properties(fmt::fmt PROPERTIES INTERFACE_COMPILE_DEFINITIONS FMT_HEAD
 mmverify_headers(PkgConfig::hwy hwy)
 mmverify_headers(TinyGLTF::TinyGLTF tiny_gltf.h nlohmann stb)
 add_library(TBB::tbb INTERFACE IMPORTED GLOBAL)
-target_include_directories(TBB::tbb SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/wasm/tbb)
+target_include_directories(TBB::tbb SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/delivery/wasm/tbb)
 add_library(pugixml::pugixml INTERFACE IMPORTED GLOBAL)
-target_include_directories(pugixml::pugixml SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/wasm/pugixml)
+target_include_directories(pugixml::pugixml SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/delivery/wasm/pugixml)
 mmverify_headers(stb stb)
 
 # For --version: which package each set of headers is of.

@@ -1,5 +1,5 @@
 // Someone else's codec or index function under attack: the shared library that MMVERIFY_SUBJECT names, behind
-// sdk/mmverify_subject.h.  Build it with -fsanitize=fuzzer-no-link,address and the fuzzer sees its branches
+// subjects/sdk/mmverify_subject.h.  Build it with -fsanitize=fuzzer-no-link,address and the fuzzer sees its branches
 // and its overruns; without the flags, it still sees its answers.
 //
 // Input: a byte that chooses the question, and the question's arguments.  Entry points that the library lacks
@@ -20,7 +20,7 @@
 #include "impl/micromap/micromap.hpp"
 #include "impl/tree/stream.hpp"
 #include "impl/vq/vq.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace {
 

@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "bench/scene/coder_files.hpp"
-#include "program/folder.hpp"
-#include "program/program.hpp"
 #include "scene/write/png.hpp"
+#include "subjects/program/folder.hpp"
+#include "subjects/program/program.hpp"
 
 namespace mmverify::bench {
 namespace {

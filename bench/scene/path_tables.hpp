@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bench/result.hpp"
-#include "render/scene/path.hpp"
+#include "display/render/scene/path.hpp"
 
 namespace mmverify::bench {
 

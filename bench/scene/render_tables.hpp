@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/result.hpp"
-#include "render/scene/compare.hpp"
+#include "display/render/scene/compare.hpp"
 
 namespace mmverify::bench {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flip/flip.hpp"
 #include "scene/attribute/picture.hpp"
+#include "scene/flip/flip.hpp"
 
 namespace mmverify::bench {
 namespace {

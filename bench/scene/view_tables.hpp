@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/result.hpp"
-#include "render/scene/views.hpp"
+#include "display/render/scene/views.hpp"
 
 namespace mmverify::bench {
 

@@ -7,9 +7,9 @@
 #include "cli/arguments.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/scene/loaded.hpp"
-#include "dock/worker.hpp"
 #include "proofs/scene/subject_maps.hpp"
 #include "scene/pipeline.hpp"
+#include "subjects/dock/worker.hpp"
 
 namespace mmverify::cli {
 namespace {

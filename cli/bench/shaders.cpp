@@ -1,8 +1,8 @@
 #include "cli/bench/shaders.hpp"
 
 #include "cli/exit_code.hpp"
-#include "shaders/compile/compile.hpp"
-#include "shaders/speed/speed.hpp"
+#include "subjects/shaders/compile/compile.hpp"
+#include "subjects/shaders/speed/speed.hpp"
 
 namespace mmverify::cli {
 

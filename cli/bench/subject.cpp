@@ -5,9 +5,9 @@
 #include "cli/arguments.hpp"
 #include "cli/bench/topics.hpp"
 #include "cli/exit_code.hpp"
-#include "dock/cost.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/registry/registry.hpp"
+#include "subjects/dock/cost.hpp"
 
 namespace mmverify::cli {
 

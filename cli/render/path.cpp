@@ -10,7 +10,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output_file.hpp"
 #include "cli/streams.hpp"
-#include "render/scene/path.hpp"
+#include "display/render/scene/path.hpp"
 #include "scene/pipeline.hpp"
 
 namespace mmverify::cli {

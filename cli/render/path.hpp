@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "render/scene/compare.hpp"
+#include "display/render/scene/compare.hpp"
 
 namespace mmverify::cli {
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "display/render/scene/views.hpp"
+#include "display/render/tracer.hpp"
 #include "proofs/engine/law.hpp"
-#include "render/scene/views.hpp"
-#include "render/tracer.hpp"
 
 namespace mmverify::cli {
 

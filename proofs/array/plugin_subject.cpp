@@ -5,10 +5,10 @@
 #include <cstring>
 #include <utility>
 
-#include "dock/codec.hpp"
-#include "dock/elements.hpp"
 #include "proofs/array/cases.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/dock/codec.hpp"
+#include "subjects/dock/elements.hpp"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::array {
 namespace {

@@ -6,12 +6,12 @@
 #include <cstring>
 #include <memory>
 
-#include "dock/codec.hpp"
-#include "dock/elements.hpp"
 #include "proofs/attribute/bake/plugin_subject.hpp"
 #include "proofs/attribute/elements.hpp"
 #include "proofs/attribute/subject_parts.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/dock/codec.hpp"
+#include "subjects/dock/elements.hpp"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::attribute {
 namespace {

@@ -5,7 +5,7 @@
 
 namespace mmverify::proofs::bake {
 
-/// "LEVEL FORMAT CASE" is answered by the map, packed as sdk/mmverify_subject.h has it, or - where the case is not
+/// "LEVEL FORMAT CASE" is answered by the map, packed as subjects/sdk/mmverify_subject.h has it, or - where the case is not
 /// supported; FORMAT is the bits of a state, 1 or 2; CASE is a text as text_of of case.hpp writes it, its texels all
 /// there.
 extern const pipe::Dialogue dialogue;

@@ -1,4 +1,4 @@
-// Baked maps as bytes: states from the least significant bit of each byte on, as sdk/mmverify_subject.h has them.
+// Baked maps as bytes: states from the least significant bit of each byte on, as subjects/sdk/mmverify_subject.h has them.
 #pragma once
 
 #include <cstdint>

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "dock/codec.hpp"
 #include "proofs/bake/packed.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/dock/codec.hpp"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::bake {
 namespace {

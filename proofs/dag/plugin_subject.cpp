@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "dock/codec.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/dock/codec.hpp"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::dag {
 namespace {

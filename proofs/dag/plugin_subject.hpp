@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "dock/library.hpp"
 #include "proofs/dag/subject.hpp"
+#include "subjects/dock/library.hpp"
 
 namespace mmverify::proofs::dag {
 

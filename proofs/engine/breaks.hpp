@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "dock/broken.hpp"
 #include "proofs/engine/result.hpp"
+#include "subjects/dock/broken.hpp"
 
 namespace mmverify::proofs {
 

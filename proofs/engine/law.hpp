@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "dock/broken.hpp"
 #include "proofs/engine/sweep.hpp"
+#include "subjects/dock/broken.hpp"
 
 namespace mmverify::proofs {
 

@@ -7,9 +7,9 @@
 #include <memory>
 #include <mutex>
 
-#include "dock/broken.hpp"
-#include "dock/elements.hpp"
 #include "proofs/index/subjects/rounded_subject.hpp"
+#include "subjects/dock/broken.hpp"
+#include "subjects/dock/elements.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

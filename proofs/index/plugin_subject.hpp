@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "dock/library.hpp"
 #include "proofs/index/subject.hpp"
+#include "subjects/dock/library.hpp"
 
 namespace mmverify::proofs::index {
 

@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "dock/codec.hpp"
+#include "subjects/dock/codec.hpp"
 
 namespace mmverify::proofs::micromap {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "dock/library.hpp"
 #include "proofs/engine/law.hpp"
 #include "proofs/pipe/questions.hpp"
+#include "subjects/dock/library.hpp"
 
 namespace mmverify::proofs {
 

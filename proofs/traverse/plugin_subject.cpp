@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "dock/codec.hpp"
-#include "dock/elements.hpp"
 #include "proofs/traverse/colours.hpp"
 #include "proofs/traverse/combinations.hpp"
 #include "proofs/traverse/words.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/dock/codec.hpp"
+#include "subjects/dock/elements.hpp"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::traverse {
 namespace {

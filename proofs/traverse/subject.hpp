@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "display/render/opacity.hpp"
 #include "proofs/engine/law.hpp"
-#include "render/opacity.hpp"
 #include "spec/traverse/blend.hpp"
 #include "spec/traverse/decision.hpp"
 

@@ -6,7 +6,7 @@
 namespace mmverify::proofs::tree {
 
 /// "encode LEVEL FORMAT MAP" is answered by the code, "decode LEVEL FORMAT CODE" by the map, or - where nobody encodes
-/// a map so; FORMAT is the bits of a state, 1 or 2; maps and codes are packed as sdk/mmverify_subject.h has them, the
+/// a map so; FORMAT is the bits of a state, 1 or 2; maps and codes are packed as subjects/sdk/mmverify_subject.h has them, the
 /// codes with MMVERIFY_TREE_STREAM.
 extern const pipe::Dialogue dialogue;
 

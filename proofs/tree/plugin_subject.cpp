@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "dock/codec.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/dock/codec.hpp"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::tree {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <bit>
 
-#include "dock/codec.hpp"
 #include "proofs/vq/texts.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/dock/codec.hpp"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::vq {
 namespace {

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "flip/flip.hpp"
 #include "impl/attribute/mip.hpp"
 #include "scene/attribute/atlas.hpp"
 #include "scene/attribute/charts.hpp"
 #include "scene/attribute/map_reading.hpp"
 #include "scene/attribute/reduced_texture.hpp"
 #include "scene/attribute/same_uvs.hpp"
+#include "scene/flip/flip.hpp"
 
 namespace mmverify::scene {
 namespace {

@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
-#include "flip/flip.hpp"
 #include "scene/attribute/reduced_texture.hpp"
+#include "scene/flip/flip.hpp"
 
 namespace mmverify::scene {
 

@@ -27,7 +27,7 @@ class Builder:
         log, library = self.work / f"{name}.log", self.work / f"{name}.so"
         log.write_text("", encoding="utf-8")
         library.unlink(missing_ok=True)
-        common = ["c++", "-std=c++20", "-O2", "-fPIC", "-w", f"-I{ROOT / 'sdk'}", f"-I{ROOT}"]
+        common = ["c++", "-std=c++20", "-O2", "-fPIC", "-w", f"-I{ROOT / 'subjects/sdk'}", f"-I{ROOT}"]
         if recipe["extract"]:
             common.append(f"-I{self.extracted(recipe, base, log)}")
         common += [flag.replace("{}", str(base)).replace("{0}", str(base)) for flag in recipe["flags"].split()]
@@ -55,7 +55,7 @@ class Builder:
         timer, log = self.work / "time_bakes", library.with_suffix(".log")
         if timer not in self.objects:
             source = ROOT / "examples/adapters/time_bakes.cpp"
-            if not self.run(log, ["c++", "-std=c++20", "-O2", f"-I{ROOT / 'sdk'}", source, "-o", timer]):
+            if not self.run(log, ["c++", "-std=c++20", "-O2", f"-I{ROOT / 'subjects/sdk'}", source, "-o", timer]):
                 raise Trouble(4, f"{source} does not build, see {log}")
             self.objects[timer] = timer
         told = subprocess.run([timer, library, *map(str, levels)], capture_output=True, text=True, timeout=600)

@@ -26,7 +26,7 @@
 #include "bench/sweep/tables.hpp"
 #include "bench/tree/tables.hpp"
 #include "bench/vq/tables.hpp"
-#include "gate/schema.hpp"
+#include "delivery/gate/schema.hpp"
 
 namespace {
 

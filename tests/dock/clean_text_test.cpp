@@ -1,5 +1,5 @@
 // Texts of subjects: what a terminal, a CI's log or JSON would trip over is written out, the rest stays.
-#include "dock/clean_text.hpp"
+#include "subjects/dock/clean_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The table of entry points beside the C header that it follows, read as text.
-#include "dock/entry_points.hpp"
+#include "subjects/dock/entry_points.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "dock/broken.hpp"
-#include "dock/codec.hpp"
-#include "dock/elements.hpp"
-#include "dock/library.hpp"
+#include "subjects/dock/broken.hpp"
+#include "subjects/dock/codec.hpp"
+#include "subjects/dock/elements.hpp"
+#include "subjects/dock/library.hpp"
 #include "tests/folder.hpp"
 #include "tests/sanitized.hpp"
 

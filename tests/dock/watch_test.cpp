@@ -1,5 +1,5 @@
 // The watch over a worker: time that a process waits for a processor, which is not its own.
-#include "dock/watch.hpp"
+#include "subjects/dock/watch.hpp"
 
 #include <gtest/gtest.h>
 #include <sched.h>

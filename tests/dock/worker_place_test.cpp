@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "dock/broken.hpp"
-#include "dock/library.hpp"
+#include "subjects/dock/broken.hpp"
+#include "subjects/dock/library.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include "proofs/induction/prover.hpp"
 #include "proofs/registry/statements.hpp"
-#include "shaders/compile/sha256.hpp"
+#include "subjects/shaders/compile/sha256.hpp"
 
 int main() {
   using namespace mmverify;

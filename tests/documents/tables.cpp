@@ -14,6 +14,8 @@
 #include <string_view>
 #include <utility>
 
+#include "delivery/vectors/families.hpp"
+#include "delivery/vectors/forms/forms.hpp"
 #include "impl/micromap/level.hpp"
 #include "impl/micromap/micromap.hpp"
 #include "proofs/engine/kinds.hpp"
@@ -22,8 +24,6 @@
 #include "proofs/registry/registry.hpp"
 #include "proofs/traverse/combinations.hpp"
 #include "scene/validate/issues.hpp"
-#include "vectors/families.hpp"
-#include "vectors/forms/forms.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "flip/flip.hpp"
+#include "scene/flip/flip.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // FLIP against its formulas, worked slowly, and against values of the authors' own program.
-#include "flip/flip.hpp"
+#include "scene/flip/flip.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

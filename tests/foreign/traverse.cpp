@@ -6,7 +6,7 @@
 #include <cstring>
 #include <optional>
 
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/foreign/fault.hpp"
 
 namespace {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "gate/compare.hpp"
-#include "gate/runs.hpp"
-#include "gate/seal.hpp"
+#include "delivery/gate/compare.hpp"
+#include "delivery/gate/runs.hpp"
+#include "delivery/gate/seal.hpp"
 #include "proofs/engine/journal.hpp"
 #include "tests/folder.hpp"
 #include "tests/sanitized.hpp"

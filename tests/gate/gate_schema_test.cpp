@@ -5,8 +5,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "gate/rules.hpp"
-#include "gate/schema.hpp"
+#include "delivery/gate/rules.hpp"
+#include "delivery/gate/schema.hpp"
 
 namespace {
 

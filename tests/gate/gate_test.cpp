@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "gate/compare.hpp"
-#include "gate/contradictions.hpp"
+#include "delivery/gate/compare.hpp"
+#include "delivery/gate/contradictions.hpp"
 
 namespace {
 

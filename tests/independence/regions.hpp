@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "dock/entry_points.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/dock/entry_points.hpp"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace mmverify::independence {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dock/entry_points.hpp"
+#include "subjects/dock/entry_points.hpp"
 
 extern "C" {
 const mmverify_subject_t* right_batched(void);

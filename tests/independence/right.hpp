@@ -1,7 +1,7 @@
 // A right function for every entry point of the table.
 #pragma once
 
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace mmverify::independence {
 

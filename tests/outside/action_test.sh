@@ -49,7 +49,7 @@ for name, job in workflow["jobs"].items():
             (folder / f"workflow-{name}-{index}.sh").write_text("#!/usr/bin/env bash\n" + step["run"] + "\n")
 PYTHON
 grep -qx impl_index_test < <("$root/scripts/arm64-tests" --list) || fail "scripts/arm64-tests does not know impl_index_test"
-for script in "$folder"/*.sh "$root"/packaging/action/* "$root"/scripts/bare-root-test "$root"/scripts/release/{bundle,deb,make,notes,sysroot,tarball,try}; do
+for script in "$folder"/*.sh "$root"/delivery/packaging/action/* "$root"/scripts/bare-root-test "$root"/scripts/release/{bundle,deb,make,notes,sysroot,tarball,try}; do
   bash -n "$script"
   ! command -v shellcheck >/dev/null || shellcheck --severity=warning "$script"
 done
@@ -68,7 +68,7 @@ chmod +x "$folder/stub/mmverify"
 stub() {
   local code=0
   env MMVERIFY_PROGRAM="$folder/stub/mmverify" MMVERIFY_SUBJECT="$folder/stub/mmverify" MMVERIFY_RESULTS="$folder/stub/results" \
-    GITHUB_OUTPUT="$folder/stub/output" MMVERIFY_LAWS="$1" MMVERIFY_ARGS="$2" "$root/packaging/action/prove" >"$folder/log" || code=$?
+    GITHUB_OUTPUT="$folder/stub/output" MMVERIFY_LAWS="$1" MMVERIFY_ARGS="$2" "$root/delivery/packaging/action/prove" >"$folder/log" || code=$?
   echo "$code $(<"$folder/stub/mmverify.said")"
 }
 said=$(stub $'index.in_range\nbake\n' $'--levels 0..2\n\n  --no-mutants\n')
@@ -93,7 +93,7 @@ tar -C "$folder" -cf - "$name" | gzip -1 >"$folder/release/$name.tar.gz"
 mkdir "$folder/project" "$folder/temp"
 cd "$folder/project"
 cp "$root/examples/subject/subject.c" mine.c
-build() { "${CC:-cc}" -O2 -shared -fPIC -I "$root/sdk" -o mine.so mine.c; }
+build() { "${CC:-cc}" -O2 -shared -fPIC -I "$root/subjects/sdk" -o mine.so mine.c; }
 build
 export GITHUB_ACTION_PATH=$root RUNNER_TEMP=$folder/temp GITHUB_OUTPUT=$folder/output GITHUB_PATH=$folder/path
 export MMVERIFY_VERSION=$version MMVERIFY_FROM=file://$folder/release MMVERIFY_SHA256=''

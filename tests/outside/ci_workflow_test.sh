@@ -32,7 +32,7 @@ cat >"$folder/project/CMakeLists.txt" <<CMAKE
 cmake_minimum_required(VERSION 3.25)
 project(mine LANGUAGES C)
 add_library(mine SHARED mine.c)
-target_include_directories(mine PRIVATE "$source_root/sdk")
+target_include_directories(mine PRIVATE "$source_root/subjects/sdk")
 CMAKE
 cd "$folder/project"
 # shellcheck disable=SC1091  # written above

@@ -27,10 +27,10 @@ holds proofs/vq/subject.hpp 'built_in_subjects('
 holds proofs/vq/plugin_subject.hpp 'plugin_subject('
 holds proofs/bake/subject.hpp 'Functions'
 holds proofs/bake/subject.cpp 'built_in_subjects('
-holds dock/entry_points.hpp 'Topic'
+holds subjects/dock/entry_points.hpp 'Topic'
 holds bench/table.hpp 'Column'
 holds bench/result.hpp 'Result'
-holds sdk/mmverify_subject.h 'mmverify_subject_t'
+holds subjects/sdk/mmverify_subject.h 'mmverify_subject_t'
 holds cmake/unite.cmake 'MMVERIFY_UNITE'
 ((failed == 0)) && echo "$document: $paths paths are there"
 exit "$failed"

@@ -14,17 +14,17 @@ skip() {
 }
 
 code=0
-why=$("$root/report/packages" "$home" --test) || code=$?
+why=$("$root/display/report/packages" "$home" --test) || code=$?
 ((code != 77)) || skip "$why"
 ((code == 0)) || exit 1
 export NODE_PATH=$home/node_modules
 
-node "$root/report/types.mjs" "$home/node_modules/mmverify"
-"$home/node_modules/.bin/tsc" --project "$root/page" --typeRoots "$home/node_modules/@types" --paths null --baseUrl "$home/node_modules"
-node "$root/report/test.mjs" unit "$root/page"
+node "$root/display/report/types.mjs" "$home/node_modules/mmverify"
+"$home/node_modules/.bin/tsc" --project "$root/display/page" --typeRoots "$home/node_modules/@types" --paths null --baseUrl "$home/node_modules"
+node "$root/display/report/test.mjs" unit "$root/display/page"
 
 [[ -f $package/mmverify.wasm ]] || skip "$package has no mmverify.wasm: emscripten makes it, ./run page builds it"
 chromium=${CHROMIUM:-$(command -v chromium || true)}
 [[ -n $chromium ]] || skip "no chromium to open the page in: ./run page-test installs it"
-node "$root/page/build.mjs" "$package" "$home/mmverify.html"
-MMVERIFY_PAGE=$home/mmverify.html MMVERIFY_PROGRAM=$program CHROMIUM=$chromium node "$root/report/test.mjs" page "$root/page"
+node "$root/display/page/build.mjs" "$package" "$home/mmverify.html"
+MMVERIFY_PAGE=$home/mmverify.html MMVERIFY_PROGRAM=$program CHROMIUM=$chromium node "$root/display/report/test.mjs" page "$root/display/page"

@@ -52,7 +52,7 @@ endif()
 # Scripts under test in the npm package and on the page, as far as they go without WebAssembly; without Node.js or npm's
 # registry skipped, and so said.
 if(NOT MMVERIFY_SANITIZE)
-  add_test(NAME script_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/script_test.sh ${PROJECT_BINARY_DIR}/report)
+  add_test(NAME script_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/script_test.sh ${PROJECT_BINARY_DIR}/display/report)
   set_tests_properties(script_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 120)
 endif()
 
@@ -60,7 +60,7 @@ endif()
 # skipped, and so said.
 if(NOT MMVERIFY_SANITIZE)
   add_test(NAME vectors_files COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/vectors_test.py $<TARGET_FILE:mmverify>
-    ${CMAKE_C_COMPILER} ${CMAKE_CXX_COMPILER} ${PROJECT_BINARY_DIR}/report)
+    ${CMAKE_C_COMPILER} ${CMAKE_CXX_COMPILER} ${PROJECT_BINARY_DIR}/display/report)
   set_tests_properties(vectors_files PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
 endif()
 

@@ -5,7 +5,7 @@ set -euo pipefail
 
 (($# == 2)) || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
 program=$(readlink -f -- "$1") home=$(readlink -m -- "$2")
-report=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../../report
+report=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../../display/report
 skip() {
   printf 'skipped: %s\n' "$*"
   exit 77

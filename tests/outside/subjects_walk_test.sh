@@ -6,7 +6,7 @@ set -euo pipefail
 
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../.."
 # shellcheck disable=SC2016  # the marks of code in Markdown
-script=$(sed -n '/^### From nothing to a gate/,/^### Finished maps/p' docs/SUBJECTS.md | sed -n '/^```sh$/,/^```$/{/^```/d;p}')
+script=$(sed -n '/^### From nothing to a delivery/gate/,/^### Finished maps/p' docs/SUBJECTS.md | sed -n '/^```sh$/,/^```$/{/^```/d;p}')
 [[ $(grep -c . <<<"$script") -ge 10 ]] || { echo "FAILED: docs/SUBJECTS.md has no walk"; exit 1; }
 TMPDIR=$(mktemp -d)
 export TMPDIR
@@ -20,7 +20,7 @@ grep -E 'results: |gate: green' "$TMPDIR/log"
 export MMVERIFY=$PWD PATH=$PWD/build/release/cli:$PATH
 cd "$(cat "$TMPDIR/folder")"
 sed -i 's/if (all != some) return/if (0) return/' mine.c
-cc -O2 -ffp-contract=off -shared -fPIC -I "$MMVERIFY/sdk" -o mine.so mine.c -lm
+cc -O2 -ffp-contract=off -shared -fPIC -I "$MMVERIFY/subjects/sdk" -o mine.so mine.c -lm
 again=$(grep '^mmverify ' <<<"$script" | tail -2)
 [[ $again == "mmverify prove "*$'\n'"mmverify gate "* ]] || { echo "FAILED: the walk does not end with a proof and its gate"; exit 1; }
 code=0

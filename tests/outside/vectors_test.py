@@ -2,7 +2,7 @@
 """The files of mmverify vectors: one content in three forms, whole, the same each time; and the readers of
 examples/vectors/ on them, spoilt ones too.
 
-usage: tests/outside/vectors_test.py MMVERIFY CC CXX HOME      HOME: where report/packages has put esbuild, if it has
+usage: tests/outside/vectors_test.py MMVERIFY CC CXX HOME      HOME: where display/report/packages has put esbuild, if it has
 Exit code 77: all is well but what Node.js or esbuild is missing for, and it says so."""
 import contextlib
 import copy

@@ -1,5 +1,5 @@
 // Programs of others: what they are given, how they end, and what they may take.
-#include "program/program.hpp"
+#include "subjects/program/program.hpp"
 
 #include <gtest/gtest.h>
 

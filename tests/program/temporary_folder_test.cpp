@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "program/folder.hpp"
+#include "subjects/program/folder.hpp"
 #include "tests/folder.hpp"
 
 namespace {

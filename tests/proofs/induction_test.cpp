@@ -20,7 +20,7 @@
 #include "proofs/induction/prover.hpp"
 #include "proofs/registry/registry.hpp"
 #include "proofs/registry/statements.hpp"
-#include "shaders/compile/sha256.hpp"
+#include "subjects/shaders/compile/sha256.hpp"
 #include "tests/folder.hpp"
 #include "tests/sanitized.hpp"
 

@@ -1,12 +1,12 @@
 // Hits that blend, by Embree.  Without Embree skipped, and so said.
-#include "render/blend.hpp"
+#include "display/render/blend.hpp"
 
 #include <gtest/gtest.h>
 
+#include "display/render/picture.hpp"
+#include "display/render/scene/colours_of.hpp"
+#include "display/render/scene/compare.hpp"
 #include "proofs/traverse/rays/sample_world.hpp"
-#include "render/picture.hpp"
-#include "render/scene/colours_of.hpp"
-#include "render/scene/compare.hpp"
 #include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"
 #include "tests/render/needs_embree.hpp"

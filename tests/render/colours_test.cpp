@@ -1,13 +1,13 @@
-// Attribute micromaps in the renderer, which reads shaders/attribute_api.glsl as C++: beside the library's own lookups.
+// Attribute micromaps in the renderer, which reads subjects/shaders/attribute_api.glsl as C++: beside the library's own lookups.
 #include <gtest/gtest.h>
 
 #include <random>
 #include <stdexcept>
 
+#include "display/render/attribute/colour_maps.hpp"
+#include "display/render/scene/colours_of.hpp"
 #include "impl/attribute/lookup.hpp"
 #include "impl/index/index.hpp"
-#include "render/attribute/colour_maps.hpp"
-#include "render/scene/colours_of.hpp"
 #include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"
 

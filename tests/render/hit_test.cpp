@@ -6,11 +6,11 @@
 #include <cstring>
 #include <random>
 
+#include "display/render/barycentrics.hpp"
+#include "display/render/opacity.hpp"
+#include "display/render/surface.hpp"
 #include "impl/bake/triangles.hpp"
 #include "impl/index/index.hpp"
-#include "render/barycentrics.hpp"
-#include "render/opacity.hpp"
-#include "render/surface.hpp"
 
 namespace {
 

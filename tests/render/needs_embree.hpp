@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/tracer.hpp"
+#include "display/render/tracer.hpp"
 
 #define NEEDS_EMBREE \
   if (!mmverify::render::has_embree()) GTEST_SKIP() << mmverify::render::embree_text()

@@ -1,12 +1,12 @@
 // render/: a scene along a random path.  Without Embree all of it is skipped, and so said.
-#include "render/scene/path.hpp"
+#include "display/render/scene/path.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
-#include "render/vectors.hpp"
+#include "display/render/vectors.hpp"
 #include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"
 #include "tests/render/needs_embree.hpp"

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <set>
 
+#include "display/render/picture.hpp"
+#include "display/render/scene/compare.hpp"
 #include "proofs/traverse/rays/conformance.hpp"
 #include "proofs/traverse/rays/sample_world.hpp"
-#include "render/picture.hpp"
-#include "render/scene/compare.hpp"
 #include "scene/read/load.hpp"
 #include "tests/render/needs_embree.hpp"
 

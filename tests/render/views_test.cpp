@@ -1,5 +1,5 @@
 // Views shaded by textures and by attribute micromaps.
-#include "render/scene/views.hpp"
+#include "display/render/scene/views.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
-#include "render/attribute/shading.hpp"
-#include "render/scene/texture_looks.hpp"
-#include "render/tracer.hpp"
+#include "display/render/attribute/shading.hpp"
+#include "display/render/scene/texture_looks.hpp"
+#include "display/render/tracer.hpp"
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"

@@ -10,11 +10,11 @@
 #include <regex>
 
 #include "bench/scene/astcenc.hpp"
-#include "program/program.hpp"
 #include "scene/attribute/equal_error.hpp"
 #include "scene/attribute/measure.hpp"
 #include "scene/attribute/reduced_texture.hpp"
 #include "scene/write/png.hpp"
+#include "subjects/program/program.hpp"
 #include "tests/environment.hpp"
 #include "tests/folder.hpp"
 

@@ -9,8 +9,8 @@
 #include <regex>
 
 #include "bench/scene/bc7enc.hpp"
-#include "program/program.hpp"
 #include "scene/write/png.hpp"
+#include "subjects/program/program.hpp"
 #include "tests/environment.hpp"
 #include "tests/folder.hpp"
 

@@ -4,7 +4,7 @@ mmverify_add_test(shader_device_test)
 foreach(test shader_compile_test shader_device_test)
   target_compile_definitions(${test} PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}"
     MMVERIFY_ROOT="${PROJECT_SOURCE_DIR}" MMVERIFY_SCRIPTS="${PROJECT_SOURCE_DIR}/scripts"
-    MMVERIFY_SHADER_SUBJECTS="${PROJECT_SOURCE_DIR}/shaders/subjects")
+    MMVERIFY_SHADER_SUBJECTS="${PROJECT_SOURCE_DIR}/subjects/shaders/subjects")
   add_dependencies(${test} mmverify mmverify-worker)
 endforeach()
 if(TEST shader_device_test)

@@ -5,11 +5,11 @@
 #include <iterator>
 #include <string>
 
-#include "program/program.hpp"
-#include "shaders/compile/compile.hpp"
-#include "shaders/compile/sha256.hpp"
-#include "shaders/compile/snippet.hpp"
-#include "shaders/compile/tools.hpp"
+#include "subjects/program/program.hpp"
+#include "subjects/shaders/compile/compile.hpp"
+#include "subjects/shaders/compile/sha256.hpp"
+#include "subjects/shaders/compile/snippet.hpp"
+#include "subjects/shaders/compile/tools.hpp"
 #include "tests/dock/plugin.hpp"
 #include "tests/sanitized.hpp"
 
@@ -362,7 +362,7 @@ TEST_F(ShaderFile, of_ours_compiles_and_is_valid) {
   const std::string spirv = (folder_ / "figure_5.spv").string();
   const Outcome o =
       shell("cd " MMVERIFY_ROOT " && glslangValidator -I. -V --target-env vulkan1.2 -o " + spirv +
-            " shaders/examples/figure_5.rchit && spirv-val --target-env vulkan1.2 " + spirv);
+            " subjects/shaders/examples/figure_5.rchit && spirv-val --target-env vulkan1.2 " + spirv);
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
 }
 

@@ -12,15 +12,15 @@
 
 #include "impl/index/index.hpp"
 #include "proofs/points/hard_floats.hpp"
-#include "shaders/compile/compile.hpp"
-#include "shaders/device/program.hpp"
+#include "subjects/shaders/compile/compile.hpp"
+#include "subjects/shaders/device/program.hpp"
 
 namespace {
 
 using namespace mmverify;
 
 constexpr std::size_t batch = 1 << 16, points = std::size_t{1} << 22;
-const std::string shaders_folder = std::string(MMVERIFY_ROOT) + "/shaders/";
+const std::string shaders_folder = std::string(MMVERIFY_ROOT) + "/subjects/shaders/";
 
 /// A snippet's index function, on a device.
 class OnDevice {

@@ -7,12 +7,12 @@
 #include <map>
 #include <memory>
 
-#include "render/scene/colours_of.hpp"
-#include "render/tracer.hpp"
+#include "display/render/scene/colours_of.hpp"
+#include "display/render/tracer.hpp"
 #include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"
-#include "shaders/compile/compile.hpp"
-#include "shaders/device/program.hpp"
+#include "subjects/shaders/compile/compile.hpp"
+#include "subjects/shaders/device/program.hpp"
 
 namespace mmverify::tests {
 namespace {

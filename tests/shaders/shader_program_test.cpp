@@ -15,8 +15,8 @@
 #include "impl/attribute/mip.hpp"
 #include "impl/attribute/order.hpp"
 #include "impl/index/index.hpp"
-#include "shaders/compile/compile.hpp"
-#include "shaders/device/program.hpp"
+#include "subjects/shaders/compile/compile.hpp"
+#include "subjects/shaders/device/program.hpp"
 
 namespace mmverify::tests {
 namespace {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "proofs/engine/random.hpp"
-#include "sdk/mmverify_subject.h"
-#include "source/compile.hpp"
+#include "subjects/sdk/mmverify_subject.h"
+#include "subjects/source/compile.hpp"
 
 namespace mmverify::tests {
 

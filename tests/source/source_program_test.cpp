@@ -1,8 +1,8 @@
 // Programs as text, and what is none.
 #include <gtest/gtest.h>
 
-#include "source/encode/encode.hpp"
-#include "source/program.hpp"
+#include "subjects/source/encode/encode.hpp"
+#include "subjects/source/program.hpp"
 
 namespace mmverify::source {
 namespace {

@@ -7,10 +7,10 @@
 #include <fstream>
 #include <optional>
 
-#include "program/folder.hpp"
-#include "program/program.hpp"
-#include "shaders/compile/compile.hpp"
-#include "source/compile.hpp"
+#include "subjects/program/folder.hpp"
+#include "subjects/program/program.hpp"
+#include "subjects/shaders/compile/compile.hpp"
+#include "subjects/source/compile.hpp"
 #include "tests/folder.hpp"
 #include "tests/source/opened.hpp"
 #include "tests/source/random_shader.hpp"

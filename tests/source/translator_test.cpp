@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "proofs/induction/prover.hpp"
-#include "source/compile.hpp"
-#include "source/encode/encode.hpp"
+#include "subjects/source/compile.hpp"
+#include "subjects/source/encode/encode.hpp"
 #include "tests/folder.hpp"
 #include "tests/source/opened.hpp"
 #include "tests/source/random_source.hpp"

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "impl/index/index.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "impl/mmverify.h"
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 
 static void must(int done) {
   if (!done) abort();

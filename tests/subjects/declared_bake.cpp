@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "impl/mmverify.h"
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"
 
 extern "C" const mmverify_subject_t* right_traverse(void);

@@ -24,9 +24,9 @@
 #include <string>
 #include <thread>
 
-#include "dock/futex.hpp"
-#include "dock/layout.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/dock/futex.hpp"
+#include "subjects/dock/layout.hpp"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 #include <cstdlib>
 
 #include "impl/index/index.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 
 #define RIGHT 0
 #define SEES_BATCH 1

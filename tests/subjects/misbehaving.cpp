@@ -15,7 +15,7 @@
 #include <thread>
 
 #include "impl/index/index.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"
 
 namespace {

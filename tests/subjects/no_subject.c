@@ -1,5 +1,5 @@
 /* A shared library that is no subject, or one from the future, chosen by FAULT when it is compiled. */
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 
 #if FAULT == 1
 const mmverify_subject_t* mmverify_subject_v1(void) {

@@ -9,7 +9,7 @@
 #include "impl/index/index.hpp"
 #include "impl/micromap/level.hpp"
 #include "impl/micromap/micromap.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"
 
 extern "C" const mmverify_subject_t* right_tree(void);

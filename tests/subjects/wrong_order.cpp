@@ -1,6 +1,6 @@
 // Wrong orders, one of them chosen when it is linked: those that have a name, and one that comes from level to level.
 #include "impl/index/index.hpp"
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"
 
 namespace {

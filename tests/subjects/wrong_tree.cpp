@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"
 
 extern "C" const mmverify_subject_t* right_tree(void);

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "vectors/builder.hpp"
-#include "vectors/families.hpp"
-#include "vectors/forms/part.hpp"
+#include "delivery/vectors/builder.hpp"
+#include "delivery/vectors/families.hpp"
+#include "delivery/vectors/forms/part.hpp"
 
 namespace mmverify::tests {
 

@@ -1,11 +1,11 @@
 // The forms of vectors, and what a builder refuses.
 #include <nlohmann/json.hpp>
 
-#include "shaders/compile/sha256.hpp"
+#include "delivery/vectors/binary32.hpp"
+#include "delivery/vectors/builder.hpp"
+#include "delivery/vectors/forms/forms.hpp"
+#include "subjects/shaders/compile/sha256.hpp"
 #include "tests/vectors/reading.hpp"
-#include "vectors/binary32.hpp"
-#include "vectors/builder.hpp"
-#include "vectors/forms/forms.hpp"
 
 namespace vectors_forms_test {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstring>
 
-#include "dock/codec.hpp"
 #include "proofs/attribute/bake/cases.hpp"
-#include "sdk/mmverify_subject.h"
 #include "spec/attribute/order.hpp"
+#include "subjects/dock/codec.hpp"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::attribute {
 namespace {

@@ -1,8 +1,8 @@
 // The baker of attribute maps of a shared library.
 #pragma once
 
-#include "dock/library.hpp"
 #include "proofs/attribute/bake/functions.hpp"
+#include "subjects/dock/library.hpp"
 
 namespace mmverify::proofs::attribute {
 

@@ -22,7 +22,7 @@ struct Cutoff {
   friend bool operator==(const Cutoff&, const Cutoff&) = default;
 };
 
-/// The rules by which a state is right: by default those of sdk/mmverify_subject.h, or those that a subject declares.
+/// The rules by which a state is right: by default those of subjects/sdk/mmverify_subject.h, or those that a subject declares.
 struct Rules {
   bool above = false;  ///< MASK: alpha must be above the cutoff to be opaque; else at least the cutoff
   spec::bake::Contact contact = spec::bake::Contact::closed;

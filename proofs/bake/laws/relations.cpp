@@ -356,7 +356,7 @@ std::vector<Law> relation_laws() {
                         "in one thing: its texels from the second row on, their order, the smaller mips, the "
                         "border, an addressing, the filter, a factor, the alpha mode, the cutoff, the "
                         "margin, a vertex, or sides exchanged",
-                .source = "sdk/mmverify_subject.h: an answer depends on nothing but the question",
+                .source = "mmverify_subject.h: an answer depends on nothing but the question",
                 .subjects = {"bake"},
                 .mutants = in_turn_mutants()},
                sample_in_turn, keeps_no_other, {}, count_in_turn),

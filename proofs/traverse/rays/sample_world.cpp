@@ -6,10 +6,10 @@
 #include <cstring>
 #include <span>
 
+#include "display/render/vectors.hpp"
 #include "impl/bake/square/map.hpp"
 #include "impl/bake/triangles.hpp"
 #include "impl/micromap/array.hpp"
-#include "render/vectors.hpp"
 
 namespace mmverify::proofs::traverse {
 namespace {

@@ -5,11 +5,11 @@
 #include <memory>
 #include <vector>
 
-#include "render/attribute/colour_maps.hpp"
-#include "render/camera.hpp"
-#include "render/opacity.hpp"
-#include "render/tracer.hpp"
-#include "render/world.hpp"
+#include "display/render/attribute/colour_maps.hpp"
+#include "display/render/camera.hpp"
+#include "display/render/opacity.hpp"
+#include "display/render/tracer.hpp"
+#include "display/render/world.hpp"
 
 namespace mmverify::proofs::traverse {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/foreign/bake/faults.hpp"
 
 namespace mmverify::tests::foreign::bake {

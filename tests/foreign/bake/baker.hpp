@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace mmverify::tests::foreign::bake {
 

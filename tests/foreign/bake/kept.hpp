@@ -1,7 +1,7 @@
 // Textures that a faulty baker has in mind from the case before.
 #pragma once
 
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace mmverify::tests::foreign::bake {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/foreign/bake/field.hpp"
 
 namespace mmverify::tests::foreign::bake {

@@ -1,7 +1,7 @@
 // Where a triangle lies among the texels of a mip.
 #pragma once
 
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/foreign/bake/numbers.hpp"
 
 namespace mmverify::tests::foreign::bake {

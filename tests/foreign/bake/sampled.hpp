@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/foreign/bake/addressing.hpp"
 #include "tests/foreign/bake/faults.hpp"
 #include "tests/foreign/bake/field.hpp"

@@ -1,6 +1,6 @@
 // A baker of opacity micromaps, written from the header, the design and the rules of Vulkan's samplers alone.
 // It is exact: whole numbers decide whatever binary64 leaves open.  One fault at a time can be built in.
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/foreign/bake/baker.hpp"
 #include "tests/foreign/bake/faults.hpp"
 #include "tests/foreign/bake/kept.hpp"

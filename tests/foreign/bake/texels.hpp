@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/foreign/bake/numbers.hpp"
 
 namespace mmverify::tests::foreign::bake {

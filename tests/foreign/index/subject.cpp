@@ -1,7 +1,7 @@
 // The index of a micro-triangle along Vulkan's curve and in rows, and back, written from the header, docs/INDEX.md
 // and the papers alone: exact for all numbers that it is given.  Each fault of the table is one slip inside this
 // code.
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/foreign/index/entry_points.hpp"
 #include "tests/foreign/index/faults.hpp"
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/foreign/tree/code.hpp"
 #include "tests/foreign/tree/faults.hpp"
 #include "tests/foreign/tree/lookup.hpp"

@@ -1,7 +1,7 @@
 // Square opacity maps, VQ2 and VQ4, written from "Compressed Opacity Maps" and docs/VQ.md alone, with faults to choose from.
 //
 // Right unless MMVERIFY_FAULT names a row of vq_faults.def; then it is wrong in that one way.
-#include "sdk/mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 #include "tests/foreign/vq/entry_points.hpp"
 #include "tests/foreign/vq/faults.hpp"
 

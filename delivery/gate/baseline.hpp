@@ -1,0 +1,32 @@
+// Baselines: files of a result's figures, one a line, so that a change shows in a diff.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "delivery/gate/figures.hpp"
+
+namespace mmverify::gate {
+
+struct Baseline {
+  std::string schema;     ///< the result's schema
+  std::string processor;  ///< the machine's processor; empty if the result names none
+  Settings settings;
+  Groups<Value> groups;
+};
+
+/// The figures without their rules.
+Baseline baseline_of(const Figures& figures);
+
+/// Whether the file's schema is that of a baseline.
+bool is_baseline(const nlohmann::ordered_json& file);
+
+/// The baseline in a file: the file is a baseline, or a result that serves as one. Throws NoResult.
+Baseline baseline_of(const nlohmann::ordered_json& file);
+
+/// Schema mmverify.baseline/1:
+///   {"schema": .., "of": the result's schema, "processor": .., "settings": {NAME: VALUE ..},
+///    "figures": {GROUP: {FIGURE: VALUE ..} ..}}
+std::string to_json(const Baseline& baseline);
+
+}  // namespace mmverify::gate

@@ -1,0 +1,61 @@
+// A scene seen from cameras of a random path, by every form of its micromaps and by the texture alone.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "display/render/scene/forms.hpp"
+#include "display/render/tracer.hpp"
+
+namespace mmverify::render {
+
+/// A camera of the path, and its frame by the texture alone.
+struct Seen {
+  std::uint64_t number = 0;
+  unsigned tries = 1;  ///< places tried until a ray met a triangle that gets a micromap
+  Camera camera;
+  Frame frame;
+};
+
+/// Camera `number` looks at a random point of a triangle that gets a micromap; each placed triangle is
+/// equally likely.  The direction is random.  The distance is from half the diagonal of the box around all
+/// surfaces down to a 64th of it.  If no ray meets such a triangle, the camera tries another place, up to
+/// `most_tries`.
+/// Domain: a world with such a triangle; cameras count from 1.
+/// Errors: as of Tracer::frame.
+Seen seen_on_path(const World& world, const Tracer& tracer, const TraceOptions& trace, std::uint64_t seed,
+                  std::uint64_t number);
+inline constexpr unsigned most_tries = 64;
+
+/// The first pixel that differs from the texture's frame, in the order of cameras, rows and columns.
+struct PixelOf {
+  std::uint64_t camera;
+  std::uint32_t x, y;
+};
+
+/// The frames of one form along a path, compared with the texture's.
+struct PathRow {
+  Method method = Method::texture;
+  std::optional<unsigned> level = {};
+  std::uint64_t frames = 0, pixels = 0, differing = 0;
+  Counts counts = {};
+  std::optional<PixelOf> first = {};
+};
+PathRow held_against(const std::vector<Seen>& path, const Tracer& tracer, const TraceOptions& trace,
+                     const Opacity& opacity);
+
+struct Path {
+  std::vector<Seen> cameras;
+  std::vector<PathRow> rows;  ///< the square maps' rows, then level by level
+  LeftOut left_out;
+};
+
+/// Law traverse.same_image on a scene: each pixel has the t, triangle, instance and light of the texture alone.
+/// Domain: as of each_forms(); a plan with triangles; at least one camera.
+/// Errors: as of each_forms() and Tracer::frame.
+Path along_path(const scene::Scene& scene, const scene::Plan& plan, const SceneWorld& world,
+                const Tracer& tracer, const FormsOptions& forms, const TraceOptions& trace,
+                std::uint64_t seed, std::uint64_t cameras);
+
+}  // namespace mmverify::render

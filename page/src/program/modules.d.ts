@@ -1,8 +1,0 @@
-// Modules that build.mjs puts in their place.
-declare module "worker-text" {
-  const text: string;
-  export default text;
-}
-declare module "mmverify-package" {
-  export const run: typeof import("../../../wasm/package/index").run;
-}

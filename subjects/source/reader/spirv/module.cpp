@@ -1,0 +1,187 @@
+#include "subjects/source/reader/spirv/module.hpp"
+
+#include <cstring>
+
+#include "subjects/source/reader/module.hpp"
+
+namespace mmverify::source {
+namespace {
+
+constexpr std::uint32_t magic = 0x07230203, swapped_magic = 0x03022307;
+constexpr std::size_t header_words = 5;
+constexpr std::uint32_t relaxed_precision = 0, fast_math = 40;  // decorations
+
+std::uint32_t swapped(std::uint32_t w) { return w << 24 | (w & 0xff00) << 8 | (w >> 8 & 0xff00) | w >> 24; }
+
+std::uint32_t first_word(const std::string& bytes) {
+  std::uint32_t word = 0;
+  if (bytes.size() >= sizeof word) std::memcpy(&word, bytes.data(), sizeof word);
+  return word;
+}
+
+/// The ids that an instruction begins with: a type and a result, a result alone, or neither.
+enum class Head { none, result, both };
+Head head_of(std::uint16_t opcode) {
+  switch (opcode) {
+    case spv::String:
+    case spv::ExtInstImport:
+    case spv::Label:
+      return Head::result;
+    case spv::Store:
+    case spv::NoLine:
+    case spv::Line:
+    case spv::Name:
+    case spv::FunctionEnd:
+      return Head::none;
+    default:
+      break;
+  }
+  if (opcode >= spv::TypeVoid && opcode <= 38) return Head::result;
+  const bool makes_nothing = opcode == 0 || opcode == 39 || (opcode >= 2 && opcode <= 10) ||
+                             (opcode >= 13 && opcode <= 18) || (opcode >= 62 && opcode <= 64) ||
+                             (opcode >= 71 && opcode <= 76) || (opcode >= spv::LoopMerge && opcode <= 257) ||
+                             opcode == 218 || opcode == 219 || opcode == 99 ||
+                             (opcode >= 220 && opcode <= 225) || opcode == 228 || opcode == 330 ||
+                             opcode == 331 || opcode == 332 || opcode >= 4416;
+  return makes_nothing ? Head::none : Head::both;
+}
+
+}  // namespace
+
+bool is_spirv(const std::string& bytes) {
+  return first_word(bytes) == magic || first_word(bytes) == swapped_magic;
+}
+
+std::string text_at(const std::vector<std::uint32_t>& operands, std::size_t at) {
+  std::string text;
+  for (; at < operands.size(); ++at)
+    for (unsigned k = 0; k < 32; k += 8) {
+      const char c = static_cast<char>(operands[at] >> k & 0xff);
+      if (c == 0) return text;
+      text += c;
+    }
+  throw CannotRead("no valid SPIR-V: a text without an end");
+}
+
+std::string opcode_name(std::uint16_t opcode) {
+  static const std::map<std::uint16_t, const char*> names{{87, "OpImageSampleImplicitLod"},
+                                                          {88, "OpImageSampleExplicitLod"},
+                                                          {95, "OpImageFetch"},
+                                                          {spv::ExtInst, "OpExtInst"},
+                                                          {136, "OpFDiv"},
+                                                          {140, "OpFRem"},
+                                                          {141, "OpFMod"},
+                                                          {148, "OpDot"},
+                                                          {144, "OpVectorTimesMatrix"},
+                                                          {145, "OpMatrixTimesVector"},
+                                                          {149, "OpIAddCarry"},
+                                                          {150, "OpISubBorrow"},
+                                                          {151, "OpUMulExtended"},
+                                                          {152, "OpSMulExtended"},
+                                                          {252, "OpKill"},
+                                                          {spv::Load, "OpLoad"},
+                                                          {spv::Store, "OpStore"},
+                                                          {spv::AccessChain, "OpAccessChain"},
+                                                          {spv::FunctionCall, "OpFunctionCall"}};
+  const auto found = names.find(opcode);
+  return found != names.end() ? found->second : "opcode " + std::to_string(opcode);
+}
+
+SpirvModule read_spirv_module(const std::string& bytes) {
+  const auto bad = [](const std::string& why) { throw CannotRead("no valid SPIR-V: " + why); };
+  if (bytes.size() % 4 != 0 || bytes.size() < 4 * header_words) bad("it is cut short");
+  std::vector<std::uint32_t> words(bytes.size() / 4);
+  std::memcpy(words.data(), bytes.data(), bytes.size());
+  if (words[0] == swapped_magic)
+    for (std::uint32_t& w : words) w = swapped(w);
+  SpirvModule module;
+  SpirvFunction* inside = nullptr;
+  std::uint32_t file = 0, line = 0;
+  for (std::size_t at = header_words; at < words.size();) {
+    const std::size_t count = words[at] >> 16;
+    if (count == 0 || at + count > words.size())
+      bad("an instruction at word " + std::to_string(at) + " is cut short");
+    Instruction i{static_cast<std::uint16_t>(words[at] & 0xffff)};
+    const Head head = head_of(i.opcode);
+    std::size_t next = at + 1;
+    const std::size_t end = at + count;
+    at = end;
+    if (head == Head::both && next < end) i.type = words[next++];
+    if (head != Head::none) {
+      if (next >= end) bad("an instruction has no result");
+      i.result = words[next++];
+    }
+    i.operands.assign(words.begin() + static_cast<std::ptrdiff_t>(next),
+                      words.begin() + static_cast<std::ptrdiff_t>(end));
+    i.file = file;
+    i.line = line;
+    const auto needs = [&](std::size_t operands) {
+      if (i.operands.size() < operands) bad("an instruction has too few operands");
+    };
+    switch (i.opcode) {
+      case spv::Name:
+        needs(2);
+        module.names[i.operands[0]] = text_at(i.operands, 1);
+        break;
+      case spv::String:
+        module.strings[i.result] = text_at(i.operands, 0);
+        break;
+      case spv::ExtInstImport:
+        module.sets[i.result] = text_at(i.operands, 0);
+        break;
+      case spv::Line:
+        needs(3);
+        file = i.operands[0];
+        line = i.operands[1];
+        break;
+      case spv::NoLine:
+        file = line = 0;
+        break;
+      case spv::ExecutionMode: {
+        constexpr std::uint32_t flush_to_zero = 4460, round_to_zero = 4463;
+        if (i.operands.size() < 3 || i.operands[2] < 32) break;
+        if (i.operands[1] == flush_to_zero)
+          module.foreign_promises.push_back("DenormFlushToZero: subnormal numbers are not kept");
+        if (i.operands[1] == round_to_zero)
+          module.foreign_promises.push_back("RoundingModeRTZ: numbers are not rounded to nearest");
+        break;
+      }
+      case spv::Decorate:
+        needs(2);
+        if (i.operands[1] == relaxed_precision) module.relaxed.insert(i.operands[0]);
+        if (i.operands[1] == fast_math)
+          module.foreign_promises.push_back("FPFastMathMode, which leaves values open");
+        break;
+      case spv::MemberDecorate:
+        needs(3);
+        if (i.operands[2] == relaxed_precision)
+          module.foreign_promises.push_back("RelaxedPrecision of a member: a device may compute in 16 bits");
+        break;
+      case spv::Function:
+        if (inside != nullptr) bad("a function in a function");
+        needs(2);
+        module.functions.push_back({i, {}, {}});
+        inside = &module.functions.back();
+        break;
+      case spv::FunctionEnd:
+        if (inside == nullptr) bad("the end of no function");
+        inside = nullptr;
+        file = line = 0;
+        break;
+      case spv::FunctionParameter:
+        if (inside == nullptr || !inside->body.empty()) bad("a parameter of no function");
+        inside->parameters.push_back(i);
+        break;
+      default:
+        if (inside != nullptr) {
+          inside->body.push_back(i);
+        } else if (i.result != 0) {
+          module.globals[i.result] = i;
+        }
+    }
+  }
+  if (inside != nullptr) bad("a function without an end");
+  return module;
+}
+
+}  // namespace mmverify::source
