@@ -5,45 +5,20 @@ namespace {
 
 namespace maps = mmverify::spec::micromap;
 
-const ArraySubject& of_array(const Subject& s) { return dynamic_cast<const ArraySubject&>(s); }
-
 }  // namespace
 
 Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {
   law.topic = "array";
   if (!law.how && law.method == Method::sample)
     law.how = [](const Subject&, Level) { return std::string("sample, by what a traversal reads"); };
-  if (law.at_once.empty())
-    law.unfit = [entries, levels = law.long_run](const Subject& subject,
-                                                 Level n) -> std::optional<std::string> {
-      const auto* s = dynamic_cast<const ArraySubject*>(&subject);
-      if (s == nullptr) return "not a subject of topic array";
-      for (const Entry& e : entries)
-        if (!e.there(s->functions)) return fmt::format("{} has no entry point {}", s->name(), e.name);
-      if (n < levels.first || n > levels.last)
-        return fmt::format("it is about levels {} to {}", levels.first, levels.last);
-      return std::nullopt;
-    };
-  else
-    law.unfit = [entries](const Subject& subject, Level) -> std::optional<std::string> {
-      const auto* s = dynamic_cast<const ArraySubject*>(&subject);
-      if (s == nullptr) return "not a subject of topic array";
-      for (const Entry& e : entries)
-        if (!e.there(s->functions)) return fmt::format("{} has no entry point {}", s->name(), e.name);
-      return std::nullopt;
-    };
-  return on_numbered_cases(
-      std::move(law), {[count = cases.count](Level n, const Run&) { return count(n); },
-                       [check = cases.check](const Subject& s, Level n, std::uint64_t k, const Run& run) {
-                         return check(of_array(s), n, k, run);
-                       },
-                       [text = cases.text](const Subject&, Level n, std::uint64_t k, const Run& run) {
-                         return text(n, k, run);
-                       },
-                       [read = cases.read](const Subject& s, Level n, const std::string& at) {
-                         return read(of_array(s), n, at);
-                       },
-                       cases.chunk, Kind::interior});
+  law.unfit = unless_of_topic<ArraySubject>(
+      lacking<ArraySubject>(std::move(entries),
+                            [levels = law.long_run, one_run = !law.at_once.empty()](
+                                const ArraySubject&, Level n) -> std::optional<std::string> {
+                              if (one_run || (levels.first <= n && n <= levels.last)) return std::nullopt;
+                              return fmt::format("it is about levels {} to {}", levels.first, levels.last);
+                            }));
+  return on_cases_of(std::move(law), std::move(cases));
 }
 
 Finding built(const ArraySubject& s, const BuildCase& c, Check check) {

@@ -24,14 +24,7 @@ inline constexpr char counts_source[] =
     "VkMicromapUsageEXT; DXR 1.28, OPACITY_MICROMAP_HISTOGRAM_ENTRY; OptiX, OptixOpacityMicromapUsageCount";
 inline constexpr char here[] = "this project's definition, docs/ARRAYS.md";
 
-/// Cases by number: the count at a level, the check of a case, its text, and the check of a text.
-struct Cases {
-  std::function<std::uint64_t(Level)> count;
-  std::function<Finding(const ArraySubject&, Level, std::uint64_t k, const Run&)> check;
-  std::function<std::string(Level, std::uint64_t k, const Run&)> text;
-  std::function<Finding(const ArraySubject&, Level, const std::string&)> read;
-  std::uint64_t chunk = 512;
-};
+using Cases = CasesOf<ArraySubject>;
 
 /// The law on numbered cases, at levels `fast.first` to `long_run.last`.
 Law on_cases(Law law, std::vector<Entry> entries, Cases cases);

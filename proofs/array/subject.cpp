@@ -1,7 +1,5 @@
 #include "proofs/array/subject.hpp"
 
-#include <stdexcept>
-
 #include "impl/array/build.hpp"
 #include "impl/array/change.hpp"
 #include "impl/array/container.hpp"
@@ -142,20 +140,6 @@ const std::vector<ArraySubjectPtr>& built_in_subjects() {
       std::make_shared<const ArraySubject>("array-spec", "spec/array: state by state", specified()),
       std::make_shared<const ArraySubject>("array", "impl/array", library())};
   return all;
-}
-
-ArraySubjectPtr built_in(const std::string& name) {
-  for (const ArraySubjectPtr& s : built_in_subjects())
-    if (s->name() == name) return s;
-  throw std::logic_error("array: no subject " + name);
-}
-
-Mutant mutant(const std::string& name, const std::string& base, Levels levels,
-              const std::function<void(Functions&)>& change) {
-  Functions functions = built_in(base)->functions;
-  change(functions);
-  return {name, std::make_shared<const ArraySubject>(name, "broken on purpose", std::move(functions)),
-          levels};
 }
 
 }  // namespace mmverify::proofs::array

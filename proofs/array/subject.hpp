@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/engine/law.hpp"
+#include "proofs/engine/topic.hpp"
 #include "spec/array/build.hpp"
 #include "spec/array/change.hpp"
 #include "spec/array/container.hpp"
@@ -62,6 +62,7 @@ struct Reference {
 
 /// The entry points of a subject; an empty function is a missing entry point.  Several threads may call at once.
 struct Functions {
+  static constexpr char topic[] = "array";
   /// Nothing if the builder refuses.  It may refuse if some index does not fit.
   std::function<std::optional<Answer>(const BuildCase&)> build = {};
   std::function<std::vector<Target>(const Reading&, std::span<const Reference>)> targets = {};
@@ -74,13 +75,11 @@ struct Functions {
   /// A 4-state map of a level above `most`, converted to level `most`.
   std::function<Bytes(Level n, Level most, std::span<const std::uint8_t> four_state)> emulate = {};
   std::function<std::vector<std::uint64_t>(std::span<const std::uint32_t>)> blocks = {};
+  /// No values lie between arrays.
+  bool exact_answers() const { return true; }
 };
 
-/// An entry point that a law needs, and its name in messages.
-struct Entry {
-  const char* name;
-  bool (*there)(const Functions&);
-};
+using Entry = EntryOf<Functions>;
 namespace entry {
 inline constexpr Entry build{"build", [](const Functions& f) { return bool{f.build}; }};
 inline constexpr Entry targets{"resolve", [](const Functions& f) { return bool{f.targets}; }};
@@ -94,31 +93,18 @@ inline constexpr Entry emulate{"emulate", [](const Functions& f) { return bool{f
 inline constexpr Entry blocks{"blocks", [](const Functions& f) { return bool{f.blocks}; }};
 }  // namespace entry
 
-class ArraySubject final : public Subject {
- public:
-  ArraySubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
-      : Subject("array", std::move(name), std::move(about)),
-        functions(std::move(functions)),
-        fingerprint_(std::move(fingerprint)) {}
-  /// Array answers are exact: no values lie between them.
-  bool exact() const override { return true; }
-  std::string fingerprint() const override { return fingerprint_; }
-
-  const Functions functions;
-
- private:
-  std::string fingerprint_;
-};
+using ArraySubject = SubjectOf<Functions>;
 using ArraySubjectPtr = std::shared_ptr<const ArraySubject>;
 
 /// array-spec, the specification; array, the library.
 const std::vector<ArraySubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: a subject has that name.
-ArraySubjectPtr built_in(const std::string& name);
+inline ArraySubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
 
 /// A subject with one deliberate error.
-Mutant mutant(const std::string& name, const std::string& base, Levels levels,
-              const std::function<void(Functions&)>& change);
+inline Mutant mutant(const std::string& name, const std::string& base, Levels levels,
+                     const std::function<void(Functions&)>& change) {
+  return changed(*built_in(base), name, levels, change);
+}
 
 }  // namespace mmverify::proofs::array

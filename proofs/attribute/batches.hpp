@@ -79,7 +79,7 @@ Law on_batches(Law law, Lacks lacks, Batches<Element> cases) {
   };
   law.cases = [cases, count_of](Level n, const Run& run) { return cases.settings.size() * count_of(n, run); };
   law.judge = [cases, count_of](const Subject& subject, Level n, const Run& run) {
-    const AttributeSubject& s = of_attribute(subject);
+    const AttributeSubject& s = subject_as<AttributeSubject>(subject);
     const std::uint64_t count = count_of(n, run);
     return sweep(
         run, cases.settings.size() * count, elements_per_chunk,
@@ -115,7 +115,7 @@ Law on_batches(Law law, Lacks lacks, Batches<Element> cases) {
         as_one_case(cases.kind));
   };
   law.replay = [cases](const Subject& subject, Level n, const std::string& at) -> Replayed {
-    const AttributeSubject& s = of_attribute(subject);
+    const AttributeSubject& s = subject_as<AttributeSubject>(subject);
     const auto colon = at.find(':');
     const auto setting = std::find(cases.settings.begin(), cases.settings.end(), at.substr(0, colon));
     if (colon == std::string::npos || setting == cases.settings.end())

@@ -1,7 +1,5 @@
 #include "proofs/attribute/subject.hpp"
 
-#include <stdexcept>
-
 #include "proofs/attribute/subject_parts.hpp"
 
 namespace mmverify::proofs::attribute {
@@ -73,19 +71,6 @@ const std::vector<AttributeSubjectPtr>& built_in_subjects() {
       of_remap("attribute-two-f32", "weights by two of its equations, in binary32", Remap::two),
   };
   return all;
-}
-
-AttributeSubjectPtr built_in(const std::string& name) {
-  for (const AttributeSubjectPtr& s : built_in_subjects())
-    if (s->name() == name) return s;
-  throw std::logic_error("no subject of topic attribute is called " + name);
-}
-
-Mutant mutant(const char* name, const std::string& base, Levels levels,
-              const std::function<void(Functions&)>& change) {
-  Functions functions = built_in(base)->functions;
-  change(functions);
-  return {name, std::make_shared<AttributeSubject>(name, "broken on purpose", std::move(functions)), levels};
 }
 
 }  // namespace mmverify::proofs::attribute

@@ -13,12 +13,13 @@
 #include "proofs/attribute/mips/functions.hpp"
 #include "proofs/attribute/orders/functions.hpp"
 #include "proofs/attribute/packing/functions.hpp"
-#include "proofs/engine/law.hpp"
+#include "proofs/engine/topic.hpp"
 
 namespace mmverify::proofs::attribute {
 
 /// The entry points of a subject; an empty function is a missing entry point.  Several threads may call at once.
 struct Functions {
+  static constexpr char topic[] = "attribute";
   Level max_level = 16;  ///< the highest level that it is defined at
   bool exact = true;     ///< it computes exactly, so that its answers on cells decide all points
   Orders orders = {};
@@ -27,32 +28,21 @@ struct Functions {
   Mips mips = {};
   Baking baking = {};
   Compression compression = {};
+  bool exact_answers() const { return exact; }
 };
 
-class AttributeSubject : public Subject {
- public:
-  AttributeSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
-      : Subject("attribute", std::move(name), std::move(about)),
-        functions(std::move(functions)),
-        fingerprint_(std::move(fingerprint)) {}
-  bool exact() const override { return functions.exact; }
-  std::string fingerprint() const override { return fingerprint_; }
-
-  const Functions functions;
-
- private:
-  std::string fingerprint_;
-};
+using AttributeSubject = SubjectOf<Functions>;
 using AttributeSubjectPtr = std::shared_ptr<const AttributeSubject>;
 
 /// The specification attribute-spec; this project's library attribute, batch by batch; and readings of the paper.
 const std::vector<AttributeSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: a subject has that name.
-AttributeSubjectPtr built_in(const std::string& name);
+inline AttributeSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
 
 /// A subject with one deliberate error.
-Mutant mutant(const char* name, const std::string& base, Levels levels,
-              const std::function<void(Functions&)>& change);
+inline Mutant mutant(const std::string& name, const std::string& base, Levels levels,
+                     const std::function<void(Functions&)>& change) {
+  return changed(*built_in(base), name, levels, change);
+}
 
 }  // namespace mmverify::proofs::attribute

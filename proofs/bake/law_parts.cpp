@@ -9,22 +9,19 @@ namespace {
 
 constexpr Level highest_level = 12;
 
-const BakeSubject& of_bake(const Subject& s) { return dynamic_cast<const BakeSubject&>(s); }
-
 }  // namespace
 
 Law on_cases(Law law, const Cases& cases, const Check& check, const Draw& draw, const Lacks& lacks) {
   law.topic = "bake";
   if (law.long_run == Levels{}) law.long_run = law.fast;
-  law.unfit = [lacks](const Subject& s, Level n) -> std::optional<std::string> {
-    const auto* subject = dynamic_cast<const BakeSubject*>(&s);
-    if (subject == nullptr) return "not a subject of topic bake";
-    if (n > highest_level) return fmt::format("bakers go up to level {}", highest_level);
-    const Support& support = subject->functions.support;
-    if (n > support.max_level) return fmt::format("it declares levels up to {}", support.max_level);
-    if (!support.four_state) return "it declares no maps in 4-state";
-    return lacks ? lacks(*subject, n) : std::nullopt;
-  };
+  law.unfit =
+      unless_of_topic<BakeSubject>([lacks](const BakeSubject& s, Level n) -> std::optional<std::string> {
+        if (n > highest_level) return fmt::format("bakers go up to level {}", highest_level);
+        const Support& support = s.functions.support;
+        if (n > support.max_level) return fmt::format("it declares levels up to {}", support.max_level);
+        if (!support.four_state) return "it declares no maps in 4-state";
+        return lacks ? lacks(s, n) : std::nullopt;
+      });
   law.domain = [domain = law.domain](const Subject& s, Level n) {
     const auto* subject = dynamic_cast<const BakeSubject*>(&s);
     std::string text = domain(s, n);
@@ -39,22 +36,23 @@ Law on_cases(Law law, const Cases& cases, const Check& check, const Draw& draw, 
     const bool more = sampled && run.cases != 0 && n >= first && n < first + lowest;
     return more ? std::max(of_tier, (run.cases + lowest - 1) / lowest) : of_tier;
   };
-  NumberedCases by_number{count,
-                          [cases, check](const Subject& s, Level n, std::uint64_t k, const Run& run) {
-                            return check(of_bake(s),
-                                         cases.number(of_bake(s).functions.support, n, k, run.seed), n, k);
-                          },
-                          [cases](const Subject& s, Level n, std::uint64_t k, const Run& run) {
-                            return text_of(cases.number(of_bake(s).functions.support, n, k, run.seed));
-                          },
-                          [check](const Subject& s, Level n, const std::string& at) {
-                            return check(of_bake(s), case_from(at), n, std::nullopt);
-                          },
-                          cases.chunk,
-                          Kind::interior};
+  NumberedCases by_number{
+      count,
+      [cases, check](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+        return check(subject_as<BakeSubject>(s),
+                     cases.number(subject_as<BakeSubject>(s).functions.support, n, k, run.seed), n, k);
+      },
+      [cases](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+        return text_of(cases.number(subject_as<BakeSubject>(s).functions.support, n, k, run.seed));
+      },
+      [check](const Subject& s, Level n, const std::string& at) {
+        return check(subject_as<BakeSubject>(s), case_from(at), n, std::nullopt);
+      },
+      cases.chunk,
+      Kind::interior};
   if (draw)
     by_number.draw = [draw](const Subject& s, Level n, const std::string& at) {
-      return draw(of_bake(s), case_from(at), n);
+      return draw(subject_as<BakeSubject>(s), case_from(at), n);
     };
   return on_numbered_cases(std::move(law), by_number);
 }

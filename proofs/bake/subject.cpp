@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <stdexcept>
 #include <type_traits>
 
 #include "impl/bake/triangles.hpp"
@@ -153,19 +152,6 @@ const std::vector<BakeSubjectPtr>& built_in_subjects() {
               })),
   };
   return all;
-}
-
-BakeSubjectPtr built_in(const std::string& name) {
-  for (const BakeSubjectPtr& s : built_in_subjects())
-    if (s->name() == name) return s;
-  throw std::logic_error("no subject of topic bake is called " + name);
-}
-
-Mutant mutant(const char* name, const std::string& base, Levels levels,
-              const std::function<void(Functions&)>& change) {
-  Functions functions = built_in(base)->functions;
-  change(functions);
-  return {name, std::make_shared<BakeSubject>(name, "broken on purpose", std::move(functions)), levels};
 }
 
 Mutant spoiled(const char* name, const std::string& base, Levels levels, const Spoil& spoil) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "proofs/bake/support.hpp"
+#include "proofs/engine/topic.hpp"
 
 namespace mmverify::proofs::bake {
 
@@ -23,36 +24,24 @@ struct Baked {
 
 /// The baking function of a subject, and the rules that it follows.
 struct Functions {
+  static constexpr char topic[] = "bake";
   /// Nothing if the subject does not support the case.  Several threads may call at once.
   std::function<std::optional<Baked>(const Case&, Level, Format)> bake = {};
   bool centroid = false;  ///< its unknown states are those of spec/bake/state.hpp, micro_state
   Support support = {};   ///< cases are drawn inside it
   bool tight = true;      ///< it promises that a state is unknown only if it has to be
-};
-
-class BakeSubject : public Subject {
- public:
-  BakeSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
-      : Subject("bake", std::move(name), std::move(about)),
-        functions(std::move(functions)),
-        fingerprint_(std::move(fingerprint)) {}
   /// A baker answers for whole micro-triangles.
-  bool exact() const override { return true; }
-  std::string fingerprint() const override { return fingerprint_; }
-
-  const Functions functions;
-
- private:
-  std::string fingerprint_;
+  bool exact_answers() const { return true; }
 };
+
+using BakeSubject = SubjectOf<Functions>;
 using BakeSubjectPtr = std::shared_ptr<const BakeSubject>;
 
 /// The specification bake-spec; this project's baker bake; and two that sample, centre-sample and corner-samples,
 /// which bake.conservative refutes.
 const std::vector<BakeSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: a subject has that name.
-BakeSubjectPtr built_in(const std::string& name);
+inline BakeSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
 
 /// A mutant's change to the states of a map in 4-state.
 using Spoil = std::function<void(const Case&, Level, std::vector<State>&)>;
@@ -61,7 +50,9 @@ using Spoil = std::function<void(const Case&, Level, std::vector<State>&)>;
 Mutant spoiled(const char* name, const std::string& base, Levels levels, const Spoil& spoil);
 
 /// A subject with one deliberate error.
-Mutant mutant(const char* name, const std::string& base, Levels levels,
-              const std::function<void(Functions&)>& change);
+inline Mutant mutant(const std::string& name, const std::string& base, Levels levels,
+                     const std::function<void(Functions&)>& change) {
+  return changed(*built_in(base), name, levels, change);
+}
 
 }  // namespace mmverify::proofs::bake

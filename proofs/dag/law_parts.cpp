@@ -7,20 +7,13 @@
 namespace mmverify::proofs::dag {
 namespace {
 
-const DagSubject& dag_of(const Subject& s) { return dynamic_cast<const DagSubject&>(s); }
-
-std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries,
-                                                                         Levels within, const char* about) {
-  return [=](const Subject& subject, Level n) -> std::optional<std::string> {
-    const auto* s = dynamic_cast<const DagSubject*>(&subject);
-    if (s == nullptr) return "not a subject of topic dag";
-    for (const Entry e : entries)
-      if (!e.there(s->functions)) return fmt::format("{} has no entry point {}", s->name(), e.name);
-    if (n > s->functions.max_level)
-      return fmt::format("{} is defined up to level {}", s->name(), s->functions.max_level);
-    if (n < within.first || n > within.last) return about;
-    return std::nullopt;
-  };
+Unfit needing(std::vector<Entry> entries, Levels within, const char* about) {
+  return unless_of_topic<DagSubject>(lacking<DagSubject>(
+      std::move(entries), [=](const DagSubject& s, Level n) -> std::optional<std::string> {
+        if (auto why = above_its_levels(s, n)) return why;
+        if (n < within.first || n > within.last) return about;
+        return std::nullopt;
+      }));
 }
 
 std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
@@ -28,14 +21,15 @@ std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
 Law on_numbers(Law law, const Check& check, const std::function<std::uint64_t(Level)>& count,
                const std::function<Scene(Level, std::uint64_t)>& scene, std::uint64_t chunk) {
   return on_numbered_cases(
-      std::move(law),
-      {[=](Level n, const Run&) { return count(n); },
-       [=](const Subject& s, Level n, std::uint64_t k, const Run&) { return check(dag_of(s), scene(n, k)); },
-       [](const Subject&, Level, std::uint64_t k, const Run&) { return text_of_number(k); },
-       [=](const Subject& s, Level n, const std::string& at) {
-         return check(dag_of(s), scene(n, number_from_text(at, count(n))));
-       },
-       chunk, Kind::interior});
+      std::move(law), {[=](Level n, const Run&) { return count(n); },
+                       [=](const Subject& s, Level n, std::uint64_t k, const Run&) {
+                         return check(subject_as<DagSubject>(s), scene(n, k));
+                       },
+                       [](const Subject&, Level, std::uint64_t k, const Run&) { return text_of_number(k); },
+                       [=](const Subject& s, Level n, const std::string& at) {
+                         return check(subject_as<DagSubject>(s), scene(n, number_from_text(at, count(n))));
+                       },
+                       chunk, Kind::interior});
 }
 
 }  // namespace
@@ -73,18 +67,18 @@ Law on_sampled(Law law, std::vector<Entry> entries, std::function<std::uint64_t(
   if (!law.how)
     law.how = [](const Subject&, Level) { return std::string("sample, against the specification"); };
   law.unfit = needing(std::move(entries), {0, law.long_run.last}, "it is run up to a lower level");
-  return on_numbered_cases(std::move(law), {[count](Level n, const Run&) { return count(n); },
-                                            [=](const Subject& s, Level n, std::uint64_t k, const Run& run) {
-                                              return check(dag_of(s), sampled(n, run.seed, k));
-                                            },
-                                            [](const Subject&, Level, std::uint64_t k, const Run& run) {
-                                              return text_of_sample(run.seed, k);
-                                            },
-                                            [=](const Subject& s, Level n, const std::string& at) {
-                                              const auto [seed, k] = sample_from_text(at);
-                                              return check(dag_of(s), sampled(n, seed, k));
-                                            },
-                                            1, Kind::interior});
+  return on_numbered_cases(
+      std::move(law),
+      {[count](Level n, const Run&) { return count(n); },
+       [=](const Subject& s, Level n, std::uint64_t k, const Run& run) {
+         return check(subject_as<DagSubject>(s), sampled(n, run.seed, k));
+       },
+       [](const Subject&, Level, std::uint64_t k, const Run& run) { return text_of_sample(run.seed, k); },
+       [=](const Subject& s, Level n, const std::string& at) {
+         const auto [seed, k] = sample_from_text(at);
+         return check(subject_as<DagSubject>(s), sampled(n, seed, k));
+       },
+       1, Kind::interior});
 }
 
 }  // namespace
@@ -107,12 +101,6 @@ Law on_many_maps(Law law, std::vector<Entry> entries, Check check) {
   return on_sampled(
       std::move(law), std::move(entries), [](Level) -> std::uint64_t { return 6; }, many_maps,
       std::move(check));
-}
-
-Mutant mutant(const char* name, const char* base, Levels levels, const Change& change) {
-  Functions functions = built_in(base)->functions;
-  change(functions);
-  return {name, std::make_shared<DagSubject>(name, "broken on purpose", std::move(functions)), levels};
 }
 
 Change encodes_another(std::function<void(Scene&)> spoil) {

@@ -30,9 +30,11 @@ Law many_maps_law();
 /// The law of damaged codes of any form.
 Law damaged_codes_law();
 
-/// A built-in subject with one deliberate error.
 using Change = std::function<void(Functions&)>;
-Mutant mutant(const char* name, const char* base, Levels levels, const Change& change);
+/// A built-in subject with one deliberate error.
+inline Mutant mutant(const char* name, const char* base, Levels levels, const Change& change) {
+  return changed(*built_in(base), name, levels, change);
+}
 
 /// A mutant that encodes another scene.
 Change encodes_another(std::function<void(Scene& scene)> spoil);

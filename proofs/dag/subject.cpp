@@ -1,7 +1,5 @@
 #include "proofs/dag/subject.hpp"
 
-#include <stdexcept>
-
 #include "impl/dag/container.hpp"
 #include "impl/dag/dag.hpp"
 #include "proofs/points/exact_float.hpp"
@@ -134,12 +132,6 @@ const std::vector<DagSubjectPtr>& built_in_subjects() {
       subject("dag", "this project's library", of_library()),
       subject("dag-loaded", "this project's library, saved and loaded after each map", loaded())};
   return all;
-}
-
-DagSubjectPtr built_in(const std::string& name) {
-  for (const DagSubjectPtr& s : built_in_subjects())
-    if (s->name() == name) return s;
-  throw std::logic_error("no built-in dag subject " + name);
 }
 
 }  // namespace mmverify::proofs::dag

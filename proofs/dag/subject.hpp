@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/engine/law.hpp"
+#include "proofs/engine/topic.hpp"
 #include "spec/dag/words.hpp"
 
 namespace mmverify::proofs::dag {
@@ -56,6 +56,7 @@ using Numbers = std::span<const std::uint32_t>;
 /// The entry points of a subject; an empty function is a missing entry point.  Every subject has encode and decode.
 /// Several threads may call at once.
 struct Functions {
+  static constexpr char topic[] = "dag";
   std::function<Code(const Scene& scene)> encode = {};
   std::function<Scene(const Code& code)> decode = {};
   /// Writes one state for each element: that of map[k] at index[k].
@@ -70,13 +71,11 @@ struct Functions {
   /// Whether the bytes that it writes, and those that it reads, are docs/DAG.md's containers.
   bool writes_container = false, reads_container = false;
   Level max_level = 12;
+  /// Answers on floats decide no other points, since the index of barycentrics is computed anew each time.
+  bool exact_answers() const { return !point; }
 };
 
-/// An entry point that a law needs beside encoding and decoding, and its name in messages.
-struct Entry {
-  const char* name;
-  bool (*there)(const Functions&);
-};
+using Entry = EntryOf<Functions>;
 namespace entry {
 inline constexpr Entry lookup{"map, index -> state", [](const Functions& f) { return bool{f.lookup}; }};
 inline constexpr Entry point{"map, barycentrics -> state", [](const Functions& f) { return bool{f.point}; }};
@@ -87,29 +86,13 @@ inline constexpr Entry reads{"container of docs/DAG.md -> maps",
                              [](const Functions& f) { return f.open && f.reads_container; }};
 }  // namespace entry
 
-class DagSubject : public Subject {
- public:
-  DagSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
-      : Subject("dag", std::move(name), std::move(about)),
-        functions(std::move(functions)),
-        fingerprint_(std::move(fingerprint)) {}
-  /// Answers on floats decide no other points, since the index of barycentrics is computed anew each time.
-  bool exact() const override { return !functions.point; }
-  std::string fingerprint() const override { return fingerprint_; }
-
-  const Functions functions;
-
- private:
-  std::string fingerprint_;
-};
-
+using DagSubject = SubjectOf<Functions>;
 using DagSubjectPtr = std::shared_ptr<const DagSubject>;
 
 /// The built-in subjects dag-spec, dag and dag-loaded.
 const std::vector<DagSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: a subject has that name.
-DagSubjectPtr built_in(const std::string& name);
+inline DagSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
 
 /// The state of micro-triangle k.  Domain: k < 4^level.
 inline std::uint8_t state_at(const Map& map, Format f, std::uint64_t k) {

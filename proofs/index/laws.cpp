@@ -41,8 +41,10 @@ Law equals_reference_law() {
           .judge = judged_by(equals_reference),
           .replay = replayed_by(replay_equals_reference),
           .mutants = wrong_in_rationals(),
-          .diagnose = [](const Subject& s,
-                         const std::vector<Result>& results) { return diagnose(of_index(s), results); },
+          .diagnose =
+              [](const Subject& s, const std::vector<Result>& results) {
+                return diagnose(subject_as<IndexSubject>(s), results);
+              },
           .heeds = {&interiors_only, &in_fixed_point_alone},
           .knows_near = true,
           .companion = "index.exact_on_floats"};

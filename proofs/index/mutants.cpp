@@ -42,12 +42,6 @@ Change on_rationals(std::function<std::uint32_t(Level, const RationalPoint&)> Fu
   };
 }
 
-Mutant mutant(const char* name, const char* base, Levels levels, const Change& change) {
-  Functions functions = built_in(base)->functions;
-  change(functions);
-  return {name, std::make_shared<IndexSubject>(name, "broken on purpose", std::move(functions)), levels};
-}
-
 Change on_points(PointChange change, bool on_rationals) {
   return [=](Functions& f) {
     each_point(change, false)(f);

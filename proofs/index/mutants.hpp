@@ -7,9 +7,11 @@
 
 namespace mmverify::proofs::index {
 
-/// A built-in subject with one deliberate error.
 using Change = std::function<void(Functions&)>;
-Mutant mutant(const char* name, const char* base, Levels levels, const Change& change);
+/// A built-in subject with one deliberate error.
+inline Mutant mutant(const char* name, const char* base, Levels levels, const Change& change) {
+  return changed(*built_in(base), name, levels, change);
+}
 
 /// (level, point, true answer) -> answer.
 using PointChange = std::function<std::uint32_t(Level, const GridPoint&, std::uint32_t)>;

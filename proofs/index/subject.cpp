@@ -51,8 +51,6 @@ std::string to_string(Arithmetic a) {
 }
 
 IndexSubject::IndexSubject(std::string name, std::string about, Functions functions, std::string fingerprint)
-    : Subject("index", std::move(name), std::move(about)),
-      functions(completed(std::move(functions))),
-      fingerprint_(std::move(fingerprint)) {}
+    : SubjectOf(std::move(name), std::move(about), completed(std::move(functions)), std::move(fingerprint)) {}
 
 }  // namespace mmverify::proofs::index

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/engine/law.hpp"
+#include "proofs/engine/topic.hpp"
 #include "proofs/index/points.hpp"
 
 namespace mmverify::proofs::index {
@@ -46,6 +46,7 @@ enum class CornerOrder { undeclared, of_children, base_u_v };
 /// The entry points of a subject; an empty function is a missing entry point, unless a comment names its replacement.
 /// Several threads may call at once.  Answers go to `out`, which is as long as the input.
 struct Functions {
+  static constexpr char topic[] = "index";
   Arithmetic arithmetic = Arithmetic::exact;
   Level max_level = 16;
   /// The preferred number of points in a batch: one row, cut at row_batch, or more, gathered from many rows.
@@ -86,13 +87,11 @@ struct Functions {
   Level max_wide_level = 0;
   std::function<void(Level n, const Row& row, std::span<std::uint64_t> out)> wide_index = {};
   std::function<std::uint64_t(Level n, const RationalPoint& p)> wide_index_at = {};
+
+  bool exact_answers() const { return arithmetic == Arithmetic::exact; }
 };
 
-/// An entry point that a law needs, and its name in messages.
-struct Entry {
-  const char* name;
-  bool (*there)(const Functions&);
-};
+using Entry = EntryOf<Functions>;
 namespace entry {
 inline constexpr Entry index{"barycentrics -> index", [](const Functions& f) { return bool{f.index}; }};
 inline constexpr Entry corners{"index -> corners", [](const Functions& f) { return bool{f.corners}; }};
@@ -104,26 +103,18 @@ inline constexpr Entry wide_index{"barycentrics -> 64-bit index",
                                   [](const Functions& f) { return f.wide_index && f.wide_index_at; }};
 }  // namespace entry
 
-class IndexSubject : public Subject {
+class IndexSubject : public SubjectOf<Functions> {
  public:
+  /// Each empty function that has a replacement gets it.
   IndexSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {});
-
-  bool exact() const override { return functions.arithmetic == Arithmetic::exact; }
-  std::string fingerprint() const override { return fingerprint_; }
   /// Whether binary64 numbers reach it unrounded.
   bool takes_doubles() const { return exact() || functions.arithmetic == Arithmetic::binary64; }
-
-  const Functions functions;  ///< with replacements for empty ones
-
- private:
-  std::string fingerprint_;
 };
 using IndexSubjectPtr = std::shared_ptr<const IndexSubject>;
 
 /// The built-in subjects: name, description, arithmetic.
 const std::vector<IndexSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: a subject has that name.
-IndexSubjectPtr built_in(const std::string& name);
+inline IndexSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
 
 }  // namespace mmverify::proofs::index

@@ -8,8 +8,6 @@
 namespace mmverify::proofs::micromap {
 namespace {
 
-const MicromapSubject& of_micromap(const Subject& s) { return dynamic_cast<const MicromapSubject&>(s); }
-
 PackedMap packed(const Map& map) { return {map.level, map.format, map.packed}; }
 
 // A 4-state map of a sample; 2-state ones are widened, state by state.
@@ -61,30 +59,17 @@ Finding same(const char* what, const Bytes& expected, const Bytes& got) {
 Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {
   if (!law.how && law.method == Method::sample)
     law.how = [](const Subject&, Level) { return std::string("sample, against the specification"); };
-  law.unfit = [entries, levels = law.long_run, exhaustive = law.method == Method::exhaustive](
-                  const Subject& subject, Level n) -> std::optional<std::string> {
-    const auto* s = dynamic_cast<const MicromapSubject*>(&subject);
-    if (s == nullptr) return "not a subject of topic micromap";
-    for (const Entry e : entries)
-      if (!e.there(s->functions)) return fmt::format("{} has no entry point {}", s->name(), e.name);
-    if (n < levels.first) return fmt::format("it is about level {} and above", levels.first);
-    if (exhaustive && n > levels.last)
-      return fmt::format("all cases are run up to level {} only; samples go beyond", levels.last);
-    if (n > 12) return "samples have levels up to 12";
-    return std::nullopt;
-  };
-  return on_numbered_cases(
-      std::move(law), {[count = cases.count](Level n, const Run&) { return count(n); },
-                       [check = cases.check](const Subject& s, Level n, std::uint64_t k, const Run& run) {
-                         return check(of_micromap(s), n, k, run);
-                       },
-                       [text = cases.text](const Subject&, Level n, std::uint64_t k, const Run& run) {
-                         return text(n, k, run);
-                       },
-                       [replay = cases.replay](const Subject& s, Level n, const std::string& at) {
-                         return replay(of_micromap(s), n, at);
-                       },
-                       cases.chunk, Kind::interior});
+  law.unfit = unless_of_topic<MicromapSubject>(lacking<MicromapSubject>(
+      std::move(entries),
+      [levels = law.long_run, exhaustive = law.method == Method::exhaustive](
+          const MicromapSubject&, Level n) -> std::optional<std::string> {
+        if (n < levels.first) return fmt::format("it is about level {} and above", levels.first);
+        if (exhaustive && n > levels.last)
+          return fmt::format("all cases are run up to level {} only; samples go beyond", levels.last);
+        if (n > 12) return "samples have levels up to 12";
+        return std::nullopt;
+      }));
+  return on_cases_of(std::move(law), std::move(cases));
 }
 
 Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, MapCheck check) {
@@ -126,7 +111,7 @@ std::string asked_of(const MicromapSubject& s) {
 Law on_any_part(Law law) {
   law.unfit = [fits = law.unfit](const Subject& subject, Level n) -> std::optional<std::string> {
     if (auto why = fits(subject, n)) return why;
-    const MicromapSubject& s = of_micromap(subject);
+    const MicromapSubject& s = subject_as<MicromapSubject>(subject);
     for (const auto& [entry, name] : map_parts)
       if (entry.there(s.functions)) return std::nullopt;
     return s.name() + " has no entry point pack, force2, up, down or modes";
@@ -140,7 +125,7 @@ Law on_samples(Law law, std::vector<Entry> entries, Maps maps, MapCheck check) {
   law.domain = [maps, parts](const Subject& s, Level n) {
     return fmt::format("noise, leaves, blocks, alternating and all-but-one maps of level {}, {}{}", n,
                        maps == Maps::both_formats ? "both formats" : "4-state",
-                       parts ? asked_of(of_micromap(s)) : "");
+                       parts ? asked_of(subject_as<MicromapSubject>(s)) : "");
   };
   law = on_cases(std::move(law), std::move(entries),
                  {[](Level n) -> std::uint64_t {

@@ -34,14 +34,7 @@ Finding all(const Finding& first, const Findings&... rest) {
   }
 }
 
-/// Cases by number: the count at a level, the check of a case, its text, and the check of a text.
-struct Cases {
-  std::function<std::uint64_t(Level)> count;
-  std::function<Finding(const MicromapSubject&, Level, std::uint64_t k, const Run&)> check;
-  std::function<std::string(Level, std::uint64_t k, const Run&)> text;
-  std::function<Finding(const MicromapSubject&, Level, const std::string&)> replay;
-  std::uint64_t chunk = 256;
-};
+using Cases = CasesOf<MicromapSubject>;
 
 /// The law on numbered cases.
 Law on_cases(Law law, std::vector<Entry> entries, Cases cases);

@@ -1,7 +1,5 @@
 #include "proofs/micromap/subject.hpp"
 
-#include <stdexcept>
-
 #include "impl/micromap/array.hpp"
 #include "impl/micromap/level.hpp"
 #include "impl/micromap/validate.hpp"
@@ -243,19 +241,6 @@ const std::vector<MicromapSubjectPtr>& built_in_subjects() {
       subject("lossy-merge", "siblings that differ all become their majority's unknown",
               lossy(majority_for_all))};
   return all;
-}
-
-MicromapSubjectPtr built_in(const std::string& name) {
-  for (const MicromapSubjectPtr& s : built_in_subjects())
-    if (s->name() == name) return s;
-  throw std::logic_error("no built-in subject of topic micromap named " + name);
-}
-
-Mutant mutant(const std::string& name, const std::string& base, Levels levels,
-              const std::function<void(Functions&)>& change) {
-  Functions functions = built_in(base)->functions;
-  change(functions);
-  return {name, std::make_shared<MicromapSubject>(name, "broken on purpose", std::move(functions)), levels};
 }
 
 }  // namespace mmverify::proofs::micromap

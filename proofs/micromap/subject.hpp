@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/engine/law.hpp"
+#include "proofs/engine/topic.hpp"
 #include "spec/micromap/level.hpp"
 #include "spec/micromap/validate.hpp"
 
@@ -48,6 +48,7 @@ struct Kept {
 /// Packed bytes are LSB first; a subject gets padding bits of any value and gives zeros.  Level and format are those
 /// of the input.
 struct Functions {
+  static constexpr char topic[] = "micromap";
   std::function<Bytes(Format f, const States& states)> pack = {};
   std::function<States(Format f, std::uint64_t count, std::span<const std::uint8_t> bytes)> unpack = {};
   std::function<Bytes(Level n, std::span<const std::uint8_t> four_state)> force2 = {};
@@ -68,13 +69,11 @@ struct Functions {
                       const Options& options)>
       build = {};
   std::function<std::vector<Violation>(const Input& in)> validate = {};
+  /// No values lie between maps.
+  bool exact_answers() const { return true; }
 };
 
-/// An entry point that a law needs, and its name in messages.
-struct Entry {
-  const char* name;
-  bool (*there)(const Functions&);
-};
+using Entry = EntryOf<Functions>;
 namespace entry {
 inline constexpr Entry pack{"pack", [](const Functions& f) { return f.pack && f.unpack; }};
 inline constexpr Entry force2{"force2", [](const Functions& f) { return f.force2 && f.widen; }};
@@ -88,32 +87,19 @@ inline constexpr Entry build{"build", [](const Functions& f) { return bool{f.bui
 inline constexpr Entry validate{"validate", [](const Functions& f) { return bool{f.validate}; }};
 }  // namespace entry
 
-class MicromapSubject final : public Subject {
- public:
-  MicromapSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
-      : Subject("micromap", std::move(name), std::move(about)),
-        functions(std::move(functions)),
-        fingerprint_(std::move(fingerprint)) {}
-  /// Answers on maps are exact: no values lie between them.
-  bool exact() const override { return true; }
-  std::string fingerprint() const override { return fingerprint_; }
-
-  const Functions functions;
-
- private:
-  std::string fingerprint_;
-};
+using MicromapSubject = SubjectOf<Functions>;
 using MicromapSubjectPtr = std::shared_ptr<const MicromapSubject>;
 
 /// The specification micromap-spec; the library micromap; and three lossy codecs: lossy-stable, lossy-conservative,
 /// lossy-merge.
 const std::vector<MicromapSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: a subject has that name.
-MicromapSubjectPtr built_in(const std::string& name);
+inline MicromapSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
 
 /// A subject with one deliberate error.
-Mutant mutant(const std::string& name, const std::string& base, Levels levels,
-              const std::function<void(Functions&)>& change);
+inline Mutant mutant(const std::string& name, const std::string& base, Levels levels,
+                     const std::function<void(Functions&)>& change) {
+  return changed(*built_in(base), name, levels, change);
+}
 
 }  // namespace mmverify::proofs::micromap

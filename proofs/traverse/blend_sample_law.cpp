@@ -94,7 +94,7 @@ Law blend_on_samples() {
       std::move(law),
       {[](Level, const Run& run) { return std::uint64_t{run.tier == Tier::fast ? 5'000u : 500'000u}; },
        [](const Subject& s, Level, std::uint64_t k, const Run& run) {
-         return blends(of_traverse(s), hit_batch(run.seed, k));
+         return blends(subject_as<TraverseSubject>(s), hit_batch(run.seed, k));
        },
        [](const Subject&, Level, std::uint64_t k, const Run& run) {
          return fmt::format("seed={},batch={}", run.seed, k);
@@ -102,7 +102,7 @@ Law blend_on_samples() {
        [](const Subject& s, Level, const std::string& at) {
          const Groups g = groups_of(at, "seed=(\\d{1,19}),batch=(\\d{1,9})");
          if (!g) throw BadCase(fmt::format("'{:.60}': write seed=1,batch=2", at));
-         return blends(of_traverse(s), hit_batch(std::stoull((*g)[1]), std::stoull((*g)[2])));
+         return blends(subject_as<TraverseSubject>(s), hit_batch(std::stoull((*g)[1]), std::stoull((*g)[2])));
        },
        64, Kind::interior});
 }

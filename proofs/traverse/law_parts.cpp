@@ -7,16 +7,8 @@
 
 namespace mmverify::proofs::traverse {
 
-const TraverseSubject& of_traverse(const Subject& s) { return dynamic_cast<const TraverseSubject&>(s); }
-
-std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries) {
-  return [entries = std::move(entries)](const Subject& subject, Level) -> std::optional<std::string> {
-    const auto* s = dynamic_cast<const TraverseSubject*>(&subject);
-    if (s == nullptr) return "not a subject of topic traverse";
-    for (const Entry& e : entries)
-      if (!e.there(s->functions)) return fmt::format("{} has no entry point {}", s->name(), e.name);
-    return std::nullopt;
-  };
+Unfit needing(std::vector<Entry> entries) {
+  return unless_of_topic<TraverseSubject>(lacking<TraverseSubject>(std::move(entries)));
 }
 
 std::function<std::string(const Subject&, Level)> named_domain(const char* text) {

@@ -19,11 +19,8 @@ namespace mmverify::proofs::traverse {
 
 inline constexpr char vulkan_culling[] = "Vulkan, Ray Opacity Culling and Ray Opacity Micromap";
 
-/// Domain: a subject of this topic.
-const TraverseSubject& of_traverse(const Subject& s);
-
 /// The reason why the law does not apply, if any: another topic, or a missing entry point.
-std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries);
+Unfit needing(std::vector<Entry> entries);
 
 /// Cases by number: their count, a case by number, its text, the case of a text (or BadCase), and its check.
 template <class Case>
@@ -43,17 +40,17 @@ Law on_cases(Law law, std::vector<Entry> entries, Cases<Case> cases) {
   law.method = Method::exhaustive;
   law.at_once = "all levels";
   law.unfit = needing(std::move(entries));
-  return on_numbered_cases(std::move(law), {[cases](Level, const Run&) { return cases.count(); },
-                                            [cases](const Subject& s, Level, std::uint64_t k, const Run&) {
-                                              return cases.check(of_traverse(s), cases.number(k));
-                                            },
-                                            [cases](const Subject&, Level, std::uint64_t k, const Run&) {
-                                              return cases.text(cases.number(k));
-                                            },
-                                            [cases](const Subject& s, Level, const std::string& at) {
-                                              return cases.check(of_traverse(s), cases.read(at));
-                                            },
-                                            cases.chunk, Kind::interior});
+  return on_numbered_cases(
+      std::move(law),
+      {[cases](Level, const Run&) { return cases.count(); },
+       [cases](const Subject& s, Level, std::uint64_t k, const Run&) {
+         return cases.check(subject_as<TraverseSubject>(s), cases.number(k));
+       },
+       [cases](const Subject&, Level, std::uint64_t k, const Run&) { return cases.text(cases.number(k)); },
+       [cases](const Subject& s, Level, const std::string& at) {
+         return cases.check(subject_as<TraverseSubject>(s), cases.read(at));
+       },
+       cases.chunk, Kind::interior});
 }
 
 using Check = std::function<Finding(const TraverseSubject&, const Combination&)>;

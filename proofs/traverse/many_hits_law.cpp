@@ -73,11 +73,11 @@ Law many_hits_law() {
       std::move(law),
       {[](Level, const Run& run) { return std::uint64_t{run.tier == Tier::fast ? 20'000u : 2'000'000u}; },
        [](const Subject& s, Level, std::uint64_t k, const Run& run) {
-         return same_payload(of_traverse(s), hit_list(run.seed, k));
+         return same_payload(subject_as<TraverseSubject>(s), hit_list(run.seed, k));
        },
        [](const Subject&, Level, std::uint64_t k, const Run& run) { return text_of(hit_list(run.seed, k)); },
        [](const Subject& s, Level, const std::string& at) {
-         return same_payload(of_traverse(s), hit_list_of(at));
+         return same_payload(subject_as<TraverseSubject>(s), hit_list_of(at));
        },
        256, Kind::interior});
 }

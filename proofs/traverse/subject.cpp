@@ -1,7 +1,6 @@
 #include "proofs/traverse/subject.hpp"
 
 #include <map>
-#include <stdexcept>
 #include <tuple>
 
 #include "impl/traverse/blend.hpp"
@@ -118,18 +117,6 @@ const std::vector<TraverseSubjectPtr>& built_in_subjects() {
       subject("traverse-single", "impl/traverse: one at a time", singles()),
       subject("traverse-as-met", "blends hits as it meets them, accepted ones behind them or not", as_met())};
   return all;
-}
-
-TraverseSubjectPtr built_in(const std::string& name) {
-  for (const TraverseSubjectPtr& s : built_in_subjects())
-    if (s->name() == name) return s;
-  throw std::logic_error("no built-in subject of topic traverse named " + name);
-}
-
-Mutant mutant(const char* name, const std::string& base, const std::function<void(Functions&)>& change) {
-  Functions functions = built_in(base)->functions;
-  change(functions);
-  return {name, std::make_shared<TraverseSubject>(name, "broken on purpose", std::move(functions)), {0, 0}};
 }
 
 }  // namespace mmverify::proofs::traverse

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "display/render/opacity.hpp"
-#include "proofs/engine/law.hpp"
+#include "proofs/engine/topic.hpp"
 #include "spec/traverse/blend.hpp"
 #include "spec/traverse/decision.hpp"
 
@@ -40,6 +40,7 @@ struct Looks {
 
 /// The entry points of a subject; an empty function is a missing entry point.  Several threads may call at once.
 struct Functions {
+  static constexpr char topic[] = "traverse";
   /// Domain: a combination whose outcome is defined.
   std::function<Outcome(const Combination&)> decide = {};
   /// Domain: a candidate that exists.
@@ -54,13 +55,11 @@ struct Functions {
       gather = {};
   /// The state; nothing for a triangle without a map.  Domain: a form, a triangle and a point of the sample world.
   std::function<std::optional<State>(const Looks&)> look = {};
+  /// No combinations lie between combinations.
+  bool exact_answers() const { return true; }
 };
 
-/// An entry point that a law needs, and its name in messages.
-struct Entry {
-  const char* name;
-  bool (*there)(const Functions&);
-};
+using Entry = EntryOf<Functions>;
 namespace entry {
 inline constexpr Entry decide{"decide", [](const Functions& f) { return bool{f.decide}; }};
 inline constexpr Entry undefined{"undefined", [](const Functions& f) { return bool{f.undefined}; }};
@@ -69,22 +68,13 @@ inline constexpr Entry gather{"gather", [](const Functions& f) { return bool{f.g
 inline constexpr Entry look{"look", [](const Functions& f) { return bool{f.look}; }};
 }  // namespace entry
 
-class TraverseSubject final : public Subject {
+class TraverseSubject final : public SubjectOf<Functions> {
  public:
-  TraverseSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
-      : Subject("traverse", std::move(name), std::move(about)),
-        functions(std::move(functions)),
-        fingerprint_(std::move(fingerprint)) {}
-  /// Answers on combinations are exact: none lie between them.
-  bool exact() const override { return true; }
-  std::string fingerprint() const override { return fingerprint_; }
-
-  const Functions functions;
+  using SubjectOf::SubjectOf;
   const std::uint64_t serial = ++made_;  ///< unique in this process
 
  private:
   static inline std::atomic<std::uint64_t> made_ = 0;
-  std::string fingerprint_;
 };
 using TraverseSubjectPtr = std::shared_ptr<const TraverseSubject>;
 
@@ -92,10 +82,12 @@ using TraverseSubjectPtr = std::shared_ptr<const TraverseSubject>;
 /// traverse-as-met, which blends hits as it meets them.
 const std::vector<TraverseSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: a subject has that name.
-TraverseSubjectPtr built_in(const std::string& name);
+inline TraverseSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
 
 /// A subject with one deliberate error.
-Mutant mutant(const char* name, const std::string& base, const std::function<void(Functions&)>& change);
+inline Mutant mutant(const char* name, const std::string& base,
+                     const std::function<void(Functions&)>& change) {
+  return changed(*built_in(base), name, {0, 0}, change);
+}
 
 }  // namespace mmverify::proofs::traverse

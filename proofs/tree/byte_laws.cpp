@@ -14,8 +14,6 @@ namespace {
 
 using spec::micromap::micro_triangles;
 
-const TreeSubject& of_tree(const Subject& s) { return dynamic_cast<const TreeSubject&>(s); }
-
 std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
 
 constexpr std::uint64_t strings = 1 + 256 + 65536;
@@ -85,19 +83,20 @@ Law canonical_law() {
     if (n > 8) return "it is run up to level 8";
     return needing({entry::bytes, entry::paper})(s, n);
   };
-  law = on_numbered_cases(std::move(law), {[](Level, const Run&) { return 2 * strings; },
-                                           [](const Subject& s, Level n, std::uint64_t k, const Run&) {
-                                             return bytes_are_canonical(of_tree(s), n, formats[k / strings],
-                                                                        string_number(k % strings));
-                                           },
-                                           [](const Subject&, Level, std::uint64_t k, const Run&) {
-                                             return text_of(formats[k / strings], string_number(k % strings));
-                                           },
-                                           [](const Subject& s, Level n, const std::string& at) {
-                                             const auto [f, bytes] = string_from(at);
-                                             return bytes_are_canonical(of_tree(s), n, f, bytes);
-                                           },
-                                           1024, Kind::interior});
+  law = on_numbered_cases(std::move(law),
+                          {[](Level, const Run&) { return 2 * strings; },
+                           [](const Subject& s, Level n, std::uint64_t k, const Run&) {
+                             return bytes_are_canonical(subject_as<TreeSubject>(s), n, formats[k / strings],
+                                                        string_number(k % strings));
+                           },
+                           [](const Subject&, Level, std::uint64_t k, const Run&) {
+                             return text_of(formats[k / strings], string_number(k % strings));
+                           },
+                           [](const Subject& s, Level n, const std::string& at) {
+                             const auto [f, bytes] = string_from(at);
+                             return bytes_are_canonical(subject_as<TreeSubject>(s), n, f, bytes);
+                           },
+                           1024, Kind::interior});
   // Each takes, or refuses, one string too many.
   const auto takes = [](const char* name, const char* base, Level n, Format f, Bytes string, Bytes as) {
     return mutant(name, base, {n, n},
@@ -142,13 +141,13 @@ Law bits_read_law() {
         [](Level n, const Run&) { return micro_triangles(n); },
         [code](const Subject& s, Level n, std::uint64_t k, const Run&) {
           const std::uint64_t expected = spec::tree::bits_read_of_largest(n, k),
-                              got = of_tree(s).functions.tree_bits_read(code, k);
+                              got = subject_as<TreeSubject>(s).functions.tree_bits_read(code, k);
           return got == expected ? Finding{got}
                                  : wrong("bits", fmt::format("{}", expected), fmt::format("{}", got));
         },
         [](const Subject&, Level, std::uint64_t k, const Run&) { return fmt::format("k={}", k); },
         [](const Subject& s, Level n, const std::string& at) {
-          return reads(of_tree(s), n, number_from(at, micro_triangles(n)));
+          return reads(subject_as<TreeSubject>(s), n, number_from(at, micro_triangles(n)));
         },
         64,
         Kind::interior};
@@ -156,8 +155,8 @@ Law bits_read_law() {
   law = on_numbered_cases(std::move(law), cases({}));
   // One code for all indices of a level.
   law.judge = [cases](const Subject& s, Level n, const Run& run) {
-    return judge_numbered_cases(cases(of_tree(s).functions.encode(alternating_map(n, Format::two_state))), s,
-                                n, run);
+    return judge_numbered_cases(
+        cases(subject_as<TreeSubject>(s).functions.encode(alternating_map(n, Format::two_state))), s, n, run);
   };
   const auto one_more = [](const char* name, Level n, std::uint64_t index) {
     return mutant(
@@ -186,17 +185,17 @@ Law worst_size_law() {
   law.fast_seconds = 0.3;
   law.domain = [](const Subject&, Level) { return std::string("the alternating map, both formats"); };
   law.unfit = needing({entry::stream});
-  law = on_numbered_cases(std::move(law), {[](Level, const Run&) { return std::uint64_t{2}; },
-                                           [](const Subject& s, Level n, std::uint64_t k, const Run&) {
-                                             return worst_size(of_tree(s), n, formats[k]);
-                                           },
-                                           [](const Subject&, Level, std::uint64_t k, const Run&) {
-                                             return fmt::format("k={}", k);
-                                           },
-                                           [](const Subject& s, Level n, const std::string& at) {
-                                             return worst_size(of_tree(s), n, formats[number_from(at, 2)]);
-                                           },
-                                           1, Kind::interior});
+  law = on_numbered_cases(
+      std::move(law),
+      {[](Level, const Run&) { return std::uint64_t{2}; },
+       [](const Subject& s, Level n, std::uint64_t k, const Run&) {
+         return worst_size(subject_as<TreeSubject>(s), n, formats[k]);
+       },
+       [](const Subject&, Level, std::uint64_t k, const Run&) { return fmt::format("k={}", k); },
+       [](const Subject& s, Level n, const std::string& at) {
+         return worst_size(subject_as<TreeSubject>(s), n, formats[number_from(at, 2)]);
+       },
+       1, Kind::interior});
   law.divisible = false;
   const auto longer = [](const char* name, const char* base, Level n, Format f, int by) {
     return mutant(name, base, {n, n}, writes_wrongly([=](const Map& map, Bytes& bytes) {

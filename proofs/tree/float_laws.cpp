@@ -15,8 +15,6 @@ namespace {
 using points::FloatPair;
 using spec::micromap::micro_triangles;
 
-const TreeSubject& of_tree(const Subject& s) { return dynamic_cast<const TreeSubject&>(s); }
-
 constexpr char law_id[] = "tree.point_exact_on_floats";
 
 /// The highest level at which all of a map is noise.  Above it only subtrees of `noisy_subtree` levels around the
@@ -91,7 +89,7 @@ Tally judge(const Subject& subject, Level n, const Run& run) {
             u[k] = p.u, v[k] = p.v;
           }
           Bytes states(pairs, 0xFF);
-          const Functions& asked = of_tree(subject).functions;
+          const Functions& asked = subject_as<TreeSubject>(subject).functions;
           asked.point(asked.encode(map), u, v, states);
           tally.count(Kind::interior, pairs);
           for (std::uint64_t k = 0; k < pairs; ++k) {
@@ -126,7 +124,7 @@ Replayed replay(const Subject& subject, Level n, const std::string& at) {
   const Map map = noisy_map(n, seed, m, pairs);
   const FloatPair p = pair(n, seed, m, k);
   std::uint8_t got = 0xFF;
-  const Functions& asked = of_tree(subject).functions;
+  const Functions& asked = subject_as<TreeSubject>(subject).functions;
   asked.point(asked.encode(map), {&p.u, 1}, {&p.v, 1}, {&got, 1});
   return replayed(looked_up(map, p, got));
 }
@@ -192,7 +190,7 @@ Law point_exact_on_floats_law() {
 Law with_points_on_floats(Law law) {
   law.companion = law_id;
   law.domain = [maps = law.domain](const Subject& s, Level n) {
-    return maps(s, n) + (of_tree(s).functions.point ? "; points at multiples of 1/4N" : "");
+    return maps(s, n) + (subject_as<TreeSubject>(s).functions.point ? "; points at multiples of 1/4N" : "");
   };
   return law;
 }

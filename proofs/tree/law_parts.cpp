@@ -9,8 +9,6 @@ namespace {
 
 constexpr std::uint64_t maps_per_chunk = 256;
 
-const TreeSubject& tree_of(const Subject& s) { return dynamic_cast<const TreeSubject&>(s); }
-
 /// The number of maps, map k, and its text.
 struct Domain {
   std::function<std::uint64_t(Level)> count;
@@ -37,34 +35,16 @@ std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
 
 Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {
   law.unfit = needing(std::move(entries));
-  return on_numbered_cases(
-      std::move(law), {[count = cases.count](Level n, const Run&) { return count(n); },
-                       [check = cases.check](const Subject& s, Level n, std::uint64_t k, const Run& run) {
-                         return check(tree_of(s), n, k, run);
-                       },
-                       [text = cases.text](const Subject&, Level n, std::uint64_t k, const Run& run) {
-                         return text(n, k, run);
-                       },
-                       [replay = cases.replay](const Subject& s, Level n, const std::string& at) {
-                         return replay(tree_of(s), n, at);
-                       },
-                       cases.chunk, Kind::interior});
+  return on_cases_of(std::move(law), std::move(cases));
 }
 
 Finding wrong(const std::string& where, const std::string& expected, std::string got) {
   return proofs::wrong(where + " " + expected, std::move(got));
 }
 
-std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries) {
-  return [=](const Subject& subject, Level n) -> std::optional<std::string> {
-    const auto* s = dynamic_cast<const TreeSubject*>(&subject);
-    if (s == nullptr) return "not a subject of topic tree";
-    for (const Entry e : entries)
-      if (!e.there(s->functions)) return fmt::format("{} has no entry point {}", s->name(), e.name);
-    if (n > s->functions.max_level)
-      return fmt::format("{} is defined up to level {}", s->name(), s->functions.max_level);
-    return std::nullopt;
-  };
+Unfit needing(std::vector<Entry> entries) {
+  return unless_of_topic<TreeSubject>(
+      lacking<TreeSubject>(std::move(entries), above_its_levels<TreeSubject>));
 }
 
 Law on_all_maps(Law law, std::vector<Entry> entries, Check check) {

@@ -23,16 +23,9 @@ using Check = std::function<Finding(const TreeSubject&, const Map&)>;
 Finding wrong(const std::string& where, const std::string& expected, std::string got);
 
 /// The reason why a law that needs these entries does not apply, if any.
-std::function<std::optional<std::string>(const Subject&, Level)> needing(std::vector<Entry> entries);
+Unfit needing(std::vector<Entry> entries);
 
-/// Cases by number: the count at a level, the check of a case, its text, and the check of a text.
-struct Cases {
-  std::function<std::uint64_t(Level)> count;
-  std::function<Finding(const TreeSubject&, Level, std::uint64_t k, const Run&)> check;
-  std::function<std::string(Level, std::uint64_t k, const Run&)> text;
-  std::function<Finding(const TreeSubject&, Level, const std::string&)> replay;
-  std::uint64_t chunk = 256;
-};
+using Cases = CasesOf<TreeSubject>;
 
 /// The law on numbered cases.
 Law on_cases(Law law, std::vector<Entry> entries, Cases cases);

@@ -7,12 +7,6 @@ Map map_in(const Functions& real, const Code& code) { return {code.level, code.f
 
 }  // namespace
 
-Mutant mutant(const char* name, const char* base, Levels levels, const Change& change) {
-  Functions functions = built_in(base)->functions;
-  change(functions);
-  return {name, std::make_shared<TreeSubject>(name, "broken on purpose", std::move(functions)), levels};
-}
-
 Change encodes_another(std::function<void(Map&)> spoil) {
   return [=](Functions& functions) {
     functions.encode = [spoil, real = functions.encode](Map map) {

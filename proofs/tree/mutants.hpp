@@ -7,9 +7,11 @@
 
 namespace mmverify::proofs::tree {
 
-/// A built-in subject with one thing broken on purpose.
 using Change = std::function<void(Functions&)>;
-Mutant mutant(const char* name, const char* base, Levels levels, const Change& change);
+/// A built-in subject with one thing broken on purpose.
+inline Mutant mutant(const char* name, const char* base, Levels levels, const Change& change) {
+  return changed(*built_in(base), name, levels, change);
+}
 
 // One function's answers, changed; `map` is the one that the code is of.
 Change encodes_another(std::function<void(Map& map)> spoil);

@@ -1,7 +1,5 @@
 #include "proofs/tree/subject.hpp"
 
-#include <stdexcept>
-
 #include "impl/tree/container.hpp"
 #include "impl/tree/stream.hpp"
 #include "impl/tree/tree.hpp"
@@ -213,12 +211,6 @@ const std::vector<TreeSubjectPtr>& built_in_subjects() {
               stepwise()),
       subject("tree-container", "this project's library, its serialised form", contained())};
   return all;
-}
-
-TreeSubjectPtr built_in(const std::string& name) {
-  for (const TreeSubjectPtr& s : built_in_subjects())
-    if (s->name() == name) return s;
-  throw std::logic_error("no built-in tree subject " + name);
 }
 
 }  // namespace mmverify::proofs::tree

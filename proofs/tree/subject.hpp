@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/engine/law.hpp"
+#include "proofs/engine/topic.hpp"
 #include "proofs/micromap/maps.hpp"
 #include "spec/tree/tree.hpp"
 
@@ -43,6 +43,7 @@ const Form& form_of(const Code& code) {
 /// The entry points of a subject; an empty function is a missing entry point.  Every subject has encode and decode.
 /// Several threads may call at once.
 struct Functions {
+  static constexpr char topic[] = "tree";
   std::function<Code(const Map& map)> encode = {};
   std::function<Bytes(const Code& code)> decode = {};
   /// Writes one state for each index below 4^n.
@@ -60,13 +61,11 @@ struct Functions {
   /// Whether the bytes that it writes, and those that it reads, are the paper's: spec::tree::bytes.
   bool writes_paper = false, reads_paper = false;
   Level max_level = 12;
+  /// Answers on floats decide no other points, since the index of barycentrics is computed anew each time.
+  bool exact_answers() const { return !point; }
 };
 
-/// An entry point that a law needs beside encoding and decoding, and its name in messages.
-struct Entry {
-  const char* name;
-  bool (*there)(const Functions&);
-};
+using Entry = EntryOf<Functions>;
 namespace entry {
 inline constexpr Entry lookup{"index -> state", [](const Functions& f) { return bool{f.lookup}; }};
 inline constexpr Entry point{"barycentrics -> state", [](const Functions& f) { return bool{f.point}; }};
@@ -78,28 +77,12 @@ inline constexpr Entry paper{"the paper's codes read",
 inline constexpr Entry reads{"bits read", [](const Functions& f) { return bool{f.tree_bits_read}; }};
 }  // namespace entry
 
-class TreeSubject : public Subject {
- public:
-  TreeSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
-      : Subject("tree", std::move(name), std::move(about)),
-        functions(std::move(functions)),
-        fingerprint_(std::move(fingerprint)) {}
-  /// Answers on floats decide no other points, since the index of barycentrics is computed anew each time.
-  bool exact() const override { return !functions.point; }
-  std::string fingerprint() const override { return fingerprint_; }
-
-  const Functions functions;
-
- private:
-  std::string fingerprint_;
-};
-
+using TreeSubject = SubjectOf<Functions>;
 using TreeSubjectPtr = std::shared_ptr<const TreeSubject>;
 
 /// The built-in subjects tree-spec, tree-stream, tree-ranked, tree-stepwise and tree-container.
 const std::vector<TreeSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: a subject has that name.
-TreeSubjectPtr built_in(const std::string& name);
+inline TreeSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
 
 }  // namespace mmverify::proofs::tree

@@ -23,7 +23,7 @@ void check_level(Level n) {
   if (n != level_of<Format>) throw BadCase(fmt::format("level {}: this law's is {}", n, level_of<Format>));
 }
 
-/// Cases by number: their count, a case by number, its text, the case of a text (or BadCase), and its check.
+/// Cases by number, as DrawnCasesOf has them; a text and a check need no level.
 template <class Case>
 struct Cases {
   std::function<std::uint64_t(Level, const Run&)> count;
@@ -42,28 +42,19 @@ template <class Case>
 Law on_cases(Law law, Lacks lacks, Cases<Case> cases) {
   law.topic = "vq";
   law.long_run = law.fast;
-  const auto of_vq = [](const Subject& s) -> const VqSubject& { return dynamic_cast<const VqSubject&>(s); };
-  law.unfit = [lacks, levels = law.fast](const Subject& s, Level n) -> std::optional<std::string> {
-    const auto* subject = dynamic_cast<const VqSubject*>(&s);
-    if (subject == nullptr) return "not a subject of topic vq";
-    if (n < levels.first || n > levels.last)
-      return fmt::format("2^level regions lie along a side: it is about level{} {}{}",
-                         levels.first == levels.last ? "" : "s", levels.first,
-                         levels.first == levels.last ? "" : fmt::format("..{}", levels.last));
-    return lacks(*subject);
-  };
-  return on_numbered_cases(std::move(law),
-                           {cases.count,
-                            [cases, of_vq](const Subject& s, Level n, std::uint64_t k, const Run& run) {
-                              return cases.check(of_vq(s), cases.number(n, k, run.seed));
-                            },
-                            [cases](const Subject&, Level n, std::uint64_t k, const Run& run) {
-                              return cases.text(cases.number(n, k, run.seed));
-                            },
-                            [cases, of_vq](const Subject& s, Level n, const std::string& at) {
-                              return cases.check(of_vq(s), cases.read(n, at));
-                            },
-                            cases.chunk, Kind::interior});
+  law.unfit = unless_of_topic<VqSubject>(
+      [lacks, levels = law.fast](const VqSubject& s, Level n) -> std::optional<std::string> {
+        if (n >= levels.first && n <= levels.last) return lacks(s);
+        return fmt::format("2^level regions lie along a side: it is about level{} {}{}",
+                           levels.first == levels.last ? "" : "s", levels.first,
+                           levels.first == levels.last ? "" : fmt::format("..{}", levels.last));
+      });
+  return on_drawn_cases<VqSubject, Case>(
+      std::move(law),
+      {std::move(cases.count), std::move(cases.number),
+       [text = std::move(cases.text)](Level, const Case& one) { return text(one); }, std::move(cases.read),
+       [check = std::move(cases.check)](const VqSubject& s, Level, const Case& one) { return check(s, one); },
+       cases.chunk});
 }
 
 }  // namespace mmverify::proofs::vq

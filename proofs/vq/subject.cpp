@@ -1,7 +1,6 @@
 #include "proofs/vq/subject.hpp"
 
 #include <bit>
-#include <stdexcept>
 
 #include "impl/vq/vq.hpp"
 
@@ -148,19 +147,6 @@ const std::vector<VqSubjectPtr>& built_in_subjects() {
                    {.encode = encoding<Vq4>(free_c4)}),
   };
   return all;
-}
-
-VqSubjectPtr built_in(const std::string& name) {
-  for (const VqSubjectPtr& s : built_in_subjects())
-    if (s->name() == name) return s;
-  throw std::logic_error("no subject of topic vq is called " + name);
-}
-
-Mutant mutant(const char* name, const std::string& base, Levels levels,
-              const std::function<void(Functions&)>& change) {
-  Functions functions = built_in(base)->functions;
-  change(functions);
-  return {name, std::make_shared<VqSubject>(name, "broken on purpose", std::move(functions)), levels};
 }
 
 }  // namespace mmverify::proofs::vq

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/engine/law.hpp"
+#include "proofs/engine/topic.hpp"
 #include "spec/vq/block.hpp"
 
 namespace mmverify::proofs::vq {
@@ -63,6 +63,7 @@ struct Codec {
 
 /// The entry points of a subject; an empty function is a missing entry point.
 struct Functions {
+  static constexpr char topic[] = "vq";
   Vectors<2> of2;
   Vectors<4> of4;
   std::function<Transform(Transform then, Transform first)> composed = {};
@@ -91,33 +92,22 @@ struct Functions {
   const auto& codec() const {
     return const_cast<Functions*>(this)->codec<Format>();
   }
+  /// No values lie between regions.
+  bool exact_answers() const { return true; }
 };
 
-class VqSubject : public Subject {
- public:
-  VqSubject(std::string name, std::string about, Functions functions, std::string fingerprint = {})
-      : Subject("vq", std::move(name), std::move(about)),
-        functions(std::move(functions)),
-        fingerprint_(std::move(fingerprint)) {}
-  /// Answers on regions are exact: no values lie between them.
-  bool exact() const override { return true; }
-  std::string fingerprint() const override { return fingerprint_; }
-
-  const Functions functions;
-
- private:
-  std::string fingerprint_;
-};
+using VqSubject = SubjectOf<Functions>;
 using VqSubjectPtr = std::shared_ptr<const VqSubject>;
 
 /// The specification vq-spec; this project's decoders, vq; and its encoders.
 const std::vector<VqSubjectPtr>& built_in_subjects();
 
-/// The built-in subject of that name.  Domain: a subject has that name.
-VqSubjectPtr built_in(const std::string& name);
+inline VqSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
 
 /// A subject with one deliberate error.
-Mutant mutant(const char* name, const std::string& base, Levels levels,
-              const std::function<void(Functions&)>& change);
+inline Mutant mutant(const std::string& name, const std::string& base, Levels levels,
+                     const std::function<void(Functions&)>& change) {
+  return changed(*built_in(base), name, levels, change);
+}
 
 }  // namespace mmverify::proofs::vq

@@ -1,4 +1,4 @@
-// bench/attribute: every way is measured, what is exact is never wrong, and what is known to fail does.
+// [release alone] bench/attribute: every way is measured, what is exact is never wrong, and what is known to fail does.
 #include <gtest/gtest.h>
 
 #include <random>

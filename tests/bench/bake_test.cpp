@@ -1,4 +1,4 @@
-// bench/bake: every baker is measured beside the exact states, and what the figures say of them holds.
+// [release alone] bench/bake: every baker is measured beside the exact states, and what the figures say of them holds.
 #include <gtest/gtest.h>
 
 #include <array>

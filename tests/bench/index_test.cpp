@@ -1,4 +1,4 @@
-// bench/: its inputs, its judge and its fits.  Nothing here looks at a clock.
+// [release alone] bench/: its inputs, its judge and its fits.  Nothing here looks at a clock.
 #include "spec/index/index.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Tables as they are printed, and pictures in gnuplot's language, on small ones worked by hand.
+// [release alone] Tables as they are printed, and pictures in gnuplot's language, on small ones worked by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

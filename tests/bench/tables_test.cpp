@@ -1,4 +1,4 @@
-// Tables of the benches beside docs/bench.schema.json: what is written has a property there, a rule, and its unit.
+// [release alone] Tables of the benches beside docs/bench.schema.json: what is written has a property there, a rule, and its unit.
 #include "bench/array/tables.hpp"
 
 #include <gtest/gtest.h>

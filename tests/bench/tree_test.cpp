@@ -1,4 +1,4 @@
-// bench/tree*: the peers are right, the maps are what they say, and the sizes, which are exact, keep their
+// [release alone] bench/tree*: the peers are right, the maps are what they say, and the sizes, which are exact, keep their
 // bounds.
 #include "impl/tree/tree.hpp"
 

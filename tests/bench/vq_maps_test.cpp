@@ -1,4 +1,4 @@
-// bench/vq_maps: maps of leaves and of real textures keep what alpha's continuity and nested regions promise.
+// [release alone] bench/vq_maps: maps of leaves and of real textures keep what alpha's continuity and nested regions promise.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// bench/vq/rivals: trees and brushes give maps back, or C; by hand, against every pruning, and on real shapes.
+// [release alone] bench/vq/rivals: trees and brushes give maps back, or C; by hand, against every pruning, and on real shapes.
 #include <gtest/gtest.h>
 
 #include <algorithm>

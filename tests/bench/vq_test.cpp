@@ -1,4 +1,4 @@
-// bench/vq: every encoder is measured on every map, and what the figures say of them holds.
+// [release alone] bench/vq: every encoder is measured on every map, and what the figures say of them holds.
 #include "impl/vq/vq.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Shared libraries that change arrays and keep them in files: right and wrong ones, judged by the built program.
+// [release alone, night] Shared libraries that change arrays and keep them in files: right and wrong ones, judged by the built program.
 #include <string>
 
 #include "tests/dock/plugin.hpp"

@@ -1,4 +1,4 @@
-// The table of entry points beside the C header that it follows, read as text.
+// [sanitized, memory] The table of entry points beside the C header that it follows, read as text.
 #include "subjects/dock/entry_points.hpp"
 
 #include <gmock/gmock.h>

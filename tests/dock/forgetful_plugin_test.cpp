@@ -1,4 +1,4 @@
-// Shared libraries that keep an answer without one argument of its question, or get a vector's tail or a neighbour wrong:
+// [release alone, night] Shared libraries that keep an answer without one argument of its question, or get a vector's tail or a neighbour wrong:
 // right wherever a law asks, judged by the built program.
 #include <string>
 

@@ -1,4 +1,4 @@
-// Libraries that mean harm: what they may not do is refused, what they write where they may not is theirs, and what the
+// [first] Libraries that mean harm: what they may not do is refused, what they write where they may not is theirs, and what the
 // machine does to them is not.
 #include <fcntl.h>
 #include <gmock/gmock.h>

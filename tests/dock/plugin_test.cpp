@@ -1,4 +1,4 @@
-// Shared-library subjects and programs on a pipe: right, wrong and misbehaving ones, judged by the built
+// [first] Shared-library subjects and programs on a pipe: right, wrong and misbehaving ones, judged by the built
 // program.
 #include "tests/dock/plugin.hpp"
 

@@ -1,4 +1,4 @@
-// Shared libraries that are right wherever a law asks, and wrong by what lies around a question, judged by the built
+// [release alone, night] Shared libraries that are right wherever a law asks, and wrong by what lies around a question, judged by the built
 // program.
 #include <string>
 

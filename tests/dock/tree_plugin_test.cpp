@@ -1,4 +1,4 @@
-// Shared libraries of maps and codes: right, wrong and misbehaving ones, judged by the built program.
+// [release alone, night] Shared libraries of maps and codes: right, wrong and misbehaving ones, judged by the built program.
 #include <string>
 
 #include "tests/dock/plugin.hpp"

@@ -1,4 +1,4 @@
-// A worker that takes a dead one's place: what was asked often enough is not asked in every way again.
+// [memory] A worker that takes a dead one's place: what was asked often enough is not asked in every way again.
 #include <gtest/gtest.h>
 
 #include <array>

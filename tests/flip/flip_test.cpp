@@ -1,4 +1,4 @@
-// FLIP against its formulas, worked slowly, and against values of the authors' own program.
+// [release] FLIP against its formulas, worked slowly, and against values of the authors' own program.
 #include "scene/flip/flip.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Subjects of another hand: written from the papers and the interface alone, right but for one fault.  Each fault
+// [long] Subjects of another hand: written from the papers and the interface alone, right but for one fault.  Each fault
 // is refuted by the laws that its row names; every law that they reach is named by three rows or more.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

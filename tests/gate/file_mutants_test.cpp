@@ -1,4 +1,4 @@
-// Files that were changed by a script: whatever was done to a result, a baseline, a shard or a journal, none of them
+// [first] Files that were changed by a script: whatever was done to a result, a baseline, a shard or a journal, none of them
 // changes a verdict, a count or a digest without a word.
 #include <gtest/gtest.h>
 

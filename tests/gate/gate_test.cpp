@@ -1,4 +1,4 @@
-// The gate's comparison, figure by figure: which way a change points, and what is close enough to be none.
+// [sanitized] The gate's comparison, figure by figure: which way a change points, and what is close enough to be none.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

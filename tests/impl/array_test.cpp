@@ -1,4 +1,4 @@
-// impl/array: arrays worked out by hand, errors, and files beside the bytes that docs/ARRAYS.md has.
+// [memory] impl/array: arrays worked out by hand, errors, and files beside the bytes that docs/ARRAYS.md has.
 #include <gtest/gtest.h>
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// impl/attribute/container.hpp: what is written comes back, and what is refused names its byte and why.
+// [memory] impl/attribute/container.hpp: what is written comes back, and what is refused names its byte and why.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

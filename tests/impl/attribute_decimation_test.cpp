@@ -1,4 +1,4 @@
-// The library's edge decimation against the specification, and on what no law asks: bad input.
+// [memory] The library's edge decimation against the specification, and on what no law asks: bad input.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// impl/attribute/lookup.hpp: spans on every SIMD target are the single values; what is no point of the triangle.
+// [memory] impl/attribute/lookup.hpp: spans on every SIMD target are the single values; what is no point of the triangle.
 // That single values are the specification's is for the laws to say.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The library's mips against the obvious loop, for all lengths; levels of detail on what no law asks.
+// [memory] The library's mips against the obvious loop, for all lengths; levels of detail on what no law asks.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// impl/attribute/order.hpp against the specification: single values, and spans on every SIMD target.
+// [memory] impl/attribute/order.hpp against the specification: single values, and spans on every SIMD target.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The bounds of impl/bake/sixteen/ that docs/BAKE_SIXTEEN.md derives, each by itself: places, cells, samples, centres.
+// [release] The bounds of impl/bake/sixteen/ that docs/BAKE_SIXTEEN.md derives, each by itself: places, cells, samples, centres.
 // What binary32 makes of a node is compared with the same in whole numbers.
 #include <gtest/gtest.h>
 

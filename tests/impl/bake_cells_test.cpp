@@ -1,4 +1,4 @@
-// Micro-triangles of many texels, and nodes of sixteen (impl/bake/sixteen/sixteen.hpp), where mixed cells are few or
+// [release, night] Micro-triangles of many texels, and nodes of sixteen (impl/bake/sixteen/sixteen.hpp), where mixed cells are few or
 // at corners: every state as the whole numbers of impl/bake/exact/base.hpp have it, and
 // some as spec/bake/state.hpp does.
 #include <gtest/gtest.h>

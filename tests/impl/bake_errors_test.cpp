@@ -1,4 +1,4 @@
-// What a baker refuses, and that it names what is wrong.
+// [sanitized, memory] What a baker refuses, and that it names what is wrong.
 #include <gtest/gtest.h>
 
 #include <limits>

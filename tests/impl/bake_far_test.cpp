@@ -1,4 +1,4 @@
-// impl/bake/triangles.hpp: triangles that are far from the texture, or wider than it, as spec/bake/state.hpp has
+// [night] impl/bake/triangles.hpp: triangles that are far from the texture, or wider than it, as spec/bake/state.hpp has
 // them; and that what they take does not grow with how far and wide they are.
 #include <gtest/gtest.h>
 

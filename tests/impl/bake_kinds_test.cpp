@@ -1,4 +1,4 @@
-// impl/bake/triangles.hpp: every kind of texel, mode, filter, factor, mip and margin as spec/bake/state.hpp
+// [release, night] impl/bake/triangles.hpp: every kind of texel, mode, filter, factor, mip and margin as spec/bake/state.hpp
 // has it.
 #include <gtest/gtest.h>
 

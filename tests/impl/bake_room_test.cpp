@@ -1,4 +1,4 @@
-// Bakes with room: textures far larger than a micro-triangle, and micro-triangles of many texels; every target of
+// [release, night] Bakes with room: textures far larger than a micro-triangle, and micro-triangles of many texels; every target of
 // Highway makes the same map.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// impl/bake/bake.hpp and impl/bake/square/map.hpp: every state as spec/bake/bake.hpp has it; the box; which way is up.
+// [memory] impl/bake/bake.hpp and impl/bake/square/map.hpp: every state as spec/bake/bake.hpp has it; the box; which way is up.
 #include "spec/bake/bake.hpp"
 
 #include <gtest/gtest.h>

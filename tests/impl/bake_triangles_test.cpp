@@ -1,4 +1,4 @@
-// impl/bake/triangles.hpp: every state as spec/bake/state.hpp has it.
+// [release, night] impl/bake/triangles.hpp: every state as spec/bake/state.hpp has it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// impl/dag: a map by hand, appending, what is refused and how it is said.
+// [memory] impl/dag: a map by hand, appending, what is refused and how it is said.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

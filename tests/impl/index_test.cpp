@@ -1,4 +1,4 @@
-// impl/index/index.hpp and impl/common/binary16.hpp against the exact specification and an oracle of their own.
+// [memory] impl/index/index.hpp and impl/common/binary16.hpp against the exact specification and an oracle of their own.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The array validator: each rule broken by hand, both validators with one list; then what no sane file says.
+// [sanitized, memory] The array validator: each rule broken by hand, both validators with one list; then what no sane file says.
 #include <gtest/gtest.h>
 
 #include <algorithm>

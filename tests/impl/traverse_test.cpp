@@ -1,4 +1,4 @@
-// impl/traverse/ where no law goes: spans of other sizes, bits that mean nothing.
+// [memory] impl/traverse/ where no law goes: spans of other sizes, bits that mean nothing.
 #include <gtest/gtest.h>
 
 #include <stdexcept>

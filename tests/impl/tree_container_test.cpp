@@ -1,4 +1,4 @@
-// impl/tree/container.hpp: bytes by hand, every way of being wrong, and what is taken of memory.
+// [sanitized, memory] impl/tree/container.hpp: bytes by hand, every way of being wrong, and what is taken of memory.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// impl/tree where it is given what is no tree: refused, never read beyond.
+// [sanitized, memory] impl/tree where it is given what is no tree: refused, never read beyond.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// impl/vq/vq.hpp, VQ4: the decoders against the specification.
+// [memory] impl/vq/vq.hpp, VQ4: the decoders against the specification.
 #include <gtest/gtest.h>
 
 #include <random>

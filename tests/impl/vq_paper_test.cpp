@@ -1,4 +1,4 @@
-// impl/vq/vq.hpp, the paper's encoders: Algorithms 1 and 2 written down once more, from the print, over arrays
+// [release] impl/vq/vq.hpp, the paper's encoders: Algorithms 1 and 2 written down once more, from the print, over arrays
 // of states and without anything of impl/, must lose as much.  Source: Compressed Opacity Maps, 4.2 and 5.2.
 #include <gtest/gtest.h>
 

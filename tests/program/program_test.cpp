@@ -1,4 +1,4 @@
-// Programs of others: what they are given, how they end, and what they may take.
+// [memory] Programs of others: what they are given, how they end, and what they may take.
 #include "subjects/program/program.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The laws of orders at every level: each hypothesis can be fulfilled, each mistake fails where it is, and the parts that
+// [release, night] The laws of orders at every level: each hypothesis can be fulfilled, each mistake fails where it is, and the parts that
 // the statements are about are what the specification is made of.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What is said of a baker that was refuted: which of a case's properties tell wrong from right, ties apart, the order.
+// [release] What is said of a baker that was refuted: which of a case's properties tell wrong from right, ties apart, the order.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// proofs/bake/domains/edge_samples.hpp: what each sample is said to turn on, it turns on.
+// [release] proofs/bake/domains/edge_samples.hpp: what each sample is said to turn on, it turns on.
 #include <gtest/gtest.h>
 
 #include <cmath>

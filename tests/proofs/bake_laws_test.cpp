@@ -1,4 +1,4 @@
-// Topic bake's subjects in the dock: what the enumerated truth rests on, what cases are, what is declined,
+// [release] Topic bake's subjects in the dock: what the enumerated truth rests on, what cases are, what is declined,
 // what a counterexample shows.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Declared support: what is drawn lies inside it, and states are judged by its rules.
+// [release] Declared support: what is drawn lies inside it, and states are judged by its rules.
 #include <gtest/gtest.h>
 
 #include <bit>

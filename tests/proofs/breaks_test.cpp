@@ -1,4 +1,4 @@
-// proofs/engine/breaks: a case on which a subject crashes does not end the law, and is never held for right.
+// [sanitized] proofs/engine/breaks: a case on which a subject crashes does not end the law, and is never held for right.
 #include "proofs/engine/breaks.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Topic dag's subjects in the dock: who has which entry point, what the cases add up to, what replay takes; and what the
+// [release] Topic dag's subjects in the dock: who has which entry point, what the cases add up to, what replay takes; and what the
 // statements of dag.all_levels are about.
 #include <gtest/gtest.h>
 

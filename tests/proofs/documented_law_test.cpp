@@ -1,4 +1,4 @@
-// docs/LAWS.md: its example is a law that compiles, holds and can fail.
+// [release] docs/LAWS.md: its example is a law that compiles, holds and can fail.
 #include <gtest/gtest.h>
 
 #include "proofs/engine/runner.hpp"

@@ -1,4 +1,4 @@
-// proofs/engine: the sum of a sweep, the sweep, and what the runner makes of a law.
+// [sanitized, first] proofs/engine: the sum of a sweep, the sweep, and what the runner makes of a law.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>

@@ -1,4 +1,4 @@
-// Every entry point that takes floats has a law on floats, and it runs wherever a proof over cells asks that entry
+// [release] Every entry point that takes floats has a law on floats, and it runs wherever a proof over cells asks that entry
 // point: cells decide nothing for a subject that rounds.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// proofs/points/cells.hpp: the cells of a level, each once, however the sweep is cut.
+// [release] proofs/points/cells.hpp: the cells of a level, each once, however the sweep is cut.
 #include <gtest/gtest.h>
 
 #include <array>

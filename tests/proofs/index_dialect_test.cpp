@@ -1,4 +1,4 @@
-// Dialects of binary32 code: the published code, and which laws a run in a dialect has.
+// [release] Dialects of binary32 code: the published code, and which laws a run in a dialect has.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The laws of topic index: their cases are the cells that the words of a domain promise.
+// [release, night, first] The laws of topic index: their cases are the cells that the words of a domain promise.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Points as the laws print, read, round and draw them at random.
+// [release] Points as the laws print, read, round and draw them at random.
 #include <gtest/gtest.h>
 
 #include <bit>

@@ -1,4 +1,4 @@
-// The laws that a prover settles for all levels: the statements, the provers that agree, and that they can fail.
+// [release, night, long] The laws that a prover settles for all levels: the statements, the provers that agree, and that they can fail.
 #include <gtest/gtest.h>
 
 #include <algorithm>

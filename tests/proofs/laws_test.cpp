@@ -1,4 +1,4 @@
-// The laws as a list, and each of them: it holds over its whole domain, and it can fail.
+// [long, first] The laws as a list, and each of them: it holds over its whole domain, and it can fail.
 #include <gtest/gtest.h>
 
 #include <algorithm>

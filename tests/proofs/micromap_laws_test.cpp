@@ -1,4 +1,4 @@
-// Topic micromap's subjects in the dock: who keeps which rule, who has which entry point, and what replay
+// [release] Topic micromap's subjects in the dock: who keeps which rule, who has which entry point, and what replay
 // takes.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The operators that write formulas against the machine's: on numbers the prover must give what C++ computes.
+// [release] The operators that write formulas against the machine's: on numbers the prover must give what C++ computes.
 #include <gtest/gtest.h>
 
 #include <bit>

@@ -1,4 +1,4 @@
-// A counterexample that a run prints is the same one when it is replayed.
+// [release, night, long, first] A counterexample that a run prints is the same one when it is replayed.
 #include <gtest/gtest.h>
 
 #include <algorithm>

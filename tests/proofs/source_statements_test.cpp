@@ -1,4 +1,4 @@
-// The statements about somebody's function: their ranges hold every number of the domain, and they are about it.
+// [release] The statements about somebody's function: their ranges hold every number of the domain, and they are about it.
 #include <gtest/gtest.h>
 
 #include <bit>

@@ -1,4 +1,4 @@
-// Topic traverse: its domains are as large as they are said to be, and its texts are read back.
+// [release] Topic traverse: its domains are as large as they are said to be, and its texts are read back.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,4 +1,4 @@
-// tree.all_levels: its statements have witnesses and definitions that fit the specification, and they can
+// [release, night] tree.all_levels: its statements have witnesses and definitions that fit the specification, and they can
 // fail.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Subjects that are known to be wrong, and what a run says of them.
+// [sanitized] Subjects that are known to be wrong, and what a run says of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>

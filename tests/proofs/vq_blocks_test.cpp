@@ -1,4 +1,4 @@
-// The blocks that decoders of square maps are tried on: what the laws' domains and docs/SOUNDNESS.md say of them.
+// [release] The blocks that decoders of square maps are tried on: what the laws' domains and docs/SOUNDNESS.md say of them.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// Topic vq's subjects in the dock: who has which entry point, what the cases add up to, what replay takes.
+// [release] Topic vq's subjects in the dock: who has which entry point, what the cases add up to, what replay takes.
 #include <gtest/gtest.h>
 
 #include <algorithm>

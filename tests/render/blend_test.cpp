@@ -1,4 +1,4 @@
-// Hits that blend, by Embree.  Without Embree skipped, and so said.
+// [release] Hits that blend, by Embree.  Without Embree skipped, and so said.
 #include "display/render/blend.hpp"
 
 #include <gtest/gtest.h>

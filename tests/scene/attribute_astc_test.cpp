@@ -1,4 +1,4 @@
-// Textures compressed beside attribute maps: bytes at equal error, what a coder is given and held to, and astcenc itself
+// [release] Textures compressed beside attribute maps: bytes at equal error, what a coder is given and held to, and astcenc itself
 // where it is installed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

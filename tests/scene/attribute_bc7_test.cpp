@@ -1,4 +1,4 @@
-// Textures compressed in BC7 beside attribute maps: what the coder is told, how it fails, and bc7enc itself where it is
+// [release] Textures compressed in BC7 beside attribute maps: what the coder is told, how it fails, and bc7enc itself where it is
 // installed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

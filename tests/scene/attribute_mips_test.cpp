@@ -1,4 +1,4 @@
-// Mips of textures beside those of maps: charts, their borders, what bleeds across them and what does not.
+// [release] Mips of textures beside those of maps: charts, their borders, what bleeds across them and what does not.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

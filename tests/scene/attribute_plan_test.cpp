@@ -1,4 +1,4 @@
-// Plans of a scene's triangles: which need no map, which level each has, and what that takes; by hand and beside measure().
+// [release] Plans of a scene's triangles: which need no map, which level each has, and what that takes; by hand and beside measure().
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// scene/attribute/ on real scenes, which lie beside the checkout where there are any.
+// [release] scene/attribute/ on real scenes, which lie beside the checkout where there are any.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

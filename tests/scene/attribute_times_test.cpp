@@ -1,4 +1,4 @@
-// Lookups at points of a scene's triangles: where the points lie, what a texture shows there, what is laid out and timed.
+// [release] Lookups at points of a scene's triangles: where the points lie, what a texture shows there, what is laid out and timed.
 #include "bench/scene/attribute_times.hpp"
 
 #include <gmock/gmock.h>

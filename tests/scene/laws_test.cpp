@@ -1,4 +1,4 @@
-// The laws on a scene's own data: they hold of ours, and each refutes what is planted.
+// [release] The laws on a scene's own data: they hold of ours, and each refutes what is planted.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// scene/: what is read of a glTF file.
+// [sanitized] scene/: what is read of a glTF file.
 #include <stb/stb_image_write.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Shaders on a Vulkan device, judged by the built program: ours are right, and what is wrong is refuted.  Skipped where no
+// [driver] Shaders on a Vulkan device, judged by the built program: ours are right, and what is wrong is refuted.  Skipped where no
 // device is.  The validation layer listens: its first message ends a call, and so a law.
 #include <cstdlib>
 #include <fstream>

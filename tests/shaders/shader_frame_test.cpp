@@ -1,4 +1,4 @@
-// The renderer's shading beside a device's: one header, attribute_api.glsl, compiled as C++ there and as SPIR-V here, asked
+// [release, driver] The renderer's shading beside a device's: one header, attribute_api.glsl, compiled as C++ there and as SPIR-V here, asked
 // about every hit of a frame.
 #include <gtest/gtest.h>
 

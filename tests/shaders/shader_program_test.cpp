@@ -1,4 +1,4 @@
-// What no entry point asks of our includes, on a device: levels of detail, and the attribute API.  Skipped where no device is.
+// [driver] What no entry point asks of our includes, on a device: levels of detail, and the attribute API.  Skipped where no device is.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

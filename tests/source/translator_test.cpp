@@ -1,4 +1,4 @@
-// Random programs, compiled and run, beside the formulas that the translator makes of them: the same bits.
+// [release] Random programs, compiled and run, beside the formulas that the translator makes of them: the same bits.
 // MMVERIFY_FUZZ_SEEDS=N runs so many seeds in the place of one.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// spec/attribute/: colours, means, directions, errors and levels by hand, by closed forms, and in the limit.
+// [release] spec/attribute/: colours, means, directions, errors and levels by hand, by closed forms, and in the limit.
 #include <gtest/gtest.h>
 
 #include <array>

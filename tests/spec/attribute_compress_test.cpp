@@ -1,4 +1,4 @@
-// spec/attribute/compress*.hpp: steps, counts and bytes worked out by hand.
+// [release] spec/attribute/compress*.hpp: steps, counts and bytes worked out by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Edge decimation as specified, against the mesh that it makes, edge by edge.
+// [release] Edge decimation as specified, against the mesh that it makes, edge by edge.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -1,4 +1,4 @@
-// spec/attribute/lookup.hpp against what was worked out by hand.
+// [release] spec/attribute/lookup.hpp against what was worked out by hand.
 #include <gtest/gtest.h>
 
 #include "spec/attribute/lookup.hpp"

@@ -1,4 +1,4 @@
-// Mip chains and levels of detail as specified.
+// [release] Mip chains and levels of detail as specified.
 #include <gtest/gtest.h>
 
 #include <cmath>

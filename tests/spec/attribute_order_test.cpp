@@ -1,4 +1,4 @@
-// spec/attribute/order.hpp against what was worked out by hand, counted, or published.
+// [release] spec/attribute/order.hpp against what was worked out by hand, counted, or published.
 #include <gtest/gtest.h>
 
 #include <cstdint>

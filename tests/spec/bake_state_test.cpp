@@ -1,4 +1,4 @@
-// spec/bake/texture.hpp, spec/bake/state.hpp and nearest filtering: by hand, and against points.
+// [release] spec/bake/texture.hpp, spec/bake/state.hpp and nearest filtering: by hand, and against points.
 #include <gtest/gtest.h>
 
 #include <array>

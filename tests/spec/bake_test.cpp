@@ -1,4 +1,4 @@
-// spec/bake/bake.hpp: wrapping, bilinear alpha and the extremes of polygons by hand, and against points.
+// [release] spec/bake/bake.hpp: wrapping, bilinear alpha and the extremes of polygons by hand, and against points.
 #include "spec/bake/bake.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// spec/dag: a graph worked by hand, and what is no container.
+// [release] spec/dag: a graph worked by hand, and what is no container.
 #include <gtest/gtest.h>
 
 #include "spec/dag/words.hpp"

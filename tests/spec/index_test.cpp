@@ -1,4 +1,4 @@
-// spec/index/index.hpp and the numbers it runs on, against what was worked out by hand or by plain loops.
+// [release] spec/index/index.hpp and the numbers it runs on, against what was worked out by hand or by plain loops.
 #include "spec/index/index.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// spec/micromap*.hpp against what was worked out by hand.
+// [release] spec/micromap*.hpp against what was worked out by hand.
 #include <gtest/gtest.h>
 
 #include "spec/micromap/array.hpp"

@@ -1,4 +1,4 @@
-// spec/traverse/ against rows that the specifications state, worked out by hand.
+// [release] spec/traverse/ against rows that the specifications state, worked out by hand.
 #include <gtest/gtest.h>
 
 #include <array>

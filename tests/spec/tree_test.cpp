@@ -1,4 +1,4 @@
-// spec/tree/tree.hpp: a tree worked by hand, the closed forms, and what is no tree.
+// [release] spec/tree/tree.hpp: a tree worked by hand, the closed forms, and what is no tree.
 #include "spec/tree/tree.hpp"
 
 #include <gtest/gtest.h>

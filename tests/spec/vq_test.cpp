@@ -1,4 +1,4 @@
-// spec/vq/vq.hpp and spec/vq/block.hpp: counts, table 1, codes and blocks by hand.
+// [release] spec/vq/vq.hpp and spec/vq/block.hpp: counts, table 1, codes and blocks by hand.
 #include "spec/vq/vq.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The forms of vectors, and what a builder refuses.
+// [release] The forms of vectors, and what a builder refuses.
 #include <nlohmann/json.hpp>
 
 #include "delivery/vectors/binary32.hpp"

@@ -49,7 +49,7 @@ Finding compared(MapForm form, const std::vector<Rgba>& expected, const std::vec
 
 Law within_support(Law law) {
   const auto support = [](const Subject& s) -> const BakingSupport& {
-    return of_attribute(s).functions.baking.support;
+    return subject_as<AttributeSubject>(s).functions.baking.support;
   };
   law.domain = [=, all = law.domain](const Subject& s, Level n) {
     const std::string declared = text_of(support(s));

@@ -103,7 +103,7 @@ Mutant with_place(
 }  // namespace
 
 Law two_levels_law() {
-  const auto of = [](const Subject& s) -> const AttributeSubject& { return of_attribute(s); };
+  const auto of = [](const Subject& s) -> const AttributeSubject& { return subject_as<AttributeSubject>(s); };
   Law law{.id = "paper.two_levels_crack",
           .topic = "attribute",
           .says =

@@ -149,7 +149,9 @@ Law bijective_law() {
                                           }))}},
       needing({entry::vertex_index}), std::move(cases));
   law.divisible = false;
-  law.judge = [](const Subject& s, Level n, const Run& run) { return bijective(of_attribute(s), n, run); };
+  law.judge = [](const Subject& s, Level n, const Run& run) {
+    return bijective(subject_as<AttributeSubject>(s), n, run);
+  };
   return law;
 }
 

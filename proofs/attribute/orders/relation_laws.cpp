@@ -49,7 +49,7 @@ std::function<std::optional<std::string>(const Subject&, Level)> one_level_more(
     const std::function<std::optional<std::string>(const Subject&, Level)>& unfit) {
   return [unfit](const Subject& s, Level n) -> std::optional<std::string> {
     if (auto why = unfit(s, n)) return why;
-    if (const Level last = of_attribute(s).functions.max_level; n + 1 > last)
+    if (const Level last = subject_as<AttributeSubject>(s).functions.max_level; n + 1 > last)
       return fmt::format("{} is defined up to level {}", s.name(), last);
     return std::nullopt;
   };

@@ -42,7 +42,8 @@ Law law() {
                 const auto* own = dynamic_cast<const Provable*>(&s);
                 return proofs::induction::discharge(
                     own != nullptr ? own->statements() : shipped(),
-                    {[&] { return counterexamples(exact_on_floats, of_index(s), run); }, where_searched()},
+                    {[&] { return counterexamples(exact_on_floats, subject_as<IndexSubject>(s), run); },
+                     where_searched()},
                     run);
               },
           .replay = replayed_by(replay_equals_reference),

@@ -139,7 +139,7 @@ Law published_law() {
             const auto* own = dynamic_cast<const Provable*>(&s);
             return proofs::induction::discharge(
                 own != nullptr ? own->statements() : shipped_published(),
-                {[&] { return off_prediction(of_index(s), run); },
+                {[&] { return off_prediction(subject_as<IndexSubject>(s), run); },
                  fmt::format("{} hard pairs of each level 0..{}", pairs_compared, highest_level)},
                 run);
           },

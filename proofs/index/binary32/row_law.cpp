@@ -100,7 +100,8 @@ Law row_law() {
             const auto* own = dynamic_cast<const proofs::induction::Provable*>(&s);
             return proofs::induction::discharge(
                 own != nullptr ? own->statements() : statements(),
-                {[&] { return counterexamples(row_exact_on_floats, of_index(s), run); }, where_searched()},
+                {[&] { return counterexamples(row_exact_on_floats, subject_as<IndexSubject>(s), run); },
+                 where_searched()},
                 run);
           },
       .replay = replayed_by(replay_row_order),

@@ -65,7 +65,8 @@ Law settled(const Subjects& (*known)(), Level search, std::uint64_t statements) 
           },
           .judge =
               [known, search](const Subject& s, Level, const Run& run) {
-                return discharge(statements_about(known(), s).value(), of_index(s), search, run);
+                return discharge(statements_about(known(), s).value(), subject_as<IndexSubject>(s), search,
+                                 run);
               },
           .replay = replayed_by(replay_equals_reference)};
 }

@@ -19,7 +19,9 @@ std::uint64_t rational_points(Level, const Run& run) { return run.tier == Tier::
 
 std::string floats(const Subject& s, Level) {
   return fmt::format("a sample of binary32 pairs near what breaks index functions{}",
-                     of_index(s).functions.arithmetic == Arithmetic::binary16 ? ", rounded to binary16" : "");
+                     subject_as<IndexSubject>(s).functions.arithmetic == Arithmetic::binary16
+                         ? ", rounded to binary16"
+                         : "");
 }
 std::string rationals(const Subject&, Level) { return "a sample of rational points inside cells"; }
 
@@ -45,8 +47,10 @@ Law exact_on_floats_law() {
       .how = by_sample,
       .unfit = needing({entry::index}),
       .divisible = true,
-      .judge = [](const Subject& s, Level n,
-                  const Run& run) { return exact_on_floats(of_index(s), n, run, hard_pairs(n, run)); },
+      .judge =
+          [](const Subject& s, Level n, const Run& run) {
+            return exact_on_floats(subject_as<IndexSubject>(s), n, run, hard_pairs(n, run));
+          },
       .replay = replayed_by(replay_equals_reference),
       .mutants = {wrong_at("one pair of level 9, an ulp under the hypotenuse", "impl", 9, 0.5f,
                            0x1.fffffep-2f),
@@ -107,8 +111,10 @@ Law cells_decide_law() {
       .how = by_sample,
       .unfit = needing_exact({entry::index}),
       .divisible = true,
-      .judge = [](const Subject& s, Level n,
-                  const Run& run) { return cells_decide(of_index(s), n, run, rational_points(n, run)); },
+      .judge =
+          [](const Subject& s, Level n, const Run& run) {
+            return cells_decide(subject_as<IndexSubject>(s), n, run, rational_points(n, run));
+          },
       .mutants = {single("one interior representative of level 4", "reference", 4, 1, corner(4) - 3),
                   single("one edge's representative of level 5", "step", 5, 4 * 3 + 2, 4 * 5),
                   mutant("representatives of level 9 only", "step", {9, 9},

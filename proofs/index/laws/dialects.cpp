@@ -22,7 +22,7 @@ std::uint64_t either_pairs(Level, const Run& run) { return run.tier == Tier::fas
 Unfit needing_binary32() {
   return [fits = needing({entry::index})](const Subject& subject, Level n) -> std::optional<std::string> {
     if (const auto why = fits(subject, n)) return why;
-    if (of_index(subject).functions.arithmetic != Arithmetic::binary32)
+    if (subject_as<IndexSubject>(subject).functions.arithmetic != Arithmetic::binary32)
       return subject.name() + " does not compute in binary32";
     return std::nullopt;
   };

@@ -44,8 +44,10 @@ Law row_exact_on_floats_law() {
       .how = by_sample,
       .unfit = needing({entry::row_index}),
       .divisible = true,
-      .judge = [](const Subject& s, Level n,
-                  const Run& run) { return row_exact_on_floats(of_index(s), n, run, pairs(n, run)); },
+      .judge =
+          [](const Subject& s, Level n, const Run& run) {
+            return row_exact_on_floats(subject_as<IndexSubject>(s), n, run, pairs(n, run));
+          },
       .replay = replayed_by(replay_row_order),
       .mutants = {{"figure 4 in binary32", built_in("w-minor-f32"), {1, 1}},
                   {"figure 4 in binary64, which loses what a sum has beyond 53 bits",
@@ -73,7 +75,7 @@ IndexSubjectPtr through_binary32() {
 Unfit needing_doubles() {
   return [fits = needing({entry::index})](const Subject& subject, Level n) -> std::optional<std::string> {
     if (const auto why = fits(subject, n)) return why;
-    const IndexSubject& s = of_index(subject);
+    const IndexSubject& s = subject_as<IndexSubject>(subject);
     if (s.takes_doubles()) return std::nullopt;
     return s.name() + " takes no binary64 numbers";
   };
@@ -98,8 +100,10 @@ Law exact_on_doubles_law() {
       .how = by_sample,
       .unfit = needing_doubles(),
       .divisible = true,
-      .judge = [](const Subject& s, Level n,
-                  const Run& run) { return exact_on_doubles(of_index(s), n, run, double_pairs(n, run)); },
+      .judge =
+          [](const Subject& s, Level n, const Run& run) {
+            return exact_on_doubles(subject_as<IndexSubject>(s), n, run, double_pairs(n, run));
+          },
       .replay = replayed_by(replay_equals_reference),
       .mutants = {{"binary32 first", through_binary32(), {1, 5}},
                   {"the reference in binary64", built_in("reference-f64"), {4, 8}},

@@ -48,7 +48,7 @@ std::string name_corner_order(const IndexSubject& subject, Level n) {
 
 std::optional<std::string> declares_no_order(const Subject& subject, Level n) {
   if (const auto why = needing({entry::corners})(subject, n)) return why;
-  const IndexSubject& s = of_index(subject);
+  const IndexSubject& s = subject_as<IndexSubject>(subject);
   if (s.functions.corner_order != CornerOrder::undeclared) return std::nullopt;
   const Level at = std::min<Level>(3, s.functions.max_level);
   try {
@@ -64,7 +64,7 @@ std::vector<std::string> diagnose_corner_order(const Subject& subject, const std
                         return r.verdict == Verdict::refuted;
                       })->level;
   return {fmt::format("its order of corners at level {}: {}", level,
-                      name_corner_order(of_index(subject), level))};
+                      name_corner_order(subject_as<IndexSubject>(subject), level))};
 }
 
 }  // namespace mmverify::proofs::index

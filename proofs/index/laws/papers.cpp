@@ -47,8 +47,9 @@ Law differs_law(const char* id, const char* says, const char* source, const char
           .domain = points,
           .how = in_rationals_then_fixed_point,
           .unfit = needing({entry::index}),
-          .judge = [stated](const Subject& s, Level n,
-                            const Run& run) { return differs_first(of_index(s), n, run, stated); },
+          .judge = [stated](
+                       const Subject& s, Level n,
+                       const Run& run) { return differs_first(subject_as<IndexSubject>(s), n, run, stated); },
           .mutants = {repaired(6),
                       {"the reading without its difference", built_in("step"), {0, 2}},
                       single("one more wrong vertex, at level 1", reading, 1, 4, 0)},

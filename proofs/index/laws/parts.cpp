@@ -6,13 +6,15 @@
 
 namespace mmverify::proofs::index {
 
-const IndexSubject& of_index(const Subject& s) { return dynamic_cast<const IndexSubject&>(s); }
-
 std::function<Tally(const Subject&, Level, const Run&)> judged_by(Judge judge) {
-  return [judge](const Subject& s, Level n, const Run& run) { return judge(of_index(s), n, run); };
+  return [judge](const Subject& s, Level n, const Run& run) {
+    return judge(subject_as<IndexSubject>(s), n, run);
+  };
 }
 std::function<Replayed(const Subject&, Level, const std::string&)> replayed_by(Replay replay) {
-  return [replay](const Subject& s, Level n, const std::string& at) { return replay(of_index(s), n, at); };
+  return [replay](const Subject& s, Level n, const std::string& at) {
+    return replay(subject_as<IndexSubject>(s), n, at);
+  };
 }
 
 std::uint64_t all_cells(Level n, const Run& run) {
@@ -22,7 +24,7 @@ std::uint64_t next_cells(Level n, const Run& run) { return all_cells(n + 1, run)
 std::uint64_t all_triangles(Level n, const Run&) { return triangle_count(n); }
 
 std::string points(const Subject& subject, Level n) {
-  const IndexSubject& s = of_index(subject);
+  const IndexSubject& s = subject_as<IndexSubject>(subject);
   if (s.exact()) return "every rational point of the triangle, by its 3N^2+3N+1 cells";
   const bool representable = s.functions.arithmetic != Arithmetic::binary16 || n + 2 <= 11;
   return fmt::format("the 3N^2+3N+1 representatives, {} {} numbers", representable ? "as" : "rounded to",
@@ -30,8 +32,8 @@ std::string points(const Subject& subject, Level n) {
 }
 std::string next_points(const Subject& s, Level n) { return points(s, n + 1) + " of level n+1"; }
 std::string triangles(const Subject& subject, Level) {
-  return of_index(subject).exact() ? "the 4^n open micro-triangles"
-                                   : "one point inside each of the 4^n micro-triangles";
+  return subject_as<IndexSubject>(subject).exact() ? "the 4^n open micro-triangles"
+                                                   : "one point inside each of the 4^n micro-triangles";
 }
 std::string indices(const Subject&, Level) { return "the 4^n indices"; }
 
@@ -53,15 +55,9 @@ std::string by_sample(const Subject&, Level) { return "sample, against exact ari
 std::string by_witness(const Subject&, Level) { return "witness, against exact arithmetic"; }
 
 Unfit needing(std::vector<Entry> entries, Level above) {
-  return [=](const Subject& subject, Level n) -> std::optional<std::string> {
-    const auto* s = dynamic_cast<const IndexSubject*>(&subject);
-    if (s == nullptr) return "not a subject of topic index";
-    for (const Entry e : entries)
-      if (!e.there(s->functions)) return fmt::format("{} has no entry point {}", s->name(), e.name);
-    if (const Level last = s->functions.max_level; n + above > last)
-      return fmt::format("{} is defined up to level {}", s->name(), last);
-    return std::nullopt;
-  };
+  return unless_of_topic<IndexSubject>(lacking<IndexSubject>(
+      std::move(entries),
+      [above](const IndexSubject& s, Level n) { return above_its_levels(s, n + above); }));
 }
 
 Unfit needing_exact(std::vector<Entry> entries) {

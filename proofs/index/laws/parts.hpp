@@ -10,8 +10,6 @@ inline constexpr char succinct_4_3[] = "Succinct Opacity Micromaps, 4.3, Algorit
 inline constexpr char succinct_a[] = "Succinct Opacity Micromaps, Appendix A";
 inline constexpr char attribute_4[] = "Color and Attribute Micromaps, 4.1, figure 4";
 
-const IndexSubject& of_index(const Subject& s);
-
 using Judge = Tally (*)(const IndexSubject&, Level, const Run&);
 using Replay = Replayed (*)(const IndexSubject&, Level, const std::string&);
 std::function<Tally(const Subject&, Level, const Run&)> judged_by(Judge judge);
@@ -35,9 +33,6 @@ std::string against_rationals(const Subject& subject, Level n);
 std::string exhaustively(const Subject& subject, Level n);
 std::string by_sample(const Subject& subject, Level n);
 std::string by_witness(const Subject& subject, Level n);
-
-/// The reason why a law does not apply to a subject at a level, if any.
-using Unfit = std::function<std::optional<std::string>(const Subject&, Level)>;
 
 /// The subject must have the entry points and be defined `above` levels further.
 Unfit needing(std::vector<Entry> entries, Level above = 0);

@@ -35,8 +35,10 @@ Law on_samples_law() {
         return needing({entry::index})(subject, n);
       },
       .divisible = true,
-      .judge = [](const Subject& s, Level n,
-                  const Run& run) { return on_samples(of_index(s), n, run, samples(n, run)); },
+      .judge =
+          [](const Subject& s, Level n, const Run& run) {
+            return on_samples(subject_as<IndexSubject>(s), n, run, samples(n, run));
+          },
       .replay = replayed_by(replay_on_samples),
       .mutants = {mutant("corners in words of 16 bits", "impl", {16, 16},
                          on_indices([](Level, std::uint32_t, Corners c) {
@@ -73,8 +75,10 @@ Law corners_on_samples_law() {
           .how = by_sample,
           .unfit = needing({entry::corners}),
           .divisible = true,
-          .judge = [](const Subject& s, Level n,
-                      const Run& run) { return corners_on_samples(of_index(s), n, run, samples(n, run)); },
+          .judge =
+              [](const Subject& s, Level n, const Run& run) {
+                return corners_on_samples(subject_as<IndexSubject>(s), n, run, samples(n, run));
+              },
           .replay = replayed_by(replay_corners_on_samples),
           .mutants = {mutant("two corners change places from level 12 on", "impl", {11, 12},
                              on_indices([](Level n, std::uint32_t, Corners c) {

@@ -177,33 +177,33 @@ SourceSubject::SourceSubject(std::string name, std::string about, Functions f, s
       code(std::move(c)) {}
 
 Law law(std::string replayed_by) {
-  Law l{
-      .id = "index.floats",
-      .topic = "index",
-      .says =
-          "for every pair of binary32 numbers the function's index is defined and that of the exact "
-          "reference",
-      .source = vulkan,
-      .method = Method::bit_vectors,
-      .fast = {9, 9},
-      .long_run = {0, highest},
-      .cases = [](Level n, const Run&) { return count_of_pairs(n); },
-      .domain =
-          [](const Subject&, Level) {
-            return "every pair of binary32 numbers u and v in [-0, 1] with u + v <= 1 + 2^-23, by pairs of "
-                   "exponents";
-          },
-      .how =
-          [](const Subject& s, Level) {
-            return fmt::format("bit vectors, {}; {}", induction::prover_name(), of_source(s).code.read_as);
-          },
-      .unfit = [](const Subject& s, Level n) -> std::optional<std::string> {
-        if (n > highest) return fmt::format("levels 0..{}", highest);
-        return of_source(s).code.not_known(n);
-      },
-      .divisible = true,
-      .judge = judge,
-      .replay = [](const Subject& s, Level n, const std::string& at) { return replay(of_index(s), n, at); }};
+  Law l{.id = "index.floats",
+        .topic = "index",
+        .says =
+            "for every pair of binary32 numbers the function's index is defined and that of the exact "
+            "reference",
+        .source = vulkan,
+        .method = Method::bit_vectors,
+        .fast = {9, 9},
+        .long_run = {0, highest},
+        .cases = [](Level n, const Run&) { return count_of_pairs(n); },
+        .domain =
+            [](const Subject&, Level) {
+              return "every pair of binary32 numbers u and v in [-0, 1] with u + v <= 1 + 2^-23, by pairs of "
+                     "exponents";
+            },
+        .how =
+            [](const Subject& s, Level) {
+              return fmt::format("bit vectors, {}; {}", induction::prover_name(), of_source(s).code.read_as);
+            },
+        .unfit = [](const Subject& s, Level n) -> std::optional<std::string> {
+          if (n > highest) return fmt::format("levels 0..{}", highest);
+          return of_source(s).code.not_known(n);
+        },
+        .divisible = true,
+        .judge = judge,
+        .replay = [](const Subject& s, Level n,
+                     const std::string& at) { return replay(subject_as<IndexSubject>(s), n, at); }};
   l.replayed_by = std::move(replayed_by);
   return l;
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "proofs/engine/shape.hpp"
 #include "proofs/index/grid/reference_sweep.hpp"
@@ -106,12 +105,6 @@ IndexSubjectPtr given_answer(const std::string& answer) {
 const std::vector<IndexSubjectPtr>& built_in_subjects() {
   static const auto all = make_all();
   return all;
-}
-
-IndexSubjectPtr built_in(const std::string& name) {
-  for (const auto& s : built_in_subjects())
-    if (s->name() == name) return s;
-  throw std::logic_error("no built-in subject of topic index named " + name);
 }
 
 }  // namespace mmverify::proofs::index

@@ -116,10 +116,12 @@ std::vector<Law> image_laws() {
       std::move(law),
       {[](Level, const Run& run) { return cameras(run) * pixels_by_forms(); },
        [](const Subject& s, Level, std::uint64_t k, const Run& run) {
-         return check(of_traverse(s), numbered(k, run));
+         return check(subject_as<TraverseSubject>(s), numbered(k, run));
        },
        [](const Subject&, Level, std::uint64_t k, const Run& run) { return text_of(numbered(k, run)); },
-       [](const Subject& s, Level, const std::string& at) { return check(of_traverse(s), read_seen_by(at)); },
+       [](const Subject& s, Level, const std::string& at) {
+         return check(subject_as<TraverseSubject>(s), read_seen_by(at));
+       },
        picture_width * forms().size(), Kind::interior})};
 }
 

@@ -127,11 +127,11 @@ std::vector<Law> payload_laws() {
       std::move(law),
       {[](Level, const Run& run) { return payload_cameras(run) * pixels_by_forms(); },
        [](const Subject& s, Level, std::uint64_t k, const Run& run) {
-         return same_payload(of_traverse(s), numbered(k, run));
+         return same_payload(subject_as<TraverseSubject>(s), numbered(k, run));
        },
        [](const Subject&, Level, std::uint64_t k, const Run& run) { return text_of(numbered(k, run)); },
        [](const Subject& s, Level, const std::string& at) {
-         return same_payload(of_traverse(s), read_seen_by(at));
+         return same_payload(subject_as<TraverseSubject>(s), read_seen_by(at));
        },
        picture_width * forms().size(), Kind::interior})};
 }
