@@ -192,12 +192,12 @@ std::vector<SubjectPtr> subjects_of(const dock::LibraryPtr& library, const std::
     for (const SubjectPtr& subject : chosen)
       if (subject->topic() == "index" || subject->topic() == "tree" || subject->topic() == "dag" ||
           subject->topic() == "attribute") {
-        runs_on->push_back({library->path(),
-                            {},
-                            {fmt::format("{}: its max_level is 0, so its entry points of {} are asked about "
-                                         "level 0 alone, which decides next to "
-                                         "nothing; is .max_level forgotten?",
-                                         library->path(), subject->topic())}});
+        runs_on->push_back(
+            {library->path(),
+             {},
+             {fmt::format("{}: its max_level is 0, so its entry points of {} are asked about level 0 alone, "
+                          "which decides next to nothing; is .max_level forgotten?",
+                          library->path(), subject->topic())}});
         break;
       }
   if (const std::string text = library->runs_on(); runs_on != nullptr && !text.empty())

@@ -67,8 +67,7 @@ void print_law(const Law& law) {
   if (law.id == "index.floats")
     say(stdout,
         "  of a function in C, C++, GLSL, HLSL, LLVM's bitcode or SPIR-V, levels 0..16: prove index.floats "
-        "--source FILE "
-        "--function NAME\n");
+        "--source FILE --function NAME\n");
   say(stdout, "  subjects: {}\n\n", fmt::join(law.subjects, ", "));
 }
 

@@ -214,18 +214,16 @@ Action add_gen(CLI::App& program) {
   auto* command = program.add_subcommand("gen", "the cases of a level, one a line, for a program on a pipe");
   auto options = std::make_shared<PipeOptions>();
   command
-      ->add_option(
-          "topic", options->topic,
-          "index: points; corners: indices; rays: rays with the state that they meet; tree: maps and codes; "
-          "bake: textures")
+      ->add_option("topic", options->topic,
+                   "index: points; corners: indices; rays: rays with the state that they meet; tree: maps "
+                   "and codes; bake: textures")
       ->required()
       ->check(CLI::IsMember(topics_with({"index", "corners", "rays"})));
   add_common(*command, *options);
   command
-      ->add_option(
-          "--distance", options->distance,
-          "rays: one inside each micro-triangle, whose N u, N v and N w are at least so far from whole "
-          "numbers; 0: on edges and vertices, too")
+      ->add_option("--distance", options->distance,
+                   "rays: one inside each micro-triangle, whose N u, N v and N w are at least so far from "
+                   "whole numbers; 0: on edges and vertices, too")
       ->check(finite_within(0, traverse::most_distance));
   return [options, command] {
     if (!options->rays() && options->distance != 0) throw UsageError("--distance: for gen rays");
@@ -244,8 +242,7 @@ Action add_check(CLI::App& program) {
   command
       ->add_option("topic", options->topic,
                    "index, corners, tree or bake; maps: finished ones against their textures; attributes: "
-                   "whether a file "
-                   "of attribute micromaps is one")
+                   "whether a file of attribute micromaps is one")
       ->required()
       ->check(CLI::IsMember(topics_with({"index", "corners", "maps", "attributes"})));
   add_common(*command, *options);

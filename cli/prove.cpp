@@ -88,8 +88,8 @@ void announce_companions(const std::vector<Job>& jobs, TextReport& text) {
   for (const Job& job : jobs) {
     if (job.brought_by == nullptr || !job.unfit.empty()) continue;
     const std::string line = fmt::format(
-        "{} runs beside {}, as {}'s cases are few numbers to a subject of floats; "
-        "--no-companions leaves it out",
+        "{} runs beside {}, as {}'s cases are few numbers to a subject of floats; --no-companions leaves it "
+        "out",
         job.law->id, job.brought_by->id, job.brought_by->id);
     if (std::find(said.begin(), said.end(), line) == said.end()) said.push_back(line);
   }
@@ -269,8 +269,8 @@ Action add_prove(CLI::App& program) {
       ->check(whole_within(0, 9999));
   command
       ->add_option("--entry", options->entry,
-                   "what a shader with a main of its own answers, index_f32 where not given; of a "
-                   "file of functions, the one that is asked")
+                   "what a shader with a main of its own answers, index_f32 where not given; of a file of "
+                   "functions, the one that is asked")
       ->type_name("NAME");
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--junit", options->junit, "write the results as JUnit XML")->type_name("FILE");

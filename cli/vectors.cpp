@@ -64,8 +64,7 @@ Action add_vectors(CLI::App& program) {
   for (const vectors::FamilyRow& row : vectors::families()) names.emplace_back(row.name);
   command->footer(
       "Made from the exact specification, the same bytes each time. docs/VECTORS.md says what each family "
-      "has, "
-      "and how\na driver's, a translation layer's or an engine's tests take them in.");
+      "has, and how\na driver's, a translation layer's or an engine's tests take them in.");
   auto options = std::make_shared<VectorsOptions>();
   command
       ->add_option("-o,--output", options->folder,

@@ -282,8 +282,8 @@ std::vector<AttributeBakeLevel> attribute_bake_figures(const AttributeBakeOption
   if (o.rounds == 0 || o.triangles == 0 || o.first > o.last || o.last > 8 || o.triangle < 4 ||
       o.texels > 8192 || 2 * o.triangle >= o.texels)
     throw std::invalid_argument(
-        "attribute bench: a round and a triangle at least, levels up to 8, triangles smaller "
-        "than half of a texture of up to 8192 texels a side");
+        "attribute bench: a round and a triangle at least, levels up to 8, triangles smaller than half of a "
+        "texture of up to 8192 texels a side");
   if (o.progress) o.progress("generating a texture");
   const Texture texture = generated(o.texels, o.seed);
   const std::vector<BaseTriangle> triangles = mesh(o);

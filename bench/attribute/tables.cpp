@@ -80,13 +80,11 @@ Table remaps_table(const AttributeFigures& figures) {
       {{"samples", "points"}, [](const L& l) { return l.samples; }},
       within<L, RemapOf>({.key = "ways", .heading = "ways"}, remap_fields(), remaps_of),
   };
-  return table_of<L>(
-      {.key = "remaps",
-       .caption =
-           "Barycentrics on the micro-triangle, in binary32, beside exact ones; an error in heights of "
-           "the micro-triangle,\nin ulps of weights of 2^-12 and more; condition: of the system that a way "
-           "solves"},
-      fields, figures.remaps);
+  return table_of<L>({.key = "remaps",
+                      .caption = "Barycentrics on the micro-triangle, in binary32, beside exact ones; an "
+                                 "error in heights of the micro-triangle,\nin ulps of weights of 2^-12 and "
+                                 "more; condition: of the system that a way solves"},
+                     fields, figures.remaps);
 }
 
 struct GrowthOf {
@@ -163,12 +161,10 @@ Table bakes_table(const AttributeFigures& figures) {
        [](const L& l) { return l.exact; }},
       within<L, BakeOf>({.key = "ways", .heading = "ways"}, bake_fields(), bakes_of),
   };
-  return table_of<L>(
-      {.key = "bakes",
-       .caption =
-           "Maps of a texture of 2048 x 2048 texels, by triangles of about 4,000 texels; wrong: a code that "
-           "is not the exact one"},
-      fields, figures.bakes);
+  return table_of<L>({.key = "bakes",
+                      .caption = "Maps of a texture of 2048 x 2048 texels, by triangles of about 4,000 "
+                                 "texels; wrong: a code that is not the exact one"},
+                     fields, figures.bakes);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -204,21 +200,18 @@ Table lods_table(const AttributeFigures& figures) {
 }  // namespace
 
 Result attribute_tables(const AttributeFigures& figures, const AttributeBenchOptions& options) {
-  return {
-      .topic = "attribute",
-      .settings = {{"seed", options.seed},
-                   {"samples", options.samples},
-                   {"rounds", std::uint64_t{options.rounds}},
-                   {"triangles", std::uint64_t{options.triangles}}},
-      .about =
-          "One thread; uniform points, 16,384 at a time. bilinear: a texture of 2^level texels a side, in "
-          "software; "
-          "one by one beside\none by one, batched beside batched. Half the points that judge remaps lie "
-          "near grid "
-          "lines. A sample is checked, never proved",
-      .tables = {lookups_table(figures), remaps_table(figures), growth_table(figures), bakes_table(figures),
-                 mips_table(figures), lods_table(figures)},
-      .drawn = attribute_picture(figures)};
+  return {.topic = "attribute",
+          .settings = {{"seed", options.seed},
+                       {"samples", options.samples},
+                       {"rounds", std::uint64_t{options.rounds}},
+                       {"triangles", std::uint64_t{options.triangles}}},
+          .about =
+              "One thread; uniform points, 16,384 at a time. bilinear: a texture of 2^level texels a side, "
+              "in software; one by one beside\none by one, batched beside batched. Half the points that "
+              "judge remaps lie near grid lines. A sample is checked, never proved",
+          .tables = {lookups_table(figures), remaps_table(figures), growth_table(figures),
+                     bakes_table(figures), mips_table(figures), lods_table(figures)},
+          .drawn = attribute_picture(figures)};
 }
 
 }  // namespace mmverify::bench

@@ -46,12 +46,10 @@ Table attribute_mips_table(const std::vector<MipStep>& steps) {
   add_errors(fields, "texture", [](const MipStep& s) -> const MipError& { return s.texture; });
   add_maps(fields, "faces", &MipStep::faces);
   add_maps(fields, "vertices", &MipStep::vertices);
-  return table_of<MipStep>(
-      {.key = "mips",
-       .caption =
-           "mips of the textures, beside those of maps with most nearly as many values; border: within "
-           "2^mip texels of another chart or of none"},
-      fields, steps);
+  return table_of<MipStep>({.key = "mips",
+                            .caption = "mips of the textures, beside those of maps with most nearly as many "
+                                       "values; border: within 2^mip texels of another chart or of none"},
+                           fields, steps);
 }
 
 Table attribute_mip_pictures_table(const std::vector<MipPictureFile>& pictures) {

@@ -333,9 +333,9 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
           (options.averaging == scene::Averaging::codes
                ? "codes as the texture stores them"
                : "light, where codes are colours, and of directions, where they are normals") +
-          ". maps: different ones, for equal ones are stored once; constant: those of one value, which "
-          "need no map. Errors are in texture space, over the texels whose centre a triangle shows. "
-          "without texel: faces in which no texel's centre lies",
+          ". maps: different ones, for equal ones are stored once; constant: those of one value, which need "
+          "no map. Errors are in texture space, over the texels whose centre a triangle shows. without "
+          "texel: faces in which no texel's centre lies",
       .tables = {table_of<F>({.form = Form::members}, whole, {figures}),
                  table_of<S>({.key = "sets"}, sets, figures.sets),
                  table_of<SetLevel>({.key = "rows"}, rows, set_levels(figures)),
@@ -345,10 +345,8 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
     result.settings.emplace_back("packed_error", std::uint64_t{options.packed_error});
     result.about +=
         ". packed: the maps in the channels in use, lossless or each code off by the error at most; entropy: "
-        "order 0 "
-        "of its residuals; zstd: level 19 of the plain bytes; worst, RMS: how far what is decoded is from "
-        "the "
-        "maps";
+        "order 0 of its residuals; zstd: level 19 of the plain bytes; worst, RMS: how far what is decoded is "
+        "from the maps";
   }
   if (options.texture_coder.compress) {
     result.settings.emplace_back(options.texture_coder.key, options.texture_coder.name);

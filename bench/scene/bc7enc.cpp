@@ -36,8 +36,7 @@ class Bc7enc {
     }
     throw NoProgram(
         "--bc7 needs bc7enc, which is not here: npm install -g @gpu-tex-enc/bc has it, and Debian's libomp5 "
-        "what it "
-        "needs");
+        "what it needs");
   }
 
   std::string name() const { return version_ + ", " + quality(); }

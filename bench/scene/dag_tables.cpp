@@ -87,11 +87,10 @@ Table squares_table(const SceneDagScene& figures) {
   };
   return table_of<S>(
       {.key = "squares",
-       .caption = figures.squares.empty()
-                      ? "VQ: no pair of triangles with a square of two states, or levels 4 and 5 "
-                        "not asked for"
-                      : "VQ of the pairs of triangles, which loses states; beside it both "
-                        "triangles' maps"},
+       .caption =
+           figures.squares.empty()
+               ? "VQ: no pair of triangles with a square of two states, or levels 4 and 5 not asked for"
+               : "VQ of the pairs of triangles, which loses states; beside it both triangles' maps"},
       fields, figures.squares);
 }
 
@@ -127,14 +126,11 @@ Result scene_dag_tables(const SceneDagScene& figures, const SceneDagOptions& opt
           ", one thread. of: maps of the scene; taken: all, or, where 4-state maps would take more than " +
           std::to_string(options.memory) +
           " bytes,\nas many as fit, evenly by their number: a sample. uniform: of one state, so in no form. "
-          "flat: a map for "
-          "each triangle of a mesh.\nonce: maps that are the same once, as is all that follows. paper: two "
-          "bit sequences a "
-          "map. ranked: impl/tree. dag: impl/dag. These with\n8 bytes a map for where it is; lz4, zstd: all "
-          "maps as one, no "
-          "lookups. Entropy of the states of the distinct maps: order 0: each by\nits frequency; after 16 "
-          "bits: by that "
-          "after the 16 bits before it along the curve, no figure for fewer than 2^20 states",
+          "flat: a map for each triangle of a mesh.\nonce: maps that are the same once, as is all that "
+          "follows. paper: two bit sequences a map. ranked: impl/tree. dag: impl/dag. These with\n8 bytes a "
+          "map for where it is; lz4, zstd: all maps as one, no lookups. Entropy of the states of the "
+          "distinct maps: order 0: each by\nits frequency; after 16 bits: by that after the 16 bits before "
+          "it along the curve, no figure for fewer than 2^20 states",
       .tables = {table_of<S>({.form = Form::members}, scene, {figures}), rows_table(figures),
                  squares_table(figures), growth_table(figures)},
       .drawn = scene_dag_picture(figures)};

@@ -91,21 +91,21 @@ Result view_tables(const ViewFigures& figures) {
   };
   if (std::any_of(figures.rows.begin(), figures.rows.end(), [](const R& r) { return !r.file.empty(); }))
     rows.push_back({{"picture", "picture"}, [](const R& r) { return r.file; }});
-  return {.topic = "views",
-          .settings = {{"embree", figures.embree},
-                       {"width", std::uint64_t{figures.width}},
-                       {"height", std::uint64_t{figures.height}},
-                       {"rays", std::uint64_t{figures.rays} * figures.rays},
-                       {"shading", std::string(figures.shading == render::Shading::lit ? "lit" : "unlit")},
-                       {"camera", figures.camera},
-                       {"seed", figures.seed},
-                       {"threads", figures.threads}},
-          .about = figures.file +
-                   ": one view, its attributes read of maps in the place of textures, and held against the "
-                   "textures' own view; FLIP: its mean over all pixels; textured: over those that show a "
-                   "texture",
-          .tables = {table_of<F>({.form = Form::members}, whole, {figures}),
-                     table_of<R>({.key = "rows"}, rows, figures.rows)}};
+  return {
+      .topic = "views",
+      .settings = {{"embree", figures.embree},
+                   {"width", std::uint64_t{figures.width}},
+                   {"height", std::uint64_t{figures.height}},
+                   {"rays", std::uint64_t{figures.rays} * figures.rays},
+                   {"shading", std::string(figures.shading == render::Shading::lit ? "lit" : "unlit")},
+                   {"camera", figures.camera},
+                   {"seed", figures.seed},
+                   {"threads", figures.threads}},
+      .about = figures.file +
+               ": one view, its attributes read of maps in the place of textures, and held against the "
+               "textures' own view; FLIP: its mean over all pixels; textured: over those that show a texture",
+      .tables = {table_of<F>({.form = Form::members}, whole, {figures}),
+                 table_of<R>({.key = "rows"}, rows, figures.rows)}};
 }
 
 }  // namespace mmverify::bench

@@ -26,9 +26,8 @@ Result shader_tables(const ShaderFigures& figures) {
           .settings = {{"device", figures.device}, {"batch", figures.batch}, {"seed", figures.seed}},
           .about =
               "device: wall time of a lookup in a batch, its copies included, on all threads that the driver "
-              "takes; "
-              "ours: the library's, one by one in one thread; differing: of a batch, answers unlike the "
-              "library's",
+              "takes; ours: the library's, one by one in one thread; differing: of a batch, answers unlike "
+              "the library's",
           .tables = {table_of<About>({.key = "runs_on"}, about, figures.about),
                      table_of<S>({.key = "rows"}, fields, figures.rows)}};
 }

@@ -10,8 +10,7 @@ struct SdslTree::Parts {};
 SdslTree::SdslTree(impl::tree::Level, impl::tree::Format, std::span<const std::uint8_t>) {
   throw std::runtime_error(
       "bench tree compares with sdsl, which this build leaves out, as its licence is the GPL: build mmverify "
-      "from its "
-      "sources, or name the other topics");
+      "from its sources, or name the other topics");
 }
 SdslTree::~SdslTree() = default;
 SdslTree::SdslTree(SdslTree&&) noexcept = default;

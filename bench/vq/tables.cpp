@@ -232,23 +232,21 @@ Result vq_tables(const VqFigures& figures, const VqBenchOptions& options) {
        [](const VqFigures& f) { return std::uint64_t{f.left_out}; }},
       {{"", "maps"}, [](const VqFigures& f) { return std::uint64_t{f.rows.size()}; }},
   };
-  return {
-      .topic = "vq",
-      .settings = {{"seed", options.seed},
-                   {"rounds", std::uint64_t{options.rounds}},
-                   {"maps", options.textures.empty() ? "generated" : "textures"}},
-      .about =
-          "Exact coverage at alpha 1/2, one thread. substitutions: O and T that became C. paper: "
-          "Algorithms 1 and "
-          "2 as printed;\nhighest: vectors with more C first; C free: the all-C partition takes no "
-          "entry. bound: no "
-          "block of VQ4 loses fewer;\nof VQ2, optimal is the bound. O beside T: vectors of either source. "
-          "Rivals: docs/VQ.md. shade: mean over the maps of\n|share of hits read as opaque - share that is|",
-      .tables = {table_of<VqFigures>({.form = Form::members}, loose, {figures}), decoding_table(figures),
-                 maps_table(figures), encoders_table(figures.rows), sources_table(figures.rows),
-                 transforms_table(figures.rows), rivals::codecs_table(figures.rivals),
-                 rivals::readings_table(figures.rivals)},
-      .drawn = vq_picture(figures)};
+  return {.topic = "vq",
+          .settings = {{"seed", options.seed},
+                       {"rounds", std::uint64_t{options.rounds}},
+                       {"maps", options.textures.empty() ? "generated" : "textures"}},
+          .about =
+              "Exact coverage at alpha 1/2, one thread. substitutions: O and T that became C. paper: "
+              "Algorithms 1 and 2 as printed;\nhighest: vectors with more C first; C free: the all-C "
+              "partition takes no entry. bound: no block of VQ4 loses fewer;\nof VQ2, optimal is the bound. "
+              "O beside T: vectors of either source. Rivals: docs/VQ.md. shade: mean over the maps "
+              "of\n|share of hits read as opaque - share that is|",
+          .tables = {table_of<VqFigures>({.form = Form::members}, loose, {figures}), decoding_table(figures),
+                     maps_table(figures), encoders_table(figures.rows), sources_table(figures.rows),
+                     transforms_table(figures.rows), rivals::codecs_table(figures.rivals),
+                     rivals::readings_table(figures.rivals)},
+          .drawn = vq_picture(figures)};
 }
 
 }  // namespace mmverify::bench

@@ -290,8 +290,7 @@ Action add_bench(CLI::App& program) {
   command
       ->add_option("--scene", options->scene,
                    "bake: how fast this scene's own triangles are baked, instead; with --subject also a "
-                   "folder; dag: what its "
-                   "maps take in each form")
+                   "folder; dag: what its maps take in each form")
       ->type_name("FILE.gltf")
       ->excludes(textures);
   command

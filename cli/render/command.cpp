@@ -333,8 +333,8 @@ int render_scene(const RenderOptions& options) {
 Action add_render(CLI::App& program) {
   auto* command =
       program.add_subcommand("render",
-                             "trace a glTF scene with Embree, any-hit shaders by texture and by "
-                             "micromaps; exit 1 where a pixel differs, 2 where nothing was compared");
+                             "trace a glTF scene with Embree, any-hit shaders by texture and by micromaps; "
+                             "exit 1 where a pixel differs, 2 where nothing was compared");
   auto options = std::make_shared<RenderOptions>();
   command->add_option("file", options->file, "the scene; without it the suite's own, a plant and a fence")
       ->type_name("FILE.gltf|FILE.glb");
@@ -383,10 +383,9 @@ Action add_render(CLI::App& program) {
                    "0: all that has alpha-tested triangles; 1, 2, ...: of a random path")
       ->check(whole_within(0, 1'000'000'000));
   command
-      ->add_option(
-          "--cameras", options->cameras,
-          "law traverse.same_image on the scene: so many cameras of a random path, each of which looks "
-          "at a triangle with micromaps")
+      ->add_option("--cameras", options->cameras,
+                   "law traverse.same_image on the scene: so many cameras of a random path, each of which "
+                   "looks at a triangle with micromaps")
       ->check(whole_within(1, 10'000));
   command->add_option("--seed", options->seed, "of the random path")->check(fits_64_bits);
   command->add_flag("--no-shadows", options->no_shadows, "primary rays alone");

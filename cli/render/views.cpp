@@ -125,10 +125,10 @@ int render_views(const ViewArguments& arguments) {
                              .threads = arguments.threads,
                              .stop = stop});
   if (views.triangles() == 0)
-    throw UsageError(fmt::format(
-        "{}: no ray met a triangle with a texture, so nothing was compared; another --camera or --size would "
-        "do",
-        read.scene.file));
+    throw UsageError(
+        fmt::format("{}: no ray met a triangle with a texture, so nothing was compared; another --camera or "
+                    "--size would do",
+                    read.scene.file));
 
   bench::ViewFigures figures{.file = read.scene.file,
                              .embree = render::embree_text(),

@@ -301,8 +301,7 @@ int attributes(const SceneOptions& options) {
     throw UsageError("--astc, --bc7: textures are compressed in one of them at a time");
   if ((options.astc || options.bc7) && options.packed_error != 0)
     throw UsageError(fmt::format(
-        "{}: errors are measured of lossless maps, and held against their bytes; leave --packed-error "
-        "out",
+        "{}: errors are measured of lossless maps, and held against their bytes; leave --packed-error out",
         options.astc ? "--astc" : "--bc7"));
   return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
                            options.files, options.codes, options.quiet, options.threads,
@@ -403,10 +402,9 @@ Action add_scene(CLI::App& program) {
   command->add_option("--samples", options->samples, "micro-triangles that each law of baking is checked on")
       ->check(whole_within(1, std::uint64_t{1} << 40));
   command->add_flag("--exhaustive", options->exhaustive, "run the laws of baking on all micro-triangles");
-  command->add_flag(
-      "--attributes", options->attributes,
-      "measure micromaps of colours, normals and roughness in the place of opacity: how many, how large, "
-      "how far from the textures");
+  command->add_flag("--attributes", options->attributes,
+                    "measure micromaps of colours, normals and roughness in the place of opacity: how many, "
+                    "how large, how far from the textures");
   command->add_flag("--codes", options->codes,
                     "of --attributes: average codes, as the paper's pixels, not light and directions");
   command->add_flag(
@@ -429,16 +427,14 @@ Action add_scene(CLI::App& program) {
   command->add_flag("--time", options->time,
                     "of --attributes: take the time of a lookup at random points, in the textures and in the "
                     "maps; one thread");
-  command->add_flag(
-      "--mips", options->mips,
-      "of --attributes: hold mips of the textures against those of the maps of the highest level, "
-      "near the borders of an atlas's charts and inside; needs --level A..B");
+  command->add_flag("--mips", options->mips,
+                    "of --attributes: hold mips of the textures against those of the maps of the highest "
+                    "level, near the borders of an atlas's charts and inside; needs --level A..B");
   command
       ->add_option_function<std::string>(
           "--plan", [options](const std::string& text) { options->plan = parse_numbers(text); },
-          "of --attributes: give each triangle the lowest of these levels whose faces, or vertices, "
-          "keep an error, in "
-          "codes of 8 bits, and none where one value does; beside all of one level")
+          "of --attributes: give each triangle the lowest of these levels whose faces, or vertices, keep an "
+          "error, in codes of 8 bits, and none where one value does; beside all of one level")
       ->check(each_finite_within(0, 255))
       ->type_name("RMSE[,RMSE...]");
   command

@@ -150,8 +150,8 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
   }
   if (f.at_levels.empty()) return;
   say(out,
-      "\nall triangles at one level; asks: share of the placed area where the any-hit shader is "
-      "called\n  {:<6}{:>11}{:>11}{:>12}{:>12}{:>10}{:>12}{:>12}{:>10}{:>11}\n",
+      "\nall triangles at one level; asks: share of the placed area where the any-hit shader is called\n  "
+      "{:<6}{:>11}{:>11}{:>12}{:>12}{:>10}{:>12}{:>12}{:>10}{:>11}\n",
       "level", "micromaps", "special", "2-st. data", "tree", "data/tree", "4-st. data", "tree", "data/tree",
       "asks");
   for (const auto& at : f.at_levels) {
@@ -180,9 +180,9 @@ void print_subject(std::FILE* out, const SubjectFigures& f) {
   line(out, "wrong", counted(t.wrong_known) + ": T or O where they should not be");
   line(out, "needless", counted(t.needless_unknown) + ": unknown where all is T, or all O");
   line(out, "time",
-       fmt::format("{:.1f} ns a micro-triangle, question and answer included; ours "
-                   "{:.1f} ns; {:.1f} times ours",
-                   t.ns, t.our_ns, f.times_ours()));
+       fmt::format(
+           "{:.1f} ns a micro-triangle, question and answer included; ours {:.1f} ns; {:.1f} times ours",
+           t.ns, t.our_ns, f.times_ours()));
 }
 
 void print_left_out(std::FILE* out, const std::vector<proofs::scene::LeftOutLaw>& left_out) {

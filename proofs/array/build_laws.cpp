@@ -107,8 +107,7 @@ Law special_indices() {
       {.id = "array.special_indices",
        .topic = "array",
        .says = "a uniform triangle has its special index in the width of the indices, whatever the base "
-               "triangle, where "
-               "that is wanted; no other triangle has one",
+               "triangle, where that is wanted; no other triangle has one",
        .source = indices_source,
        .subjects = {"array-spec", "array"},
        .fast_seconds = 4,
@@ -195,8 +194,7 @@ Law geometry_counts() {
       {.id = "array.geometry_histogram",
        .topic = "array",
        .says = "where the API takes them the geometry's usage counts are its references after indirection, "
-               "the base "
-               "triangle added, special indices left out; elsewhere there are none",
+               "the base triangle added, special indices left out; elsewhere there are none",
        .source = counts_source,
        .subjects = {"array-spec", "array"},
        .fast_seconds = 4,
@@ -236,8 +234,7 @@ Law sharing() {
   return on_small_arrays({.id = "array.shares",
                           .topic = "array",
                           .says = "equal maps share a record where that is wanted, different ones never do, "
-                                  "and no record is added that "
-                                  "nobody uses",
+                                  "and no record is added that nobody uses",
                           .source = here,
                           .subjects = {"array-spec", "array"},
                           .fast_seconds = 4,
@@ -306,8 +303,8 @@ Law sampled() {
            [](const Subject&, Level n) {
              return fmt::format(
                  "up to 40 maps of levels 0..{} after up to 5, all APIs, encodings, choices and base "
-                 "triangles; half of "
-                 "them with merging of up to 6; 1 of 50 has 248 to 256 records more, for indices of 8 bits",
+                 "triangles; half of them with merging of up to 6; 1 of 50 has 248 to 256 records more, for "
+                 "indices of 8 bits",
                  n);
            },
        .mutants = {mutant("a bit of the last byte of the data", "array", {2, 5},
@@ -364,17 +361,15 @@ Law whole() {
       {.id = "array.resolves_whole",
        .topic = "array",
        .says = "array.resolves, .formats and both histograms on every array of three triangles of levels 0 "
-               "and 1, sorted or "
-               "not",
+               "and 1, sorted or not",
        .source = array_source,
        .method = Method::exhaustive,
        .subjects = {"array"},
        .fast = {1, 1},
        .long_run = {1, 1},
        .fast_seconds = 200,
-       .domain = named_domain(
-           "all 278^3 arrays of three triangles, both formats, indices of 8, 16 and 32 bits; special "
-           "indices and sharing"),
+       .domain = named_domain("all 278^3 arrays of three triangles, both formats, indices of 8, 16 and 32 "
+                              "bits; special indices and sharing"),
        .mutants = {mutant("three maps of one byte are one", "array", {1, 1}, building([](BuildCase& c) {
                             if (c.maps[0].bytes == Bytes{0x1b} && c.maps[2].bytes == Bytes{0x1e})
                               c.maps[2] = c.maps[0];

@@ -183,8 +183,7 @@ Law on_bundles(Law law, const Entry& needed, BundleCheck check) {
   law.source = here;
   law.domain = named_domain(
       "1 and 2 triangles of the sorted maps of levels 0 and 1, both formats, every choice, all encodings, "
-      "behind two "
-      "records; two geometries");
+      "behind two records; two geometries");
   return on_cases(
       std::move(law), {needed},
       {[](Level n) { return n == 1 ? small_bundles() : 0; },
@@ -225,9 +224,8 @@ Law changes_on_samples() {
   return on_cases(
       {.id = "array.changes_on_samples",
        .topic = "array",
-       .says =
-           "compacted, reordered and put behind another one, each triangle of any array resolves as before, "
-           "and no record is lost that is to stay",
+       .says = "compacted, reordered and put behind another one, each triangle of any array resolves as "
+               "before, and no record is lost that is to stay",
        .source = here,
        .method = Method::sample,
        .subjects = {"array-spec", "array"},

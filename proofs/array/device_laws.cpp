@@ -58,8 +58,7 @@ Law emulation() {
   return on_cases({.id = "array.emulates",
                    .topic = "array",
                    .says = "a level that the device lacks, emulated by lossy substitution, has T and O for "
-                           "blocks of T and O alone, and "
-                           "unknown states for the rest",
+                           "blocks of T and O alone, and unknown states for the rest",
                    .source = "the KHR slides, Lossy Micromaps",
                    .method = Method::exhaustive,
                    .subjects = {"array-spec", "array"},

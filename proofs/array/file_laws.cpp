@@ -186,9 +186,8 @@ std::vector<Law> file_laws() {
            .says = "an array is saved as its one file of either version, and comes back",
            .method = Method::exhaustive,
            .fast_seconds = 0.5,
-           .domain = named_domain(
-               "1 and 2 triangles of the sorted maps of levels 0 and 1, all encodings, every choice, "
-               "none to two geometries"),
+           .domain = named_domain("1 and 2 triangles of the sorted maps of levels 0 and 1, all encodings, "
+                                  "every choice, none to two geometries"),
            .mutants = {mutant("the base triangle is lost in version 1", "array", {1, 1},
                               misreading([](std::span<const std::uint8_t> file, std::optional<Bundle>& b) {
                                 if (b && file[8] == 1) b->parts[0].base = 0;
@@ -208,8 +207,7 @@ std::vector<Law> file_laws() {
       on_files({.id = "array.malformed_files",
                 .topic = "array",
                 .says = "a file that is cut, longer or changed in a bit is refused, or is the file of what "
-                        "is read; one "
-                        "whose records or indices make no array may be refused, too",
+                        "is read; one whose records or indices make no array may be refused, too",
                 .method = Method::exhaustive,
                 .fast_seconds = 1,
                 .domain =

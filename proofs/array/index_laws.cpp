@@ -135,9 +135,8 @@ Law codes_on_samples() {
        .subjects = {"array-spec", "array"},
        .at_once = "all levels",
        .fast_seconds = 0.1,
-       .domain = named_domain(
-           "5 encodings, in clusters or not; 1 to 70 codes at once, each with a base triangle and "
-           "a number of records of its own"),
+       .domain = named_domain("5 encodings, in clusters or not; 1 to 70 codes at once, each with a base "
+                              "triangle and a number of records of its own"),
        .mutants = {mutant("the first base triangle of a batch is everybody's", "array", {0, 0},
                           [](Functions& f) {
                             f.targets = [real = f.targets](const Reading& r, std::span<const Reference> of) {
@@ -176,19 +175,16 @@ std::vector<Law> index_laws() {
       on_cases(
           {.id = "array.codes",
            .topic = "array",
-           .says =
-               "a code is a special index, in clusters -5 no micromap, or index + base triangle, which must "
-               "be less than the "
-               "number of records; the base is added to nothing else",
+           .says = "a code is a special index, in clusters -5 no micromap, or index + base triangle, which "
+                   "must be less than the number of records; the base is added to nothing else",
            .source = indices_source,
            .method = Method::exhaustive,
            .subjects = {"array-spec", "array"},
            .at_once = "all levels",
            .fast_seconds = 0.1,
-           .domain = named_domain(
-               "5 encodings, in clusters or not, 9 base triangles, 11 numbers of records; all codes of 8 "
-               "bits, "
-               "of wider ones 32 at the borders; a batch has one base triangle and one number of records"),
+           .domain = named_domain("5 encodings, in clusters or not, 9 base triangles, 11 numbers of records; "
+                                  "all codes of 8 bits, of wider ones 32 at the borders; a batch has one "
+                                  "base triangle and one number of records"),
            .mutants = {mutant("index + base may be the number of records", "array", {0, 0},
                               meaning([](const Reading&, const Reference& of, Target& to) {
                                 if (to.kind == Target::Kind::outside && to.record == of.records)

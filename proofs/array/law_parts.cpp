@@ -35,8 +35,7 @@ Law on_small_arrays(Law law, Check check) {
       return "all arrays of up to 3 triangles of level 0, both formats, every choice, indices of 8, 16 and "
              "32 bits";
     return "all arrays of 1 and 2 triangles of levels 0 and 1, both formats, indices of 8, 16 and 32 bits; "
-           "of the "
-           "sorted maps those of 1 and 2 with every choice, and those of 3";
+           "of the sorted maps those of 1 and 2 with every choice, and those of 3";
   };
   return on_cases(std::move(law), {entry::build},
                   {[](Level n) { return n > 1 ? 0 : small_arrays(n); },

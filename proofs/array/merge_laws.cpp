@@ -53,9 +53,8 @@ std::vector<Law> merge_laws() {
   return {on_cases(
       {.id = "array.merging",
        .topic = "array",
-       .says =
-           "near-duplicate merging turns T and O into unknown states and nothing else, in at most as many "
-           "micro-triangles of each triangle as the bound says; 2-state, formats and levels stay",
+       .says = "near-duplicate merging turns T and O into unknown states and nothing else, in at most as "
+               "many micro-triangles of each triangle as the bound says; 2-state, formats and levels stay",
        .source = here,
        .method = Method::exhaustive,
        .subjects = {"array-spec", "array"},

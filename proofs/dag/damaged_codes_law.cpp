@@ -79,8 +79,7 @@ Law damaged_codes_law() {
       {.id = "dag.damaged_codes",
        .topic = "dag",
        .says = "a code of any form that is cut, longer or changed in a bit is refused or decoded to a scene, "
-               "the same "
-               "one whenever it is asked; which of the two is right only the form's maker can say",
+               "the same one whenever it is asked; which of the two is right only the form's maker can say",
        .source = "the header's dag_decode; docs/DAG.md",
        .subjects = {"dag"},
        .fast = {0, 5},

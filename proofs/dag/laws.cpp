@@ -298,8 +298,7 @@ Law bound_law() {
       {.id = "dag.bound",
        .topic = "dag",
        .says = "the arrays take no more than the maps flat with a record of 64 bits each, however alike the "
-               "maps are; a map "
-               "that is there takes a record",
+               "maps are; a map that is there takes a record",
        .source = form,
        .subjects = {"dag", "dag-spec"},
        .fast = {0, 9},
@@ -349,8 +348,7 @@ Law damage_law() {
       {.id = "dag.malformed",
        .topic = "dag",
        .says = "a container cut anywhere, longer, or with one bit flipped, its checksum put right, is taken "
-               "exactly where the "
-               "specification takes it",
+               "exactly where the specification takes it",
        .source = form,
        .subjects = {"dag"},
        .fast = {0, 5},
@@ -389,8 +387,7 @@ Law damage_samples_law() {
       {.id = "dag.malformed_on_samples",
        .topic = "dag",
        .says = "a container with words changed, moved, copied, added or taken away, its checksum put right, "
-               "is taken exactly "
-               "where the specification takes it",
+               "is taken exactly where the specification takes it",
        .source = form,
        .subjects = {"dag"},
        .fast = {3, 7},

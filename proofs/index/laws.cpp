@@ -243,8 +243,7 @@ Law corner_order_law() {
       .topic = "index",
       .says =
           "corners come in the order that the subject declares: of the children 0, 2 and 3 that touch them, "
-          "or "
-          "the base and a step from there along u and along v",
+          "or the base and a step from there along u and along v",
       .source = "Succinct Opacity Micromaps, 4.3; OptiX, optixMicromapIndexToBaseBarycentrics",
       .method = Method::exhaustive,
       .subjects = {"impl"},
@@ -272,8 +271,7 @@ Law rounding_law() {
           .topic = "index",
           .says =
               "a point of a grid line belongs to the micro-triangle on its +u, +v side; on the hypotenuse to "
-              "that on "
-              "its -u side, at the v-corner to the last",
+              "that on its -u side, at the v-corner to the last",
           .source = "Succinct Opacity Micromaps, Appendix A (3): rounds globally away from w",
           .method = Method::exhaustive,
           .subjects = {"reference", "step", "impl"},

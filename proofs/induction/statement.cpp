@@ -61,8 +61,8 @@ std::string to_string(Answer a) {
 Script::Script(std::string name, Answer expected, const std::string& claim)
     : name_(std::move(name)),
       head_(commented(claim) +
-            "; Written by the program itself from the specification's templates (./run "
-            "statements); a test compares.\n"),
+            "; Written by the program itself from the specification's templates (./run statements); a test "
+            "compares.\n"),
       expected_(expected) {}
 
 void Script::comment(const std::string& words) { body_ += "\n" + commented(words); }

@@ -233,8 +233,8 @@ Law judge_samples_law() {
        .domain =
            [](const Subject&, Level n) {
              return fmt::format(
-                 "{} sample maps of level {}, each state in the place of one at a word's or the map's "
-                 "end, or of a quarter",
+                 "{} sample maps of level {}, each state in the place of one at a word's or the map's end, "
+                 "or of a quarter",
                  maps, n);
            },
        .mutants = {mutant("the last of level 7 may become T", "micromap", {7, 7},

@@ -308,30 +308,29 @@ Law down_up() {
 }
 
 Law down_law() {
-  return on_all_maps(
-      {.id = "micromap.down",
-       .topic = "micromap",
-       .says = "one level down, T stands for four T and O for four O only; else 4-state is unknown; "
-               "force-2-state is the children's majority, a tie opaque",
-       .source = design_source,
-       .subjects = both,
-       .fast_seconds = 1,
-       .mutants = {mutant("T, T, T, UT are T", "micromap", {1, 1},
-                          spoils(&Functions::down,
-                                 [](Level n, Format f, auto in, Bytes& out) {
-                                   if (f == four && is(n, in, 1, {0b10'00'00'00})) out[0] = 0;
-                                 })),
-                   mutant("a tie of one map is transparent", "micromap", {1, 1},
-                          spoils(&Functions::down,
-                                 [](Level n, Format f, auto in, Bytes& out) {
-                                   if (f == four && is(n, in, 1, {0b00'01'11'10})) out[0] = 2;
-                                 })),
-                   mutant("three O of the last four, 2-state, are T", "micromap-spec", {2, 2},
-                          spoils(&Functions::down,
-                                 [](Level n, Format f, auto in, Bytes& out) {
-                                   if (f == two && is(n, in, 2, {0x00, 0xe0})) flip(out, 3);
-                                 }))}},
-      {entry::down}, Maps::both_formats, 1, falls);
+  return on_all_maps({.id = "micromap.down",
+                      .topic = "micromap",
+                      .says = "one level down, T stands for four T and O for four O only; else 4-state is "
+                              "unknown; force-2-state is the children's majority, a tie opaque",
+                      .source = design_source,
+                      .subjects = both,
+                      .fast_seconds = 1,
+                      .mutants = {mutant("T, T, T, UT are T", "micromap", {1, 1},
+                                         spoils(&Functions::down,
+                                                [](Level n, Format f, auto in, Bytes& out) {
+                                                  if (f == four && is(n, in, 1, {0b10'00'00'00})) out[0] = 0;
+                                                })),
+                                  mutant("a tie of one map is transparent", "micromap", {1, 1},
+                                         spoils(&Functions::down,
+                                                [](Level n, Format f, auto in, Bytes& out) {
+                                                  if (f == four && is(n, in, 1, {0b00'01'11'10})) out[0] = 2;
+                                                })),
+                                  mutant("three O of the last four, 2-state, are T", "micromap-spec", {2, 2},
+                                         spoils(&Functions::down,
+                                                [](Level n, Format f, auto in, Bytes& out) {
+                                                  if (f == two && is(n, in, 2, {0x00, 0xe0})) flip(out, 3);
+                                                }))}},
+                     {entry::down}, Maps::both_formats, 1, falls);
 }
 
 Law down_force2() {

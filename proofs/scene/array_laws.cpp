@@ -152,21 +152,19 @@ Finding leads_to_its_states(const Data& data, Level n, const Use& at) {
 
 Law indirection_law(const Data& data) {
   const auto uses = std::make_shared<const Uses>(data);
-  return on_cases(
-      {.id = "micromap.indirection",
-       .topic = "micromap",
-       .says =
-           "a triangle's code, record and data give the states that were baked for it, in its own order of "
-           "vertices, and as many of each as were counted",
-       .source = "VkAccelerationStructureTrianglesOpacityMicromapKHR; VkMicromapTriangleKHR"},
-      {"triangles of its primitives", [uses](Level n) { return uses->of[n].size(); },
-       [&data, uses](Level n, std::uint64_t k) -> Finding {
-         const auto& [use, first] = uses->of[n][k];
-         const bool is_first = use.primitive == first.primitive && use.triangle == first.triangle;
-         // A use with the code of its first use has the states that the first use's case checks.
-         if (!is_first && code_of(data, use) == code_of(data, first)) return {code_of(data, use)};
-         return leads_to_its_states(data, n, use);
-       }});
+  return on_cases({.id = "micromap.indirection",
+                   .topic = "micromap",
+                   .says = "a triangle's code, record and data give the states that were baked for it, in "
+                           "its own order of vertices, and as many of each as were counted",
+                   .source = "VkAccelerationStructureTrianglesOpacityMicromapKHR; VkMicromapTriangleKHR"},
+                  {"triangles of its primitives", [uses](Level n) { return uses->of[n].size(); },
+                   [&data, uses](Level n, std::uint64_t k) -> Finding {
+                     const auto& [use, first] = uses->of[n][k];
+                     const bool is_first = use.primitive == first.primitive && use.triangle == first.triangle;
+                     // A use with the code of its first use has the states that the first use's case checks.
+                     if (!is_first && code_of(data, use) == code_of(data, first)) return {code_of(data, use)};
+                     return leads_to_its_states(data, n, use);
+                   }});
 }
 
 }  // namespace

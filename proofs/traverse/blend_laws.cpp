@@ -166,8 +166,7 @@ Law blend_law() {
       {.id = "traverse.blend",
        .topic = "traverse",
        .says = "a payload's codes after a hit are the maximum, the minimum, the sum up to 255, the product, "
-               "or the value over "
-               "the payload, to the nearest code",
+               "or the value over the payload, to the nearest code",
        .source = cam_functions,
        .subjects = {"traverse", "traverse-single"},
        .fast_seconds = 1,
@@ -238,8 +237,7 @@ Law order_free() {
       {.id = "traverse.blend_order_free",
        .topic = "traverse",
        .says = "max, min and add up to 255 give one payload in any order of hits: on every payload any two "
-               "values may change "
-               "places, and so any number",
+               "values may change places, and so any number",
        .source = cam_functions,
        .subjects = {"traverse"},
        .fast_seconds = 1.5,
@@ -271,8 +269,7 @@ Law duplicates() {
       {.id = "traverse.blend_duplicates",
        .topic = "traverse",
        .says = "a hit that is reported twice counts once for max and min; for add only where the value is 0 "
-               "or the sum reaches "
-               "255, and for multiply only where the product m has 2 m (255 - v) < 255",
+               "or the sum reaches 255, and for multiply only where the product m has 2 m (255 - v) < 255",
        .source = "Color and Attribute Micromaps, 4.3; VK_GEOMETRY_NO_DUPLICATE_ANY_HIT_INVOCATION_BIT_KHR",
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.3,
@@ -332,9 +329,8 @@ Law multiply_depends() {
       {.id = "paper.blend_multiply_depends_on_order",
        .topic = "traverse",
        .says = "multiply, rounded to codes, is not independent of the order of hits, as exact multiplication "
-               "is: payload 2 "
-               "with 64 and 128 is the smallest case, 1 or 0; two hits that change places change a code by 1 "
-               "at most",
+               "is: payload 2 with 64 and 128 is the smallest case, 1 or 0; two hits that change places "
+               "change a code by 1 at most",
        .source = cam_functions,
        .subjects = {"traverse"},
        .fast_seconds = 0.5,
@@ -374,8 +370,7 @@ Law over_depends() {
       {.id = "paper.blend_over_depends_on_order",
        .topic = "traverse",
        .says = "over keeps of opaque hits the one that is met last alone, so any two different ones depend "
-               "on their order: 0 "
-               "and 1 on payload 0 are the smallest case",
+               "on their order: 0 and 1 on payload 0 are the smallest case",
        .source = cam_functions,
        .subjects = {"traverse"},
        .fast_seconds = 0.5,

@@ -61,35 +61,33 @@ std::function<void(Functions&)> blending_others(void (*change)(Operation, std::u
 }
 
 Law blend_on_samples() {
-  Law law{
-      .id = "traverse.blend_on_samples",
-      .topic = "traverse",
-      .says =
-          "each code of a payload after a hit is its own operation's on the same code of the value, "
-          "whatever the others are",
-      .source = "Color and Attribute Micromaps, 4.3, figure 6",
-      .method = Method::sample,
-      .subjects = {"traverse-spec", "traverse", "traverse-single"},
-      .at_once = "all levels",
-      .fast_seconds = 0.1,
-      .domain = named_domain(
-          "5 operations; 1 to 70 payloads and values, each of their eight bytes drawn on its own, half of "
-          "them 0, 1, 127, 128, 254 or 255"),
-      .unfit = needing({entry::blend}),
-      .mutants = {mutant("over takes G of the value for its B", "traverse",
-                         blending_others([](Operation o, std::uint32_t&, std::uint32_t& v) {
-                           if (o == Operation::over) v = (v & ~0xFF0000u) | (v & 0xFF00) << 8;
-                         })),
-                  mutant("a payload's A is opaque where its R is 128", "traverse-single",
-                         blending_others([](Operation o, std::uint32_t& p, std::uint32_t&) {
-                           if (o == Operation::min && (p & 255) == 128) p |= 0xFF000000;
-                         })),
-                  mutant("add takes 1 of R away where B of both is 254", "traverse-spec",
-                         blending_others([](Operation o, std::uint32_t& p, std::uint32_t& v) {
-                           if (o == Operation::add && (p >> 16 & 255) == 254 && (v >> 16 & 255) == 254 &&
-                               (p & 255) > 0)
-                             --p;
-                         }))}};
+  Law law{.id = "traverse.blend_on_samples",
+          .topic = "traverse",
+          .says =
+              "each code of a payload after a hit is its own operation's on the same code of the value, "
+              "whatever the others are",
+          .source = "Color and Attribute Micromaps, 4.3, figure 6",
+          .method = Method::sample,
+          .subjects = {"traverse-spec", "traverse", "traverse-single"},
+          .at_once = "all levels",
+          .fast_seconds = 0.1,
+          .domain = named_domain("5 operations; 1 to 70 payloads and values, each of their eight bytes drawn "
+                                 "on its own, half of them 0, 1, 127, 128, 254 or 255"),
+          .unfit = needing({entry::blend}),
+          .mutants = {mutant("over takes G of the value for its B", "traverse",
+                             blending_others([](Operation o, std::uint32_t&, std::uint32_t& v) {
+                               if (o == Operation::over) v = (v & ~0xFF0000u) | (v & 0xFF00) << 8;
+                             })),
+                      mutant("a payload's A is opaque where its R is 128", "traverse-single",
+                             blending_others([](Operation o, std::uint32_t& p, std::uint32_t&) {
+                               if (o == Operation::min && (p & 255) == 128) p |= 0xFF000000;
+                             })),
+                      mutant("add takes 1 of R away where B of both is 254", "traverse-spec",
+                             blending_others([](Operation o, std::uint32_t& p, std::uint32_t& v) {
+                               if (o == Operation::add && (p >> 16 & 255) == 254 && (v >> 16 & 255) == 254 &&
+                                   (p & 255) > 0)
+                                 --p;
+                             }))}};
   return on_numbered_cases(
       std::move(law),
       {[](Level, const Run& run) { return std::uint64_t{run.tier == Tier::fast ? 5'000u : 500'000u}; },

@@ -146,8 +146,8 @@ std::string text_of(const Combination& c) {
 
 Combination combination_of(const std::string& text) {
   const Groups g = groups_of(text,
-                             "([a-z]+-[a-z]+),(on|off),(nothing|special|2-state|4-state)(:(T|O|UT|UO))?,"
-                             "(opaque|not-opaque),instance=([a-z0-9+-]+),ray=([a-z0-9+-]+)");
+                             "([a-z]+-[a-z]+),(on|off),(nothing|special|2-state|4-state)(:(T|O|UT|UO))?,("
+                             "opaque|not-opaque),instance=([a-z0-9+-]+),ray=([a-z0-9+-]+)");
   if (!g) refuse(text);
   Combination c;
   unsigned api = 0, held = 0, state = 0;

@@ -24,8 +24,7 @@ Law decision() {
       {.id = "traverse.decision",
        .topic = "traverse",
        .says = "a candidate is ignored, opaque or non-opaque by the lookup or the geometry's flag, then the "
-               "instance's "
-               "force flags, then the ray's, then culling",
+               "instance's force flags, then the ray's, then culling",
        .source = dxr_and_vulkan,
        .subjects = {"traverse", "traverse-single"},
        .fast_seconds = 0.2,
@@ -85,13 +84,11 @@ Law undefined_is_named() {
   return on_cases<Combination>(
       {.id = "traverse.undefined_is_named",
        .topic = "traverse",
-       .says =
-           "a combination is undefined where ray flags or instance flags exclude each other, or where a "
-           "triangle with "
-           "a micromap is met by a trace that is not set up for any, and it has these reasons and no others",
+       .says = "a combination is undefined where ray flags or instance flags exclude each other, or where a "
+               "triangle with a micromap is met by a trace that is not set up for any, and it has these "
+               "reasons and no others",
        .source = "VUID-RuntimeSpirv-OpTraceRayKHR-06893; VkGeometryInstanceFlagBitsKHR; "
-                 "SPV_KHR_opacity_micromap, 3.2.5; "
-                 "DXR, RAY_FLAG and Opacity micromaps",
+                 "SPV_KHR_opacity_micromap, 3.2.5; DXR, RAY_FLAG and Opacity micromaps",
        .subjects = {"traverse", "traverse-spec"},
        .fast_seconds = 0.3,
        .domain = named_domain("all 123,904 combinations"),
@@ -124,8 +121,7 @@ Law ignored_is_final() {
   return on_defined({.id = "traverse.ignored_is_final",
                      .topic = "traverse",
                      .says = "what the lookup ignores, T, or UT under force-2-state, no flag of the "
-                             "geometry, the instance or the ray "
-                             "brings back",
+                             "geometry, the instance or the ray brings back",
                      .source = dxr_and_vulkan,
                      .subjects = {"traverse-spec", "traverse"},
                      .fast_seconds = 0.1,
@@ -158,10 +154,9 @@ Law two_state_never_calls_a_shader() {
   return on_defined(
       {.id = "traverse.two_state_never_calls_a_shader",
        .topic = "traverse",
-       .says =
-           "of states that are known, or read under force-2-state, a shader is asked just where NoOpaque, or "
-           "FORCE_NO_OPAQUE without the ray's Opaque, wants it for O or UO and CullNoOpaque does not drop "
-           "them",
+       .says = "of states that are known, or read under force-2-state, a shader is asked just where "
+               "NoOpaque, or FORCE_NO_OPAQUE without the ray's Opaque, wants it for O or UO and CullNoOpaque "
+               "does not drop them",
        .source = "Vulkan, Ray Opacity Micromap; the KHR slides, \"force2state\"",
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,
@@ -188,47 +183,47 @@ Law two_state_never_calls_a_shader() {
 }
 
 Law micromap_replaces_flag() {
-  return on_defined(
-      {.id = "traverse.micromap_replaces_flag",
-       .topic = "traverse",
-       .says = "where a micromap counts the geometry's opaque flag does not; where there is none, or the "
-               "instance disables "
-               "it, neither its states nor force-2-state do",
-       .source = dxr_and_vulkan,
-       .subjects = {"traverse-spec", "traverse"},
-       .fast_seconds = 0.2,
-       .domain = named_domain("all 17,040 combinations that an API defines"),
-       .mutants = {mutant("unknown states of an opaque geometry are opaque", "traverse",
-                          deciding([](const Combination& c, Outcome o) {
-                            return consulted(c) && c.candidate.geometry_opaque && o == Outcome::non_opaque &&
-                                           !made_non_opaque(c)
-                                       ? Outcome::opaque
-                                       : o;
-                          })),
-                   mutant("a disabled micromap still hides its holes", "traverse",
-                          deciding([](const Combination& c, Outcome o) {
-                            return c.candidate.held == Held::four_state && c.candidate.state == State::T
-                                       ? Outcome::ignored
-                                       : o;
-                          })),
-                   mutant("force-2-state makes geometries without a micromap opaque", "traverse-spec",
-                          mistaking([](Combination& c) {
-                            if (!consulted(c) && c.ray.force_two_state) c.candidate.geometry_opaque = true;
-                          }))}},
-      all_of_them, [](const TraverseSubject& s, const Combination& c) {
-        const Outcome here = s.functions.decide(c);
-        Combination other = c;
-        if (consulted(c)) {
-          other.candidate.geometry_opaque = !other.candidate.geometry_opaque;
-        } else {
-          other.candidate.held = Held::nothing;
-          other.candidate.state = State::T;
-          other.instance.force_two_state = other.ray.force_two_state = false;
-        }
-        const Outcome there = s.functions.decide(other);
-        if (here == there) return Finding{static_cast<std::uint64_t>(here) + 1};
-        return wrong(fmt::format("{}, as {}", text_of(there), text_of(other)), text_of(here));
-      });
+  return on_defined({.id = "traverse.micromap_replaces_flag",
+                     .topic = "traverse",
+                     .says = "where a micromap counts the geometry's opaque flag does not; where there is "
+                             "none, or the instance disables it, neither its states nor force-2-state do",
+                     .source = dxr_and_vulkan,
+                     .subjects = {"traverse-spec", "traverse"},
+                     .fast_seconds = 0.2,
+                     .domain = named_domain("all 17,040 combinations that an API defines"),
+                     .mutants = {mutant("unknown states of an opaque geometry are opaque", "traverse",
+                                        deciding([](const Combination& c, Outcome o) {
+                                          return consulted(c) && c.candidate.geometry_opaque &&
+                                                         o == Outcome::non_opaque && !made_non_opaque(c)
+                                                     ? Outcome::opaque
+                                                     : o;
+                                        })),
+                                 mutant("a disabled micromap still hides its holes", "traverse",
+                                        deciding([](const Combination& c, Outcome o) {
+                                          return c.candidate.held == Held::four_state &&
+                                                         c.candidate.state == State::T
+                                                     ? Outcome::ignored
+                                                     : o;
+                                        })),
+                                 mutant("force-2-state makes geometries without a micromap opaque",
+                                        "traverse-spec", mistaking([](Combination& c) {
+                                          if (!consulted(c) && c.ray.force_two_state)
+                                            c.candidate.geometry_opaque = true;
+                                        }))}},
+                    all_of_them, [](const TraverseSubject& s, const Combination& c) {
+                      const Outcome here = s.functions.decide(c);
+                      Combination other = c;
+                      if (consulted(c)) {
+                        other.candidate.geometry_opaque = !other.candidate.geometry_opaque;
+                      } else {
+                        other.candidate.held = Held::nothing;
+                        other.candidate.state = State::T;
+                        other.instance.force_two_state = other.ray.force_two_state = false;
+                      }
+                      const Outcome there = s.functions.decide(other);
+                      if (here == there) return Finding{static_cast<std::uint64_t>(here) + 1};
+                      return wrong(fmt::format("{}, as {}", text_of(there), text_of(other)), text_of(here));
+                    });
 }
 
 Law last_flag_wins() {
@@ -236,8 +231,7 @@ Law last_flag_wins() {
       {.id = "traverse.last_flag_wins",
        .topic = "traverse",
        .says = "what the lookup does not ignore is opaque or not as the ray's Opaque or NoOpaque say, else "
-               "the instance's "
-               "force flags; CullOpaque or CullNoOpaque then drop what they name",
+               "the instance's force flags; CullOpaque or CullNoOpaque then drop what they name",
        .source = "Vulkan, Ray Opacity Culling; DXR, RAY_FLAG and D3D12_RAYTRACING_INSTANCE_FLAGS",
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,

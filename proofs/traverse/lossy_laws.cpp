@@ -127,10 +127,10 @@ Law is_conservative() {
   return on_substitutions(
       {.id = "traverse.lossy_is_conservative",
        .topic = "traverse",
-       .says = "a state read as unknown ends no ray otherwise, if its shader answers as the full map would: "
-               "without "
-               "force-2-state, unless flags make a T opaque or the ray culls an O by its opacity; with it, "
-               "where the state keeps its side, the ray drops both sides, or a shader is asked of a T",
+       .says =
+           "a state read as unknown ends no ray otherwise, if its shader answers as the full map would: "
+           "without force-2-state, unless flags make a T opaque or the ray culls an O by its opacity; with "
+           "it, where the state keeps its side, the ray drops both sides, or a shader is asked of a T",
        .source = lossy_source,
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,
@@ -160,11 +160,9 @@ Law shows_without_a_shader() {
   return on_substitutions(
       {.id = "traverse.lossy_shows",
        .topic = "traverse",
-       .says =
-           "everywhere else a state that a lossy map reads as unknown does change the ray, and no shader can "
-           "help: a hole is hit, an opaque one is culled or escapes culling, or force-2-state reads the "
-           "other "
-           "side",
+       .says = "everywhere else a state that a lossy map reads as unknown does change the ray, and no shader "
+               "can help: a hole is hit, an opaque one is culled or escapes culling, or force-2-state reads "
+               "the other side",
        .source = lossy_source,
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,
@@ -199,10 +197,9 @@ Law decides_no_more() {
   return on_substitutions(
       {.id = "traverse.lossy_decides_no_more",
        .topic = "traverse",
-       .says =
-           "traversal accepts or drops by a lossy map what it accepts or drops by the full one, and asks a "
-           "shader of the rest, but just where flags make a T opaque, CullNoOpaque drops an O, or "
-           "force-2-state reads the other side",
+       .says = "traversal accepts or drops by a lossy map what it accepts or drops by the full one, and asks "
+               "a shader of the rest, but just where flags make a T opaque, CullNoOpaque drops an O, or "
+               "force-2-state reads the other side",
        .source = lossy_source,
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,

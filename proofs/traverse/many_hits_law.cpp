@@ -48,27 +48,26 @@ Law many_hits_law() {
                            }),
                hits.end());
   };
-  Law law{.id = "traverse.blend_many_on_samples",
-          .topic = "traverse",
-          .says =
-              "where blending waits for the closest accepted hit, exactly the hits before it are blended, as "
-              "they "
-              "are met and as often as they are reported: of up to sixteen, however close their distances",
-          .source = "Color and Attribute Micromaps, 4.3, figure 6; Vulkan, Ray Closest Hit Determination",
-          .method = Method::sample,
-          .subjects = {"traverse-spec", "traverse"},
-          .at_once = "all levels",
-          .fast_seconds = 0.3,
-          .domain = named_domain(
-              "lists of 1 to 16 hits, by five operations; distances of six kinds, of each exponent "
-              "and units in the last place apart; hits that are as the one before; in half of them any "
-              "payload and any values, each code on its own"),
-          .unfit = needing({entry::gather}),
-          .mutants = {
-              mutant("sees eight hits", "traverse", gathering(cut_to)),
-              mutant("distances lose their last eight bits", "traverse", gathering(rounded)),
-              mutant("distances below 2^-126 are zero", "traverse", gathering(flushed)),
-              mutant("a hit like the one before is dropped", "traverse-spec", gathering(without_repeats))}};
+  Law law{
+      .id = "traverse.blend_many_on_samples",
+      .topic = "traverse",
+      .says =
+          "where blending waits for the closest accepted hit, exactly the hits before it are blended, as "
+          "they are met and as often as they are reported: of up to sixteen, however close their distances",
+      .source = "Color and Attribute Micromaps, 4.3, figure 6; Vulkan, Ray Closest Hit Determination",
+      .method = Method::sample,
+      .subjects = {"traverse-spec", "traverse"},
+      .at_once = "all levels",
+      .fast_seconds = 0.3,
+      .domain = named_domain("lists of 1 to 16 hits, by five operations; distances of six kinds, of each "
+                             "exponent and units in the last place apart; hits that are as the one before; "
+                             "in half of them any payload and any values, each code on its own"),
+      .unfit = needing({entry::gather}),
+      .mutants = {
+          mutant("sees eight hits", "traverse", gathering(cut_to)),
+          mutant("distances lose their last eight bits", "traverse", gathering(rounded)),
+          mutant("distances below 2^-126 are zero", "traverse", gathering(flushed)),
+          mutant("a hit like the one before is dropped", "traverse-spec", gathering(without_repeats))}};
   return on_numbered_cases(
       std::move(law),
       {[](Level, const Run& run) { return std::uint64_t{run.tier == Tier::fast ? 20'000u : 2'000'000u}; },

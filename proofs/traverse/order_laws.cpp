@@ -218,9 +218,9 @@ Law accepted_hit() {
        .source = fixed_functions,
        .subjects = {"traverse-as-met"},
        .fast_seconds = 0.1,
-       .domain = named_domain("3 operations, all 170 scenes of one to four hits, two or more at one distance "
-                              "among them, each in all its orders; two payloads; values that show what lies "
-                              "behind"),
+       .domain =
+           named_domain("3 operations, all 170 scenes of one to four hits, two or more at one distance among "
+                        "them, each in all its orders; two payloads; values that show what lies behind"),
        .mutants =
            {mutant("accepted hits hide nothing", "traverse-as-met", gathering([](std::vector<Hit>& hits) {
                      std::erase_if(hits, [](const Hit& h) { return h.accepted; });
@@ -295,17 +295,15 @@ Law before_closest() {
   return on_cases(
       {.id = "traverse.blend_before_closest",
        .topic = "traverse",
-       .says =
-           "where blending waits for the closest accepted hit, exactly the hits before it are blended: in "
-           "any order to one payload for max, min and add, for max and min also where hits are reported "
-           "twice; multiply and over as they are met",
+       .says = "where blending waits for the closest accepted hit, exactly the hits before it are blended: "
+               "in any order to one payload for max, min and add, for max and min also where hits are "
+               "reported twice; multiply and over as they are met",
        .source = fixed_functions,
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 1,
-       .domain =
-           named_domain("5 operations, all 4,330 lists of one to four hits at distances that may be the "
-                        "same, in every order; max and min reported in three ways; two payloads, three "
-                        "orders of values"),
+       .domain = named_domain(
+           "5 operations, all 4,330 lists of one to four hits at distances that may be the same, in every "
+           "order; max and min reported in three ways; two payloads, three orders of values"),
        .mutants = {mutant("a blend at the far end stays where it is met first", "traverse",
                           gathered([](std::span<const Hit> hits, Colour& out) {
                             if (hits.size() == 4 && hits[0].distance == distance_of(4) && !hits[0].accepted)

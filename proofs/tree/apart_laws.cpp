@@ -150,8 +150,8 @@ Law one_apart_samples_law() {
   law.fast_seconds = 1;
   law.domain = [](const Subject&, Level n) {
     return fmt::format(
-        "{} maps of level {} of one state but for one micro-triangle at a word's or the map's end, "
-        "or for none",
+        "{} maps of level {} of one state but for one micro-triangle at a word's or the map's end, or for "
+        "none",
         chosen_apart_count(n), n);
   };
   law.how = [](const Subject&, Level) { return std::string("sample, against the closed form"); };

@@ -175,8 +175,8 @@ Law worst_size_law() {
   Law law{.id = "paper.tree_worst_size",
           .topic = "tree",
           .says =
-              "a map in which no siblings merge takes (4^(n+1)-1)/3 + b 4^n bits, more than flat; "
-              "tree.sizes says that none takes more",
+              "a map in which no siblings merge takes (4^(n+1)-1)/3 + b 4^n bits, more than flat; tree.sizes "
+              "says that none takes more",
           .source = succinct_6_2,
           .subjects = {"tree-spec", "tree-stream"},
           .fast = {0, 8},

@@ -58,18 +58,17 @@ OneApart apart_number(Level n, std::uint64_t k) {
 }  // namespace
 
 Law damage_samples_law() {
-  Law law{
-      .id = "tree.malformed_on_samples",
-      .topic = "tree",
-      .says =
-          "a code cut, longer, flipped or of another level is refused or is another map's; in the paper's "
-          "form so are equal leaves kept apart, trees too deep and padding that is set, and exchanged "
-          "children are the other map",
-      .source = succinct_4_2,
-      .method = Method::sample,
-      .subjects = {"tree-stream", "tree-container"},
-      .fast = {2, 8},
-      .long_run = {2, 10}};
+  Law law{.id = "tree.malformed_on_samples",
+          .topic = "tree",
+          .says =
+              "a code cut, longer, flipped or of another level is refused or is another map's; in the "
+              "paper's form so are equal leaves kept apart, trees too deep and padding that is set, and "
+              "exchanged children are the other map",
+          .source = succinct_4_2,
+          .method = Method::sample,
+          .subjects = {"tree-stream", "tree-container"},
+          .fast = {2, 8},
+          .long_run = {2, 10}};
   law.fast_seconds = 2;
   law.domain = [](const Subject&, Level n) {
     return samples(n) == 0
@@ -77,8 +76,7 @@ Law damage_samples_law() {
                              apart_maps, n)
                : fmt::format(
                      "noise, leaves, blocks, alternating and all-but-one maps of level {}, both formats, and "
-                     "{} "
-                     "of one state but for one; some 100 strings each",
+                     "{} of one state but for one; some 100 strings each",
                      n, apart_maps);
   };
   law.how = [](const Subject&, Level) { return std::string("sample, by construction"); };

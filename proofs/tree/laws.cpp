@@ -143,9 +143,8 @@ Law damage_law() {
   return on_all_maps(
       {.id = "tree.malformed",
        .topic = "tree",
-       .says =
-           "a code cut anywhere, longer by a byte, two, or itself, or with one bit flipped is refused or is "
-           "another map's",
+       .says = "a code cut anywhere, longer by a byte, two, or itself, or with one bit flipped is refused or "
+               "is another map's",
        .source = succinct_4_2,
        .subjects = {"tree-spec", "tree-stream", "tree-container"},
        .fast_seconds = 6,

@@ -158,10 +158,10 @@ TreeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library
              looks_up = library->offers(Call::tree_lookup) || library->offers(Call::tree_lookup_f32),
              stream = (library->description().flags & MMVERIFY_TREE_STREAM) != 0;
   if (!stream && !encodes)
-    throw dock::CannotLoad(fmt::format(
-        "{}: it decodes trees and has no tree_encode; set the flag MMVERIFY_TREE_STREAM if its codes "
-        "are the paper's",
-        library->path()));
+    throw dock::CannotLoad(
+        fmt::format("{}: it decodes trees and has no tree_encode; set the flag MMVERIFY_TREE_STREAM if its "
+                    "codes are the paper's",
+                    library->path()));
   if (!stream && !decodes && !looks_up)
     throw dock::CannotLoad(
         fmt::format("{}: nothing leads from the codes of tree_encode back to the map; add tree_decode or "

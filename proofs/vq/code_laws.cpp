@@ -104,10 +104,9 @@ Word word_number(Level n, std::uint64_t k) {
 
 Word word_from(Level n, const std::string& at) {
   const auto bad = [&] {
-    return BadCase(
-        fmt::format("'{:.60}': write simple, vertical, horizontal or generic, at level 1 mini, then "
-                    ":0xWORD or -pair:O,T",
-                    at));
+    return BadCase(fmt::format(
+        "'{:.60}': write simple, vertical, horizontal or generic, at level 1 mini, then :0xWORD or -pair:O,T",
+        at));
   };
   const std::size_t colon = at.find(':');
   if (colon == std::string::npos) throw bad();
@@ -152,19 +151,17 @@ Law codes_law() {
   return on_cases(
       {.id = "vq.codes",
        .topic = "vq",
-       .says =
-           "a code word decodes by figure 4 and table 2, and encoding that gives the least word that means "
-           "it; O and T are written where each has its palette, and nowhere else",
+       .says = "a code word decodes by figure 4 and table 2, and encoding that gives the least word that "
+               "means it; O and T are written where each has its palette, and nowhere else",
        .source = "Compressed Opacity Maps, figure 4, 5.1 and table 2",
        .subjects = {"vq-spec"},
        .fast = both_sides,
        .fast_seconds = 1,
        .domain =
            [](const Subject&, Level n) {
-             return std::string(n == 1
-                                    ? "all words of 5 bits; O at one region, T at another, C elsewhere"
-                                    : "all words of 17, 18, 18 and 20 bits; O at one region, T at another, "
-                                      "C elsewhere, each of the four ways");
+             return std::string(n == 1 ? "all words of 5 bits; O at one region, T at another, C elsewhere"
+                                       : "all words of 17, 18, 18 and 20 bits; O at one region, T at "
+                                         "another, C elsewhere, each of the four ways");
            },
        .mutants = {mutant("one word of 20 bits has T for C in its last region", "vq-spec", {2, 2},
                           [](Functions& functions) {

@@ -188,8 +188,7 @@ Law random_law(const char* id, std::uint64_t fast, std::uint64_t long_run) {
            [](const Subject&, Level) {
              return std::string(
                  "blocks of random bits, one in four with two indices in a pattern and an entry twice; a "
-                 "region "
-                 "alone, up to 40 with repetitions, all in another order");
+                 "region alone, up to 40 with repetitions, all in another order");
            },
        .mutants = {mutant("a region asked for alone", "vq", level_alone<Format>,
                           in_some_calls<Format>([](auto x, auto y, auto state) {

@@ -63,8 +63,8 @@ Law alone_law() {
        .domain =
            [](const Subject&, Level) {
              return std::string(
-                 "each of the 81 vectors of 2x2, O beside T among them, alone at each place of a "
-                 "uniform map");
+                 "each of the 81 vectors of 2x2, O beside T among them, alone at each place of a uniform "
+                 "map");
            },
        .mutants = {mutant("O beside T at the last place is O throughout", "vq2-optimal", level_alone<Vq2>,
                           instead<Vq2>(one(T, 63, {O, T, O, O}), one(T, 63, {O, O, O, O}))),

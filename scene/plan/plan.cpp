@@ -149,8 +149,7 @@ std::string_view sentence(LeftOut why) {
       return "a morph target moves its UVs or vertex colours at run time: a stored micromap would be stale";
     case LeftOut::vertex_alpha:
       return "vertex colours of varying alpha, or of alpha beyond 0..1, multiply the texture's: the texture "
-             "alone does not "
-             "decide";
+             "alone does not decide";
     case LeftOut::two_filters:
       return "its sampler magnifies by one filter and minifies by another: one map would be wrong for either";
     case LeftOut::far_uvs:

@@ -32,8 +32,8 @@ double median(std::vector<double> values) {
 const mmverify_subject_t& load_here(const std::string& library) {
   if (const std::string runtime = runtime_to_load_first(library); !runtime.empty())
     throw CannotLoad(
-        fmt::format("{}: it needs {} before all else, and times of it would mean little; hand over one "
-                    "that is built without sanitizers",
+        fmt::format("{}: it needs {} before all else, and times of it would mean little; hand over one that "
+                    "is built without sanitizers",
                     library, runtime));
   const std::string file = std::filesystem::absolute(library).string();
   void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);

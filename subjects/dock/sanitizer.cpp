@@ -79,8 +79,8 @@ struct Setting {
 /// Options of gcc's and clang's sanitizers. They start no symbolizer: a worker starts no process.
 constexpr std::array<Setting, 3> settings{
     {{"ASAN_OPTIONS",
-      "handle_segv=0:handle_sigbus=0:handle_abort=0:handle_sigfpe=0:handle_sigill=0:detect_leaks=0:"
-      "abort_on_error=1:external_symbolizer_path="},
+      "handle_segv=0:handle_sigbus=0:handle_abort=0:handle_sigfpe=0:handle_sigill=0:detect_leaks=0:abort_on_"
+      "error=1:external_symbolizer_path="},
      {"UBSAN_OPTIONS", "halt_on_error=1:abort_on_error=1:print_stacktrace=0:external_symbolizer_path="},
      {"TSAN_OPTIONS", "halt_on_error=1:abort_on_error=1:handle_segv=0:external_symbolizer_path="}}};
 

@@ -63,8 +63,7 @@ std::string reader() {
     if (fs::exists(place, error)) return place.string();
   throw NotAvailable(
       "mmverify-source, which reads LLVM's bitcode, is missing in this build; install LLVM (Debian: "
-      "llvm-14-dev) and "
-      "build again (./run build does both)");
+      "llvm-14-dev) and build again (./run build does both)");
 }
 
 ProgramEnd ended(const std::vector<std::string>& words) {

@@ -15,9 +15,9 @@ Outcome judge_changes(const std::string& name, const std::string& what) {
 }
 
 TEST(ArrayChanges, the_example_in_c_keeps_the_laws) {
-  const Outcome o = judge_changes("example",
-                                  "array.compact array.reorder array.concatenate array.files "
-                                  "array.malformed_files array.emulates");
+  const Outcome o = judge_changes(
+      "example",
+      "array.compact array.reorder array.concatenate array.files array.malformed_files array.emulates");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   for (const char* law : {"compact", "reorder", "concatenate", "files", "malformed_files", "emulates"})
     EXPECT_THAT(o.out, HasSubstr(std::string("proved     array.") + law));

@@ -16,11 +16,10 @@ Outcome judge_array(const std::string& name, const std::string& what) {
 
 // The small arrays of level 0 alone, and the laws that are quick: all of level 1 takes minutes.
 TEST(ArraySubject, the_example_in_c_keeps_the_laws) {
-  const Outcome o =
-      judge_array("array_example",
-                  "array.resolves array.formats array.special_indices array.index_range "
-                  "array.array_histogram array.geometry_histogram array.shares array.keeps_before "
-                  "--levels 0");
+  const Outcome o = judge_array(
+      "array_example",
+      "array.resolves array.formats array.special_indices array.index_range array.array_histogram "
+      "array.geometry_histogram array.shares array.keeps_before --levels 0");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   for (const char* law : {"resolves", "formats", "special_indices", "index_range", "array_histogram",
                           "geometry_histogram", "shares", "keeps_before"})

@@ -140,8 +140,8 @@ TEST(AttributeSubject, built_before_there_were_attribute_maps_it_has_none) {
 TEST(AttributeSubject, same_digest_as_ours) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   const std::string laws =
-      "mmverify prove attribute.order_bijective attribute.face_orders --levels 6 "
-      "--quiet --no-mutants --json - --subject ";
+      "mmverify prove attribute.order_bijective attribute.face_orders --levels 6 --quiet --no-mutants --json "
+      "- --subject ";
   const auto digests = [](const Outcome& o) {
     std::string found;
     for (std::size_t at = 0; (at = o.out.find("\"digest\"", at)) != std::string::npos; ++at)

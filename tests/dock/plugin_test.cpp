@@ -255,11 +255,10 @@ TEST(Subject, what_it_does_to_others_has_no_effect) {
 TEST(Subject, a_machine_without_room_is_no_fault_of_its) {
   if (sanitized) GTEST_SKIP() << "a sanitizer needs more files than a second worker";
   for (int files = 5; files < 40; ++files) {
-    const Outcome o =
-        shell("ulimit -n " + std::to_string(files) +
-              "; mmverify prove index.equals_reference --levels 9..10 --threads 2 --quiet --no-mutants "
-              "--no-companions --json - --subject " +
-              library("example"));
+    const Outcome o = shell("ulimit -n " + std::to_string(files) +
+                            "; mmverify prove index.equals_reference --levels 9..10 --threads 2 --quiet "
+                            "--no-mutants --no-companions --json - --subject " +
+                            library("example"));
     if (o.exit_code != 4 || o.out.find("\"verdict\": \"incomplete\"") == std::string::npos) continue;
     EXPECT_THAT(o.err, HasSubstr("for a worker: Too many open files"));
     EXPECT_THAT(o.out, Not(HasSubstr("broken")));

@@ -45,10 +45,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         WrongDecision{"traverse_instance_after_ray", "traverse.last_flag_wins",
                       "instance=force-opaque,ray=no-opaque expected non-opaque got opaque"},
-        WrongDecision{
-            "traverse_khr_query_forgets_2_state", "traverse.apis_agree",
-            "special:UT,not-opaque,instance=none,ray=2-state expected ignored in ext-query got non-opaque in "
-            "khr-query"},
+        WrongDecision{"traverse_khr_query_forgets_2_state", "traverse.apis_agree",
+                      "special:UT,not-opaque,instance=none,ray=2-state expected ignored in ext-query got "
+                      "non-opaque in khr-query"},
         WrongDecision{"traverse_opaque_fills_holes", "traverse.ignored_is_final",
                       "expected ignored got opaque"},
         WrongDecision{"traverse_outcome_3", "traverse.decision", "expected ignored got outcome 3"},

@@ -16,10 +16,9 @@ Outcome judge_tree(const std::string& name, const std::string& what, const std::
 }
 
 TEST(TreeSubject, the_example_in_c_is_proved_on_all_maps) {
-  const Outcome o =
-      judge_tree("tree_example",
-                 "tree.round_trip tree.lookup_is_decode tree.point_is_index tree.equals_spec tree.canonical "
-                 "tree.sizes --levels 0..1");
+  const Outcome o = judge_tree("tree_example",
+                               "tree.round_trip tree.lookup_is_decode tree.point_is_index tree.equals_spec "
+                               "tree.canonical tree.sizes --levels 0..1");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   for (const char* law :
        {"round_trip", "lookup_is_decode", "point_is_index", "equals_spec", "canonical", "sizes"})

@@ -118,8 +118,8 @@ TEST(BakeCase, IsReadBack) {
 
 TEST(BakeCase, WithMipsWordsAndFloats) {
   const std::string words =
-      "mips=2,texels=u16:2x3:0000ffff12345678abcd00010007,wrap=clamp:once,cutoff=1/3,"
-      "uv=0x0p+0:0x1p+0:0x0p+0:0x0p+0:0x1.8p-1:0x1p-149";
+      "mips=2,texels=u16:2x3:0000ffff12345678abcd00010007,wrap=clamp:once,cutoff=1/"
+      "3,uv=0x0p+0:0x1p+0:0x0p+0:0x0p+0:0x1.8p-1:0x1p-149";
   EXPECT_EQ(text_of(case_from(words)), words);
   EXPECT_EQ(case_from(words).alpha.back(), 7u);
   const std::string floats =

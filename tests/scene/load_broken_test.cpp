@@ -81,9 +81,8 @@ TEST(SceneLoad, LyingAccessors) {
     file.accessor("TEXCOORD_0")[property] = value;
     return complaint(file);
   };
-  EXPECT_THAT(with("count", 5),
-              HasSubstr("mesh 0 primitive 0 TEXCOORD_0: accessor 1: bytes 0..40 of bufferView 1, "
-                        "which has 32; truncated file?"));
+  EXPECT_THAT(with("count", 5), HasSubstr("mesh 0 primitive 0 TEXCOORD_0: accessor 1: bytes 0..40 of "
+                                          "bufferView 1, which has 32; truncated file?"));
   EXPECT_THAT(with("count", 3), HasSubstr("3 elements for 4 vertices"));
   EXPECT_THAT(with("count", 0), HasSubstr("no elements"));
   EXPECT_THAT(with("count", 2147483647), HasSubstr("more than 2^26"));

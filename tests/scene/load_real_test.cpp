@@ -79,10 +79,9 @@ TEST(SceneLoad, TheTwoBadScenes) {
                 ": images: there are no files 'FlightHelmet_Materials_LeatherPartsMat_Normal.png', "
                 "'FlightHelmet_Materials_LeatherPartsMat_OcclusionRoughMetal.png', "
                 "'FlightHelmet_Materials_LeatherPartsMat_BaseColor.png' beside it; is the folder complete?");
-  EXPECT_EQ(message(tokyo),
-            tokyo +
-                ": extensionsRequired: KHR_draco_mesh_compression is not read here: the geometry is "
-                "compressed; decompress it first (gltf-transform copy)");
+  EXPECT_EQ(message(tokyo), tokyo +
+                                ": extensionsRequired: KHR_draco_mesh_compression is not read here: the "
+                                "geometry is compressed; decompress it first (gltf-transform copy)");
 }
 
 }  // namespace

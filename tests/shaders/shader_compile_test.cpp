@@ -259,8 +259,8 @@ TEST_F(ShaderFile, is_told_of_its_specialization_constants) {
                                  whole("layout(constant_id = 3) const uint side = 5;", "answer[k] = side;"));
   const auto warnings = shaders::compile({file}).warnings;
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_THAT(warnings[0], HasSubstr("constant.comp: index_f32: specialization constants are what the module "
-                                     "gives them"));
+  EXPECT_THAT(warnings[0],
+              HasSubstr("constant.comp: index_f32: specialization constants are what the module gives them"));
   EXPECT_THAT(warnings[0], HasSubstr("3 (`side`): 5"));
 }
 

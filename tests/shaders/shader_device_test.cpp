@@ -42,11 +42,10 @@ class ShaderOnDevice : public testing::Test {
 
 TEST_F(ShaderOnDevice, our_index_is_proved_and_says_where) {
   const std::string json = (folder_ / "out.json").string();
-  const Outcome o =
-      judge(ours("index.glsl"),
-            "index.equals_reference index.in_range index.bijective index.nested index.corners index.inverse "
-            "index.row_order index.row_corners --levels 0..5 --no-companions",
-            "--json " + json);
+  const Outcome o = judge(ours("index.glsl"),
+                          "index.equals_reference index.in_range index.bijective index.nested index.corners "
+                          "index.inverse index.row_order index.row_corners --levels 0..5 --no-companions",
+                          "--json " + json);
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   EXPECT_EQ(o.err, "");
   for (const char* law :
@@ -220,11 +219,10 @@ uint dag_lookup(uint format, uint map, uint index) {
 
 TEST_F(ShaderOnDevice, our_attribute_lookups_keep_their_laws) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  const Outcome o = judge(
-      ours("attribute.glsl"),
-      "attribute.order_bijective attribute.order_inverse attribute.face_orders attribute.triangle_vertices "
-      "attribute.bird_prefix attribute.holds_point attribute.weights_on_floats "
-      "attribute.decimation_watertight --levels 0..3");
+  const Outcome o = judge(ours("attribute.glsl"),
+                          "attribute.order_bijective attribute.order_inverse attribute.face_orders "
+                          "attribute.triangle_vertices attribute.bird_prefix attribute.holds_point "
+                          "attribute.weights_on_floats attribute.decimation_watertight --levels 0..3");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   for (const char* law : {"order_bijective", "order_inverse", "face_orders", "triangle_vertices",
                           "bird_prefix", "decimation_watertight"})
@@ -238,11 +236,11 @@ TEST_F(ShaderOnDevice, our_attribute_lookups_keep_their_laws) {
 
 TEST_F(ShaderOnDevice, our_attribute_lookups_keep_their_laws_up_to_level_8) {
   LONG_TIER();
-  const Outcome o = judge(ours("attribute.glsl"),
-                          "attribute.order_bijective attribute.order_inverse attribute.face_orders "
-                          "attribute.triangle_vertices attribute.bird_prefix attribute.order_is_walk "
-                          "attribute.order_prefix_nested attribute.umajor_is_reversed_rows "
-                          "attribute.decimation_watertight --levels 5..8 --no-companions");
+  const Outcome o = judge(
+      ours("attribute.glsl"),
+      "attribute.order_bijective attribute.order_inverse attribute.face_orders attribute.triangle_vertices "
+      "attribute.bird_prefix attribute.order_is_walk attribute.order_prefix_nested "
+      "attribute.umajor_is_reversed_rows attribute.decimation_watertight --levels 5..8 --no-companions");
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("36 results: 36 proved"));
 }
@@ -280,8 +278,8 @@ uint blend_hits(uint operation, uint payload, uint count) {
 }
 )");
   const Outcome o = shell(
-      "MMVERIFY_VULKAN_VALIDATION=1 mmverify replay traverse.blend_before_closest --level 0 "
-      "--case max,B2A1,once,rising,neutral --subject " +
+      "MMVERIFY_VULKAN_VALIDATION=1 mmverify replay traverse.blend_before_closest --level 0 --case "
+      "max,B2A1,once,rising,neutral --subject " +
       file);
   EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("expected 0 0 0 0 got 70 71 72 73"));

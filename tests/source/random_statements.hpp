@@ -48,8 +48,7 @@ class RandomStatements {
       else if (kind == 8)
         text_ += fmt::format(
             "{0}switch ({1} & 3u) {{\n{0}  case 0u: {2} = {3}; break;\n{0}  case 2u: {4} = {5};\n{0}  "
-            "default: "
-            "{6} ^= 5u;\n{0}}}\n",
+            "default: {6} ^= 5u;\n{0}}}\n",
             indent, a(), a(), word(), x(), number(), a());
       else
         text_ += indent + further();

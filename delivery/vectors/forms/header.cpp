@@ -96,8 +96,7 @@ std::string as_header(std::span<const Family> families, const Provenance& made_b
       "/* Test vectors of opacity micromaps, " + std::string(schema_name) + ". Made by mmverify " +
       made_by.version + " (mmverify vectors) from\n * specification " + made_by.spec_hash +
       ".\n * docs/VECTORS.md of mmverify says what each table is and how to use it. A record is made of "
-      "32-bit words, "
-      "as in\n * mmverify_vectors.bin: it can be copied to a GPU as it is. MIT licence.\n"
+      "32-bit words, as in\n * mmverify_vectors.bin: it can be copied to a GPU as it is. MIT licence.\n"
       " */\n#ifndef MMVERIFY_VECTORS_H\n#define MMVERIFY_VECTORS_H\n\n#include <stdint.h>\n\n"
       "#define MMVERIFY_VECTORS_SCHEMA \"" +
       std::string(schema_name) + "\"\n#define MMVERIFY_VECTORS_MADE_BY \"mmverify " + made_by.version +

@@ -113,8 +113,7 @@ std::optional<std::uint64_t> family_spot(const BakeCase& one) {
 
 const char* family_domain() {
   return "all 81 2x2 textures over 0, 101, 255 in each channel, 8 pairs of addressing modes, linear and "
-         "sRGB, 7 "
-         "triangles";
+         "sRGB, 7 triangles";
 }
 
 BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k) {
@@ -390,10 +389,10 @@ BakeCaseOf<Channel> read_bake_case_of(const std::string& text) {
                settings = groups_of(four ? parts[2] : "", settings_form.c_str());
   if (!four || !size || !settings || parts[1].find_first_not_of("0123456789abcdef") != std::string::npos ||
       parts[1].size() % texel != 0)
-    throw BadCase(fmt::format(
-        "'{:.60}': write WxH:TEXELS:WRAP,WRAP,FILTER,MEANING,BORDER:U,V,U,V,U,V, texels and border "
-        "{} hexadecimal digits each",
-        text, texel == 8 ? "eight" : fmt::to_string(texel)));
+    throw BadCase(
+        fmt::format("'{:.60}': write WxH:TEXELS:WRAP,WRAP,FILTER,MEANING,BORDER:U,V,U,V,U,V, texels and "
+                    "border {} hexadecimal digits each",
+                    text, texel == 8 ? "eight" : fmt::to_string(texel)));
   BakeCaseOf<Channel> one;
   auto& p = one.picture;
   p.width = static_cast<std::uint32_t>(std::stoul((*size)[1]));

@@ -158,8 +158,7 @@ Law error_law() {
       {.id = "attribute.error_is_bound",
        .topic = "attribute",
        .says = "no point of a map is further from the texture than its stated largest error, which is the "
-               "exact one, as "
-               "is the mean square, up to the slack that is declared",
+               "exact one, as is the mean square, up to the slack that is declared",
        .source = "spec/attribute/error.hpp; Color and Attribute Micromaps, 6.3",
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
@@ -229,8 +228,7 @@ Law light_law() {
       {.id = "attribute.srgb_table",
        .topic = "attribute",
        .says = "linear light of each code, and of each middle between two, is the nearest of 2^24 to the "
-               "sRGB curve: "
-               "x >= r^(12/5) where x^5 >= r^12",
+               "sRGB curve: x >= r^(12/5) where x^5 >= r^12",
        .source = "IEC 61966-2-1; spec/attribute/colour.hpp",
        .subjects = {"attribute-spec", "attribute"},
        .fast = {0, 0},

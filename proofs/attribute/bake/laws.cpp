@@ -143,31 +143,30 @@ const auto rows_from_below = [](BakeCase& one) {
 };
 
 Law vertex_law() {
-  return on_cases(
-      {.id = "attribute.bake_vertex",
-       .topic = "attribute",
-       .says = "a micro-vertex has what the sampler gives there, bilinear or nearest, as the code it is "
-               "rounded to, half up",
-       .source = cam_5,
-       .subjects = {"attribute"},
-       .fast = {0, 2},
-       .long_run = {0, 4},
-       .fast_seconds = 1,
-       .domain = [](const Subject&, Level) { return std::string(family_domain()); },
-       .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
-       .mutants = {mutant("texel centres at whole numbers", "attribute", {0, 0},
-                          bakes_another(MapForm::vertices, centres_at_corners)),
-                   mutant("sRGB interpolated as codes", "attribute", {1, 1},
-                          bakes_another(MapForm::vertices, srgb_as_codes)),
-                   mutant("repeat mirrors below 0", "attribute", {0, 0},
-                          bakes_another(MapForm::vertices, negative_mirrored)),
-                   mutant("what lies in the middle is rounded down", "attribute", {1, 1},
-                          rounds_half_down(MapForm::vertices)),
-                   mutant("the border is black", "attribute", {0, 0},
-                          bakes_another(MapForm::vertices, without_border)),
-                   mutant("mirror once clamps along v", "attribute", {0, 0},
-                          bakes_another(MapForm::vertices, mirrors_once_as_clamp))}},
-      needing({bakes_vertices}), family_of(MapForm::vertices));
+  return on_cases({.id = "attribute.bake_vertex",
+                   .topic = "attribute",
+                   .says = "a micro-vertex has what the sampler gives there, bilinear or nearest, as the "
+                           "code it is rounded to, half up",
+                   .source = cam_5,
+                   .subjects = {"attribute"},
+                   .fast = {0, 2},
+                   .long_run = {0, 4},
+                   .fast_seconds = 1,
+                   .domain = [](const Subject&, Level) { return std::string(family_domain()); },
+                   .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
+                   .mutants = {mutant("texel centres at whole numbers", "attribute", {0, 0},
+                                      bakes_another(MapForm::vertices, centres_at_corners)),
+                               mutant("sRGB interpolated as codes", "attribute", {1, 1},
+                                      bakes_another(MapForm::vertices, srgb_as_codes)),
+                               mutant("repeat mirrors below 0", "attribute", {0, 0},
+                                      bakes_another(MapForm::vertices, negative_mirrored)),
+                               mutant("what lies in the middle is rounded down", "attribute", {1, 1},
+                                      rounds_half_down(MapForm::vertices)),
+                               mutant("the border is black", "attribute", {0, 0},
+                                      bakes_another(MapForm::vertices, without_border)),
+                               mutant("mirror once clamps along v", "attribute", {0, 0},
+                                      bakes_another(MapForm::vertices, mirrors_once_as_clamp))}},
+                  needing({bakes_vertices}), family_of(MapForm::vertices));
 }
 
 Law face_law() {
@@ -251,8 +250,7 @@ Law floats_law() {
       {.id = "attribute.bake_on_floats",
        .topic = "attribute",
        .says = "micro-vertices and faces are exact on binary32's coordinates, directions are made one unit "
-               "long again "
-               "and the mean's length is kept",
+               "long again and the mean's length is kept",
        .source = std::string(cam_5) + "; glTF 2.0, normalTexture",
        .method = Method::sample,
        .subjects = {"attribute"},
@@ -263,8 +261,7 @@ Law floats_law() {
            [](const Subject&, Level) {
              return std::string(
                  "textures of up to 9x7 texels, to level 1 some of up to 320 in a row, all modes and "
-                 "meanings, means "
-                 "beside halves, micro-vertices beside lines; up to 8 values of each map");
+                 "meanings, means beside halves, micro-vertices beside lines; up to 8 values of each map");
            },
        .mutants = {mutant("directions not made one unit long again", "attribute", {1, 3}, not_renormalised()),
                    mutant("coordinates kept in 12 bits below the point", "attribute", {0, 7},

@@ -156,8 +156,7 @@ Law graded_law() {
       {.id = "attribute.plan_graded",
        .topic = "attribute",
        .says = "where levels suffice from a wanted one on, each triangle gets the greatest of wanted(s) less "
-               "the edges "
-               "between, neighbours differ by one at most, and flags say on which edges",
+               "the edges between, neighbours differ by one at most, and flags say on which edges",
        .source = "Color and Attribute Micromaps, 3.2; spec/attribute/plan.hpp",
        .subjects = {"attribute"},
        .fast = {0, 4},
@@ -295,9 +294,9 @@ Law keeps_law() {
   return on_cases(
       {.id = "attribute.plan_keeps_error",
        .topic = "attribute",
-       .says = "whatever keeps the error: each triangle of a plan keeps it, with its edges as they are, or "
-               "has the "
-               "highest level and does not keep it undecimated; neighbours differ by one level at most",
+       .says =
+           "whatever keeps the error: each triangle of a plan keeps it, with its edges as they are, or has "
+           "the highest level and does not keep it undecimated; neighbours differ by one level at most",
        .source = "Color and Attribute Micromaps, 3.2",
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},

@@ -114,9 +114,8 @@ Law edge_law() {
   return on_cases(
       {.id = "attribute.bake_edge_agrees",
        .topic = "attribute",
-       .says =
-           "two triangles with the same coordinates at both ends of an edge have the same codes on its N+1 "
-           "micro-vertices",
+       .says = "two triangles with the same coordinates at both ends of an edge have the same codes on its "
+               "N+1 micro-vertices",
        .source = "Color and Attribute Micromaps, 3.2; continuity across base triangles",
        .method = Method::sample,
        .subjects = {"attribute"},
@@ -214,8 +213,7 @@ Law parent_law() {
       {.id = "attribute.face_mean_is_parent",
        .topic = "attribute",
        .says = "before rounding, a face's mean is the mean of its four children, also where the triangle is "
-               "a segment "
-               "or a point in the texture",
+               "a segment or a point in the texture",
        .source = "Color and Attribute Micromaps, 4.4 and 5.1",
        .subjects = {"attribute-spec"},
        .fast = {0, 1},
@@ -224,8 +222,8 @@ Law parent_law() {
        .domain =
            [](const Subject&, Level) {
              return std::string(
-                 "each texel of 2x2 alone, nearest and bilinear, 8 pairs of addressing modes, 7 "
-                 "triangles, all faces");
+                 "each texel of 2x2 alone, nearest and bilinear, 8 pairs of addressing modes, 7 triangles, "
+                 "all faces");
            },
        .mutants = {mutant("the texels whose centres lie inside, each the same", "attribute-spec", {0, 1},
                           averages_centres()),
@@ -298,8 +296,8 @@ Law constant_law() {
        .domain =
            [](const Subject&, Level) {
              return std::string(
-                 "256 colours with all codes in each channel, 8 pairs of addressing modes, linear and "
-                 "sRGB, 7 triangles");
+                 "256 colours with all codes in each channel, 8 pairs of addressing modes, linear and sRGB, "
+                 "7 triangles");
            },
        .mutants = {mutant("white is 254 on the sRGB curve", "attribute", {0, 1},
                           spoilt(

@@ -101,9 +101,8 @@ Law texels16_law() {
   return on_cases(
       {.id = "attribute.bake_texels16",
        .topic = "attribute",
-       .says =
-           "of textures of 16 bits a channel micro-vertices and faces have the exact number as the code it "
-           "is rounded to, half up, colours as normals",
+       .says = "of textures of 16 bits a channel micro-vertices and faces have the exact number as the code "
+               "it is rounded to, half up, colours as normals",
        .source = std::string(cam_5) + "; Vulkan, Conversion From Normalized Fixed-Point to Floating-Point",
        .method = Method::sample,
        .subjects = {"attribute"},
@@ -221,8 +220,7 @@ Law texel_floats_law() {
              return std::string(
                  "textures of up to 7x7 texels of binary32, all modes; ordinary numbers, 2^100 beside "
                  "2^-100, some that cancel, subnormals, ties, zeros of both signs, lone bright ones, any; up "
-                 "to 8 values of "
-                 "each map");
+                 "to 8 values of each map");
            },
        .mutants = {mutant("ties away from zero", "attribute", {0, 2}, rounds_ties_away()),
                    mutant("what is below 2^-126 is 0", "attribute", {0, 2}, changing_floats([](float x) {

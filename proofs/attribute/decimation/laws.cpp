@@ -91,9 +91,9 @@ Law decimation_watertight_law() {
   return on_edge_flags(
       {.id = "attribute.decimation_watertight",
        .topic = "attribute",
-       .says = "with flagged edges decimated, each inner edge of a live micro-triangle meets its opposite "
-               "once, a "
-               "flagged base edge is that of level n-1, the others are of level n, no other vertex moves",
+       .says =
+           "with flagged edges decimated, each inner edge of a live micro-triangle meets its opposite once, "
+           "a flagged base edge is that of level n-1, the others are of level n, no other vertex moves",
        .subjects = {"attribute-spec", "attribute"},
        .fast = {0, 12},
        .long_run = {0, 14},
@@ -141,25 +141,24 @@ Law decimation_areas_law() {
 }
 
 Law decimation_counts_law() {
-  return on_edge_flags(
-      {.id = "attribute.decimation_counts",
-       .topic = "attribute",
-       .says = "with p flags, p N/2 micro-triangles are degenerate, 4^n - p N/2 live, and p N/2 "
-               "vertices unused; at level 0 none",
-       .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 12},
-       .long_run = {0, 16},
-       .fast_seconds = 0.3,
-       .domain = domain_at_edges,
-       .mutants = {wrong_rule("edges of level 0 are decimated too", {0, 0}, level_0_too),
-                   wrong_rule("indices are rounded down", {0, 3}, indices_down),
-                   wrong_rule("the middle of level 1 stays", {1, 1},
-                              [](Level n, EdgeFlags, const Vertex& x, const Vertex& right) {
-                                return n == 1 ? x : right;
-                              }),
-                   wrong_rule("one vertex of level 11 stays", {11, 11}, only_at(11, 7, {2047, 1}, {2047, 1}),
-                              "attribute")}},
-      of_mesh<Asked::at_edges>(counted));
+  return on_edge_flags({.id = "attribute.decimation_counts",
+                        .topic = "attribute",
+                        .says = "with p flags, p N/2 micro-triangles are degenerate, 4^n - p N/2 live, and p "
+                                "N/2 vertices unused; at level 0 none",
+                        .subjects = {"attribute-spec", "attribute"},
+                        .fast = {0, 12},
+                        .long_run = {0, 16},
+                        .fast_seconds = 0.3,
+                        .domain = domain_at_edges,
+                        .mutants = {wrong_rule("edges of level 0 are decimated too", {0, 0}, level_0_too),
+                                    wrong_rule("indices are rounded down", {0, 3}, indices_down),
+                                    wrong_rule("the middle of level 1 stays", {1, 1},
+                                               [](Level n, EdgeFlags, const Vertex& x, const Vertex& right) {
+                                                 return n == 1 ? x : right;
+                                               }),
+                                    wrong_rule("one vertex of level 11 stays", {11, 11},
+                                               only_at(11, 7, {2047, 1}, {2047, 1}), "attribute")}},
+                       of_mesh<Asked::at_edges>(counted));
 }
 
 /// The expected lost area, in quarters of a micro-triangle.  From level 2 on, p flags make p N/2 micro-triangles
@@ -179,9 +178,8 @@ Law lookup_fails_law() {
       {.id = "paper.decimated_lookup_fails",
        .topic = "attribute",
        .says = "if only the vertices' indices are adjusted, the micro-triangle of a point is degenerate or "
-               "does not hold it "
-               "on 3/(4N) of the area with one flag, 3/(2N) - 1/N^2 with two, 9/(4N) - 3/N^2 with three "
-               "(level 1: 3/8, 5/8, 3/4)",
+               "does not hold it on 3/(4N) of the area with one flag, 3/(2N) - 1/N^2 with two, 9/(4N) - "
+               "3/N^2 with three (level 1: 3/8, 5/8, 3/4)",
        .subjects = {"attribute-spec", "attribute"},
        .fast = {0, 12},
        .long_run = {0, 16},

@@ -101,8 +101,8 @@ Law decimation_sample_law() {
                    .domain =
                        [](const Subject&, Level) {
                          return std::string(
-                             "the 8 sets of flags; vertices about the ends and middles of base edges, "
-                             "a step from them, and anywhere");
+                             "the 8 sets of flags; vertices about the ends and middles of base edges, a step "
+                             "from them, and anywhere");
                        },
                    .mutants = {wrong_above_12("places of 16 bits",
                                               [](Level, const Vertex&, const Vertex& right) {

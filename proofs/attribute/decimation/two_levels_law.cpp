@@ -108,8 +108,7 @@ Law two_levels_law() {
           .topic = "attribute",
           .says =
               "a flagged edge of level n and an edge of level n-2 agree at the N/4 + 1 vertices of level n-2 "
-              "and nowhere "
-              "else: neighbours may differ by one level, not two",
+              "and nowhere else: neighbours may differ by one level, not two",
           .source = cam_3,
           .subjects = {"attribute-spec", "attribute"},
           .fast = {2, 6},

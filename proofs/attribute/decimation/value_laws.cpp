@@ -88,9 +88,8 @@ Law decimation_neighbours_law() {
       {.id = "attribute.decimation_neighbours",
        .topic = "attribute",
        .says = "a flagged edge of level n and an unflagged one of level n-1 interpolate the same vertices "
-               "with the "
-               "same weights, the hat functions of level n-1, whichever edges meet and whatever their other "
-               "flags",
+               "with the same weights, the hat functions of level n-1, whichever edges meet and whatever "
+               "their other flags",
        .source = cam_3,
        .subjects = {"attribute-spec", "attribute"},
        .fast = {1, 12},
@@ -188,8 +187,7 @@ Law decimated_lookup_law() {
       {.id = "attribute.decimation_lookup",
        .topic = "attribute",
        .says = "the lookup gives the weights that the point has on every live micro-triangle that holds it; "
-               "which of several "
-               "it is does not matter",
+               "which of several it is does not matter",
        .source = "docs/ATTRIBUTE.md, \"Decimation\"; Color and Attribute Micromaps, 3.2 and 4.1, has no "
                  "lookup for it",
        .subjects = {"attribute-spec", "attribute"},
@@ -397,9 +395,9 @@ Law decimation_means_law() {
   return on_batches(
       {.id = "attribute.decimation_means",
        .topic = "attribute",
-       .says = "in the other meaning nothing moves: an odd vertex's value on a flagged edge is the mean of "
-               "its two even "
-               "neighbours', so that the edge has level n-1's values; every other vertex keeps its own",
+       .says =
+           "in the other meaning nothing moves: an odd vertex's value on a flagged edge is the mean of its "
+           "two even neighbours', so that the edge has level n-1's values; every other vertex keeps its own",
        .source = "docs/ATTRIBUTE.md, \"Decimation\"",
        .subjects = {"attribute-spec", "attribute"},
        .fast = {0, 9},

@@ -87,10 +87,8 @@ void add_upright(std::vector<Statement>& all, const Parts<Counted>& by) {
       });
   add(all, "upright_step",
       "Upright ones before a number on the curve, one digit. In a triangle with 2m to a side the number x = "
-      "d m m + x' "
-      "is in child d, where it is the upright one k', that is x' + excess' = 2k'. Then x + excess = 2k for a "
-      "k below "
-      "upright_within(2m), and upright_child finds d and k' from k.",
+      "d m m + x' is in child d, where it is the upright one k', that is x' + excess' = 2k'. Then x + excess "
+      "= 2k for a k below upright_within(2m), and upright_child finds d and k' from k.",
       [&](Script& script) {
         suppose_triangular(script);
         const Counted m = whole(script, "m"), d = whole(script, "d"), inside = whole(script, "number_inside"),
@@ -111,8 +109,7 @@ void add_upright(std::vector<Statement>& all, const Parts<Counted>& by) {
       });
   add(all, "upright_onto",
       "The way back, one digit: for every k below upright_within(2m), upright_child gives a digit d and a k' "
-      "below d's "
-      "upright_within(m), and x' + excess' = 2k' makes x + excess = 2k.",
+      "below d's upright_within(m), and x' + excess' = 2k' makes x + excess = 2k.",
       [&](Script& script) {
         suppose_triangular(script);
         const Counted m = whole(script, "m"), k = whole(script, "k"), inside = whole(script, "number_inside"),
@@ -131,8 +128,7 @@ void add_upright(std::vector<Statement>& all, const Parts<Counted>& by) {
       });
   add(all, "upright_ordered",
       "Of two upright ones the one with the smaller k comes first on the curve: it has the smaller digit, or "
-      "the same "
-      "digit and the smaller number there.",
+      "the same digit and the smaller number there.",
       [&](Script& script) {
         suppose_triangular(script);
         const Counted m = whole(script, "m"), k = whole(script, "k"), later = whole(script, "later");
@@ -176,8 +172,7 @@ void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
   };
   add(all, "bird_corners",
       "With one micro-triangle to a side every vertex is a corner, and the corners' indices are 0, 1 and 2: "
-      "all below "
-      "T(2) = 3.",
+      "all below T(2) = 3.",
       [&](Script& script) {
         suppose_triangular(script);
         suppose_twice(script, 2);
@@ -191,8 +186,7 @@ void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
       });
   add(all, "bird_prefix",
       "A vertex (i, j) with N to a side is (2i, 2j) with 2N: as a corner it has the same index, and else one "
-      "halving "
-      "leads to (i, j), so that both have the index of the level that is found from there.",
+      "halving leads to (i, j), so that both have the index of the level that is found from there.",
       [&](Script& script) {
         const Counted N = whole(script, "N");
         script.require(at_most(1, N));
@@ -204,8 +198,7 @@ void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
       });
   add(all, "bird_halves",
       "What a halving leaves is a vertex of the level before, and the vertex is twice that.  A corner of 2N "
-      "to a side is "
-      "halved, too: what is not halved is no corner.",
+      "to a side is halved, too: what is not halved is no corner.",
       [&](Script& script) {
         const Counted N = whole(script, "N");
         script.require(at_most(1, N));
@@ -228,8 +221,7 @@ void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
   };
   add(all, "bird_middle",
       "A vertex with 2M to a side that is not halved is the middle of one edge of one upright micro-triangle "
-      "with M to a "
-      "side, and the way back leads to it.",
+      "with M to a side, and the way back leads to it.",
       [&](Script& script) {
         const Counted M = whole(script, "M");
         script.require(at_most(1, M));
@@ -242,8 +234,7 @@ void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
       });
   add(all, "bird_middle_onto",
       "The middle of each of the three edges of each upright micro-triangle is a vertex with 2M to a side "
-      "that is not "
-      "halved, and no other edge's.",
+      "that is not halved, and no other edge's.",
       [&](Script& script) {
         const Counted M = whole(script, "M");
         script.require(at_most(1, M));
@@ -265,8 +256,8 @@ void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
   };
   add(all, "bird_number",
       "T(2M+1) - T(M+1) = 3 T(M): doubling the side adds three vertices for each upright micro-triangle.  "
-      "The index of "
-      "edge e of upright one `before` of T(M) lies in [T(M+1), T(2M+1)), and the way back gives both.",
+      "The index of edge e of upright one `before` of T(M) lies in [T(M+1), T(2M+1)), and the way back gives "
+      "both.",
       [&](Script& script) {
         const Counted M = whole(script, "M"), before = whole(script, "before"), edge = whole(script, "edge");
         suppose_vertices(script, M);

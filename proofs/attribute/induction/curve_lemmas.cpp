@@ -90,9 +90,8 @@ Words rest_of(Script& script, const Words& w, const Counted& m) {
 void add_curve_words(std::vector<Statement>& all) {
   add(all, "curve_opening",
       "The words that spec::attribute::curve_words gives a micro-triangle with N to a side are held by a "
-      "triangle that is "
-      "not turned, upright ones being the lower ones.  iw is negative, and its low n bits are those of iw + "
-      "N.",
+      "triangle that is not turned, upright ones being the lower ones.  iw is negative, and its low n bits "
+      "are those of iw + N.",
       [](Script& script) {
         define_curve(script);
         const Counted N = whole(script, "N");
@@ -123,10 +122,9 @@ void add_curve_words(std::vector<Statement>& all) {
       });
   add(all, "curve_step",
       "One digit: the words of a micro-triangle with M = 2m to a side have a digit, that of "
-      "spec::index::curve_bits; what "
-      "is left of them is held by the digit's child, m to a side, and stands as before; child 1 alone is "
-      "turned, below "
-      "child 3 alone 0 and 2 change places; and the digit and the frame tell the words' highest bits.",
+      "spec::index::curve_bits; what is left of them is held by the digit's child, m to a side, and stands "
+      "as before; child 1 alone is turned, below child 3 alone 0 and 2 change places; and the digit and the "
+      "frame tell the words' highest bits.",
       [](Script& script) {
         define_curve(script);
         const Counted m = whole(script, "m");
@@ -149,8 +147,7 @@ void add_curve_words(std::vector<Statement>& all) {
       });
   add(all, "curve_onto",
       "One digit, backwards: for each digit d and all words that d's child holds there are words with M = 2m "
-      "to a side that "
-      "have this digit and leave these: m more where d's bits are 1.",
+      "to a side that have this digit and leave these: m more where d's bits are 1.",
       [](Script& script) {
         define_curve(script);
         const Counted m = whole(script, "m"), d = whole(script, "d");
@@ -211,8 +208,7 @@ VertexOf<Counted> frame_corner(Script& script, const std::string& name, int corn
 void add_curve_corners(std::vector<Statement>& all, const Parts<Counted>& by) {
   add(all, "curve_corners_step",
       "From index to corners: a triangle with 2m to a side has corners P as the frame says; the corners of "
-      "child d are "
-      "those of d's frame, m to a side, whose words begin m further on where d's bits are 1.",
+      "child d are those of d's frame, m to a side, whose words begin m further on where d's bits are 1.",
       [&](Script& script) {
         define_curve(script);
         const Counted m = whole(script, "m"), a = whole(script, "a"), b = whole(script, "b"),
@@ -242,8 +238,7 @@ void add_curve_corners(std::vector<Statement>& all, const Parts<Counted>& by) {
       });
   add(all, "curve_corners_base",
       "From index to corners, one micro-triangle left: the corners are those of the micro-triangle at the "
-      "words' "
-      "beginning (a, b), a lower one where the frame is not turned and an upper one where it is.",
+      "words' beginning (a, b), a lower one where the frame is not turned and an upper one where it is.",
       [&](Script& script) {
         define_curve(script);
         const Counted a = whole(script, "a"), b = whole(script, "b");

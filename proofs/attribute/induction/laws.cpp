@@ -107,44 +107,42 @@ std::vector<Statement> shipped_bird() { return bird_statements(parts_of<Specifie
 std::vector<Statement> shipped_faces() { return faces_statements(parts_of<Specified, Counted>()); }
 
 std::vector<Law> laws() {
-  return {
-      for_all_levels(
-          {"attribute.w_minor_all_levels",
-           "at every level n >= 0 W-minor is a bijection from the vertices to 0..V(n)-1 with its way back, "
-           "each level begins with the rows of the level before, number by number, and of a vertex that "
-           "two levels share the finer one's number is greater, the w-corner's 0 apart",
-           "every vertex of every level n >= 0",
-           shipped_w_minor,
-           mutants_of_w_minor,
-           {"attribute.order_is_walk", "attribute.order_inverse", "attribute.order_prefix_nested"}}),
-      for_all_levels(
-          {"attribute.u_major_all_levels",
-           "at every level n >= 0 U-major is a bijection from the vertices to 0..V(n)-1 with its way back, "
-           "is W-minor of the vertex turned, (j, N-i-j), counted from the end, and of a vertex that two "
-           "levels share the finer one's number is greater, the w-corner's 0 apart",
-           "every vertex of every level n >= 0",
-           shipped_u_major,
-           mutants_of_u_major,
-           {"attribute.order_is_walk", "attribute.order_inverse", "attribute.umajor_is_reversed_rows"}}),
-      for_all_levels(
-          {"attribute.bird_all_levels",
-           "at every level n >= 0 Bird is a bijection from the vertices to 0..V(n)-1 with its way back, a "
-           "vertex has one number on all levels that have it, and level n+1 adds one triplet for each "
-           "upright micro-triangle of level n, along the curve: the middles of its edges, which are "
-           "nobody else's",
-           "every vertex of every level n >= 0",
-           shipped_bird,
-           mutants_of_bird,
-           {"attribute.order_is_walk", "attribute.order_inverse", "attribute.bird_prefix"}}),
-      for_all_levels(
-          {"attribute.faces_all_levels",
-           "at every level n >= 0 the faces' curve, rows and U-major are bijections to 0..4^n-1 with their "
-           "ways back, U-major is the rows turned and counted from the end, and a face's three corners are "
-           "vertices of the level that wind like the base triangle and tell the face",
-           "every face of every level n >= 0",
-           shipped_faces,
-           mutants_of_faces,
-           {"attribute.face_orders", "attribute.triangle_vertices"}})};
+  return {for_all_levels(
+              {"attribute.w_minor_all_levels",
+               "at every level n >= 0 W-minor is a bijection from the vertices to 0..V(n)-1 with its way "
+               "back, each level begins with the rows of the level before, number by number, and of a vertex "
+               "that two levels share the finer one's number is greater, the w-corner's 0 apart",
+               "every vertex of every level n >= 0",
+               shipped_w_minor,
+               mutants_of_w_minor,
+               {"attribute.order_is_walk", "attribute.order_inverse", "attribute.order_prefix_nested"}}),
+          for_all_levels(
+              {"attribute.u_major_all_levels",
+               "at every level n >= 0 U-major is a bijection from the vertices to 0..V(n)-1 with its way "
+               "back, is W-minor of the vertex turned, (j, N-i-j), counted from the end, and of a vertex "
+               "that two levels share the finer one's number is greater, the w-corner's 0 apart",
+               "every vertex of every level n >= 0",
+               shipped_u_major,
+               mutants_of_u_major,
+               {"attribute.order_is_walk", "attribute.order_inverse", "attribute.umajor_is_reversed_rows"}}),
+          for_all_levels({"attribute.bird_all_levels",
+                          "at every level n >= 0 Bird is a bijection from the vertices to 0..V(n)-1 with its "
+                          "way back, a vertex has one number on all levels that have it, and level n+1 adds "
+                          "one triplet for each upright micro-triangle of level n, along the curve: the "
+                          "middles of its edges, which are nobody else's",
+                          "every vertex of every level n >= 0",
+                          shipped_bird,
+                          mutants_of_bird,
+                          {"attribute.order_is_walk", "attribute.order_inverse", "attribute.bird_prefix"}}),
+          for_all_levels(
+              {"attribute.faces_all_levels",
+               "at every level n >= 0 the faces' curve, rows and U-major are bijections to 0..4^n-1 with "
+               "their ways back, U-major is the rows turned and counted from the end, and a face's three "
+               "corners are vertices of the level that wind like the base triangle and tell the face",
+               "every face of every level n >= 0",
+               shipped_faces,
+               mutants_of_faces,
+               {"attribute.face_orders", "attribute.triangle_vertices"}})};
 }
 
 }  // namespace mmverify::proofs::attribute::induction

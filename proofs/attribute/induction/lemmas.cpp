@@ -12,10 +12,8 @@ void add_triangular(std::vector<Statement>& all) {
       });
   add(all, "triangular_step",
       "The induction's step. Supposed that half of r(r+1) is a whole number h, "
-      "spec::attribute::triangular(r) is h and "
-      "triangular(r+1) is h+r+1, which is half of (r+1)(r+2). So for every r >= 0, 2 T(r) = r(r+1) and "
-      "T(r+1) = T(r) + "
-      "r + 1.",
+      "spec::attribute::triangular(r) is h and triangular(r+1) is h+r+1, which is half of (r+1)(r+2). So for "
+      "every r >= 0, 2 T(r) = r(r+1) and T(r+1) = T(r) + r + 1.",
       [](Script& script) {
         const Counted r = whole(script, "r"), h = whole(script, "h");
         script.require(at_most(0, r));
@@ -137,8 +135,7 @@ void suppose_faces_reversed(Script& script, const Counted& x, const FaceOf<Count
 void add_triangular_root(std::vector<Statement>& all, const Parts<Counted>& by) {
   add(all, "triangular_root",
       "The loop of triangular_root: it begins with r = 0 and a bit b with x < T(2b); a turn keeps T(r) <= x "
-      "< "
-      "T(r + 2b), with half the bit, and after the turn with b = 1 it is T(r) <= x < T(r + 1).",
+      "< T(r + 2b), with half the bit, and after the turn with b = 1 it is T(r) <= x < T(r + 1).",
       [&](Script& script) {
         suppose_triangular(script);
         const Counted x = whole(script, "x"), r = whole(script, "r"), b = whole(script, "b");
@@ -154,8 +151,7 @@ void add_triangular_root(std::vector<Statement>& all, const Parts<Counted>& by) 
 void add_square_root(std::vector<Statement>& all, const Parts<Counted>& by) {
   add(all, "square_root",
       "The loop of w_minor_row: it begins with r = 0 and a bit b with x < S(2b); a turn keeps S(r) <= x < "
-      "S(r + 2b), "
-      "with half the bit, and after the turn with b = 1 it is S(r) <= x < S(r + 1).",
+      "S(r + 2b), with half the bit, and after the turn with b = 1 it is S(r) <= x < S(r + 1).",
       [&](Script& script) {
         suppose_square(script);
         const Counted x = whole(script, "x"), r = whole(script, "r"), b = whole(script, "b");
@@ -185,10 +181,8 @@ void add_w_minor(std::vector<Statement>& all, const Parts<Counted>& by) {
       });
   add(all, "w_minor_onto",
       "W-minor: every x >= 0 is the index of the vertex that the way back gives; and x < T(N+1) says the "
-      "same as i+j <= "
-      "N, for every N: the indices below T(N+1) are those of N micro-triangles to a side, and a finer level "
-      "begins with "
-      "them, number by number.",
+      "same as i+j <= N, for every N: the indices below T(N+1) are those of N micro-triangles to a side, and "
+      "a finer level begins with them, number by number.",
       [&](Script& script) {
         suppose_triangular(script);
         const Counted x = whole(script, "x"), N = whole(script, "N");
@@ -202,8 +196,7 @@ void add_w_minor(std::vector<Statement>& all, const Parts<Counted>& by) {
       });
   add(all, "w_minor_moves",
       "W-minor: a vertex (i, j) is (2i, 2j) a level on, and its index there is greater, but for the "
-      "w-corner's, which is "
-      "0 on both.",
+      "w-corner's, which is 0 on both.",
       [&](Script& script) {
         suppose_triangular(script);
         const VertexOf<Counted> at{whole(script, "i"), whole(script, "j")};
@@ -319,8 +312,7 @@ void add_faces(std::vector<Statement>& all, const Parts<Counted>& by) {
       });
   add(all, "rows_onto",
       "Faces in rows: every x >= 0 is the index of the face that the way back gives; and x < S(N) says the "
-      "same as that "
-      "it is a face with N to a side, for every N.",
+      "same as that it is a face with N to a side, for every N.",
       [&](Script& script) {
         suppose_square(script);
         const Counted x = whole(script, "x"), N = whole(script, "N");
@@ -380,8 +372,7 @@ void add_faces(std::vector<Statement>& all, const Parts<Counted>& by) {
       });
   add(all, "corners",
       "A face's corners are vertices of its level, wind like the base triangle, (x1-x0)(y2-y0) - "
-      "(x2-x0)(y1-y0) = 1, and "
-      "the first two tell the face.",
+      "(x2-x0)(y1-y0) = 1, and the first two tell the face.",
       [&](Script& script) {
         const Counted N = whole(script, "N");
         const auto t = declare_face(script, N);

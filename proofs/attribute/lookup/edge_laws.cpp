@@ -97,8 +97,7 @@ std::vector<Law> edge_lookup_laws() {
       {.id = "attribute.on_edge",
        .topic = "attribute",
        .says = "on a base edge only its own vertices have a weight, that of the edge's hat functions: two "
-               "triangles of "
-               "one level that share an edge and its values agree along it",
+               "triangles of one level that share an edge and its values agree along it",
        .source = "Color and Attribute Micromaps, 3.2 and 4.1",
        .subjects = {"attribute-spec", "attribute", "attribute-single"},
        .fast = {0, 12},

@@ -201,9 +201,9 @@ Law tie_free_law() {
   return on_batches(
       {.id = "attribute.tie_free",
        .topic = "attribute",
-       .says = "the vertices with a weight, and their weights, are the same in each closed micro-triangle "
-               "that holds the "
-               "point: no rule for ties is needed, and values are continuous across micro-edges",
+       .says =
+           "the vertices with a weight, and their weights, are the same in each closed micro-triangle that "
+           "holds the point: no rule for ties is needed, and values are continuous across micro-edges",
        .source = cam_4,
        .subjects = lookup_subjects,
        .fast = {0, 6},
@@ -282,11 +282,9 @@ Law face_ties_law() {
   return on_batches(
       {.id = "attribute.face_ties",
        .topic = "attribute",
-       .says =
-           "figure 4 and Vulkan's code give a point to different micro-triangles just on the lines u = "
-           "i/N, 0 < i < "
-           "N, below the hypotenuse: on N(N-1)/2 open edges and N(N-1)/2 vertices, where the value of a face "
-           "differs",
+       .says = "figure 4 and Vulkan's code give a point to different micro-triangles just on the lines u = "
+               "i/N, 0 < i < N, below the hypotenuse: on N(N-1)/2 open edges and N(N-1)/2 vertices, where "
+               "the value of a face differs",
        .source =
            "Color and Attribute Micromaps, figure 4; VK_EXT_opacity_micromap, appendix \"Reference Code\"",
        .subjects = {"attribute-spec"},

@@ -69,8 +69,7 @@ Law remaps_agree_law() {
       {.id = "attribute.remaps_agree",
        .topic = "attribute",
        .says = "the 3x3 system by Cramer's rule, two of its equations, and the uniform pattern give the same "
-               "weights, in "
-               "the point's micro-triangle and in others",
+               "weights, in the point's micro-triangle and in others",
        .source = "Color and Attribute Micromaps, 4.1, items 1 to 4, and what it omits",
        .subjects = {"attribute-spec"},
        .fast = {0, 4},
@@ -242,10 +241,9 @@ Law tie_recursion_law() {
   return on_batches(
       {.id = "attribute.tie_recursion_false",
        .topic = "attribute",
-       .says =
-           "taking level 1, remapping and taking level n-1 is not level n: ties inside the middle triangle "
-           "go the "
-           "other way, M(M-1)/2 vertices and 3M(M-1)/2 edges, M = N/2; the first is (1/4, 1/4) at level 2",
+       .says = "taking level 1, remapping and taking level n-1 is not level n: ties inside the middle "
+               "triangle go the other way, M(M-1)/2 vertices and 3M(M-1)/2 edges, M = N/2; the first is "
+               "(1/4, 1/4) at level 2",
        .source =
            "Color and Attribute Micromaps, 4.1 and 4.4; VK_EXT_opacity_micromap, appendix \"Reference Code\"",
        .subjects = {"attribute-spec"},

@@ -96,8 +96,7 @@ Law face_mean_law() {
       {.id = "attribute.face_mip_is_mean",
        .topic = "attribute",
        .says = "the mip of a face map at micro-triangle k is the mean over all micro-triangles of the base "
-               "that lie in it, "
-               "rounded once: four children along the curve, and theirs",
+               "that lie in it, rounded once: four children along the curve, and theirs",
        .source = cam_44,
        .subjects = {"attribute-spec", "attribute"},
        .fast = {0, 4},
@@ -173,8 +172,7 @@ Law mip_counts_law() {
       {.id = "attribute.face_mip_counts",
        .topic = "attribute",
        .says = "the levels below n have (4^n - 1)/3 faces, less than a third of the map, and where each is "
-               "stored apart "
-               "((4^n - 1)/3 + 3 (2^n - 1) + 2n)/2 vertices",
+               "stored apart ((4^n - 1)/3 + 3 (2^n - 1) + 2n)/2 vertices",
        .source = cam_44,
        .subjects = {"attribute-spec", "attribute"},
        .fast = {0, 16},
@@ -207,8 +205,7 @@ Law mip_third_law() {
       {.id = "paper.mip_third_is_faces_only",
        .topic = "attribute",
        .says = "\"roughly 33 %\" of extra memory is so of faces, below 1/3 at every level; vertices stored "
-               "apart take more than "
-               "1/3 at every level from 1 on, 60 % at level 2",
+               "apart take more than 1/3 at every level from 1 on, 60 % at level 2",
        .source = "Color and Attribute Micromaps, 4.4 and 4.4.1",
        .subjects = {"attribute-spec", "attribute"},
        .fast = {0, 16},
@@ -296,8 +293,7 @@ Law vertex_mip_law() {
       {.id = "attribute.vertex_mip_is_prefix",
        .topic = "attribute",
        .says = "a map's vertices of each lower level lie in it: in the Bird order they are its first V(m) "
-               "values, in the others "
-               "they are read at a stride of 2^(n-m) along rows or columns",
+               "values, in the others they are read at a stride of 2^(n-m) along rows or columns",
        .source = cam_441,
        .subjects = {"attribute-spec", "attribute"},
        .fast = {0, 7},

@@ -259,8 +259,7 @@ Law walk_law() {
       {.id = "attribute.order_is_walk",
        .topic = "attribute",
        .says = "an index is the number of vertices that the order's walk meets before: rows, columns, or "
-               "level by level "
-               "along the curve",
+               "level by level along the curve",
        .source = cam_2,
        .subjects = all_subjects,
        .fast = {0, 10},
@@ -353,8 +352,7 @@ Law faces_law() {
       {.id = "attribute.face_orders",
        .topic = "attribute",
        .says = "a face's index on the curve and in rows is that of a point inside it, in U-major the number "
-               "of faces "
-               "before it; and there is a way back",
+               "of faces before it; and there is a way back",
        .source = "Color and Attribute Micromaps, 3.1; VK_EXT_opacity_micromap, appendix \"Reference Code\"",
        .subjects = all_subjects,
        .fast = {0, 9},

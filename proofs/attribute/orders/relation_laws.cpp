@@ -81,9 +81,9 @@ Law nested_law() {
   Law law = on_batches(
       {.id = "attribute.order_prefix_nested",
        .topic = "attribute",
-       .says = "Bird alone keeps a vertex's index from level to level; in W-minor and U-major each vertex "
-               "but number 0 "
-               "moves up; W-minor of a level begins with the rows of the level before, number by number",
+       .says =
+           "Bird alone keeps a vertex's index from level to level; in W-minor and U-major each vertex but "
+           "number 0 moves up; W-minor of a level begins with the rows of the level before, number by number",
        .source = "Color and Attribute Micromaps, 3.1 and 4.4.1, which leave it open",
        .subjects = related_subjects,
        .fast = {0, 10},
@@ -378,8 +378,7 @@ Law triangle_vertices_law() {
       {.id = "attribute.triangle_vertices",
        .topic = "attribute",
        .says = "a face's triplet are its base's index and those one step along u and along v from there, "
-               "backwards of "
-               "an upper one; and of the triplet's faces it is that one",
+               "backwards of an upper one; and of the triplet's faces it is that one",
        .source = cam_4,
        .subjects = related_subjects,
        .fast = {0, 7},

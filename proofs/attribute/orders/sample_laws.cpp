@@ -243,8 +243,7 @@ Law sampled_faces_law() {
       {.id = "attribute.faces_on_samples",
        .topic = "attribute",
        .says = "a face's index, the way back, its index in the other orders, its three vertices and the face "
-               "of these "
-               "are the specification's",
+               "of these are the specification's",
        .source = cam_4,
        .method = Method::sample,
        .subjects = sampled_subjects,

@@ -143,9 +143,8 @@ Law canonical_law() {
   return on_cases(
       {.id = "attribute.packed_canonical",
        .topic = "attribute",
-       .says =
-           "bytes are refused, or are those that packing what they give would write: maps have one form, and "
-           "no other bytes are taken for it",
+       .says = "bytes are refused, or are those that packing what they give would write: maps have one form, "
+               "and no other bytes are taken for it",
        .source = "spec/attribute/compress.hpp",
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
@@ -156,8 +155,7 @@ Law canonical_law() {
            [](const Subject&, Level) {
              return std::string(
                  "packed maps with a bit or a byte changed, cut, longer, with unused bits set, a start or a "
-                 "width "
-                 "changed, a block wider than it is");
+                 "width changed, a block wider than it is");
            },
        .mutants = {mutant("bytes after the end are none of its business", "attribute", {0, 4},
                           unpacking([](const Unpacker& real, const PackedShape& shape, ByteView bytes) {

@@ -129,9 +129,8 @@ Law random_access_law() {
   return on_cases(
       {.id = "attribute.packed_random_access",
        .topic = "attribute",
-       .says =
-           "a value read alone is the one that unpacking all gives, for each value of each map; of a lower "
-           "level it is the parent of its four, or the vertex of the same number",
+       .says = "a value read alone is the one that unpacking all gives, for each value of each map; of a "
+               "lower level it is the parent of its four, or the vertex of the same number",
        .source = packed_source,
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},

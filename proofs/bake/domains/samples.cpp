@@ -244,12 +244,9 @@ const char* large_samples_text() {
 
 const char* samples_text() {
   return "textures of up to 7x7 texels, any addressing, bilinear: any triangle, slivers of 10^6 to 1, "
-         "corners an "
-         "ulp off texel lines, micro-vertices 2^-9 to 2^-20 of a texel off them and off lines of the cutoff, "
-         "10^6 repeats away, one "
-         "alpha throughout at the cutoff or beside it, lines and "
-         "points, far below 0, many repeats, the case before with other texels below its first row, one "
-         "corner a "
+         "corners an ulp off texel lines, micro-vertices 2^-9 to 2^-20 of a texel off them and off lines of "
+         "the cutoff, 10^6 repeats away, one alpha throughout at the cutoff or beside it, lines and points, "
+         "far below 0, many repeats, the case before with other texels below its first row, one corner a "
          "step of binary32 over a line; up to 96 micro-triangles of each";
 }
 

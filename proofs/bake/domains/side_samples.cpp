@@ -72,8 +72,7 @@ Case side_sample(std::uint64_t seed, std::uint32_t level, std::uint64_t k) {
 
 const char* side_samples_text() {
   return "textures of one alpha but for the first or the last texel of a side: 1 to 128, primes to 521, 2^k "
-         "- 1 and "
-         "2^k + 1 to 16383; triangles where it begins again, at 4 distances of up to 2^20 texels";
+         "- 1 and 2^k + 1 to 16383; triangles where it begins again, at 4 distances of up to 2^20 texels";
 }
 
 }  // namespace mmverify::proofs::bake

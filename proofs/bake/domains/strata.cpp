@@ -448,15 +448,14 @@ std::uint64_t stratum(Level n, std::uint64_t k) {
 const char* strata_text() {
   return "strata: sides of 1 to 16384 texels, chains of mips that one decides alone, 8 and 16 bits and "
          "binary32, both filters, all addressing, borders, factors whose products round, cutoffs at, beside "
-         "and "
-         "between them, BLEND, margins, every fourth plain; triangles at far corners, across lines, repeats "
-         "away, thin, flat";
+         "and between them, BLEND, margins, every fourth plain; triangles at far corners, across lines, "
+         "repeats away, thin, flat";
 }
 
 const char* judged_strata_text() {
-  static const std::string text = std::string(strata_text()) +
-                                  "; each pair of values of two of these once over levels 0..9; up to 24 "
-                                  "micro-triangles of each case";
+  static const std::string text =
+      std::string(strata_text()) +
+      "; each pair of values of two of these once over levels 0..9; up to 24 micro-triangles of each case";
   return text.c_str();
 }
 

@@ -177,36 +177,31 @@ void transparent_from_level_5_on(const Case& one, Level n, std::vector<State>& s
 }  // namespace
 
 Law large_law() {
-  Law law{
-      .id = "bake.conservative_on_large",
-      .topic = "bake",
-      .says =
-          "of a texture of one alpha, but for one texel at most, no micro-triangle is O or T against what is "
-          "sampled at a corner, its centroid, or the one texel's centre in it",
-      .source = "VK_KHR_opacity_micromap, opacity states; glTF 2.0, Alpha Coverage; spec/bake/state.hpp",
-      .method = Method::sample,
-      .subjects = {"bake"},
-      .fast = {0, 12},
-      .long_run = {0, 12},
-      .fast_seconds = 0.5,
-      .domain =
-          [](const Subject&, Level) {
-            return std::string(
-                "large ones: 13 shapes from 2^16 to 2^20 texels, among them 16384x4, and at level 3 one of "
-                "more than "
-                "2^24; 8 and 16 bits and "
-                "binary32, "
-                "both filters, all addressing; the border is as the other texels; half of the texture, all "
-                "of it, "
-                "or a triangle somewhere on it; of sides of 4,096 texels and more also half a million "
-                "repeats away, clamped");
-          },
-      .mutants = {spoiled("2^16 opaque texels are counted as none", "bake", {0, 0},
-                          transparent_where_a_count_overflows),
-                  spoiled("every unknown is settled beyond 4,096 columns", "bake", {0, 6},
-                          settled_beyond_4096_columns),
-                  spoiled("an unknown of 1,024 rows and more is transparent from level 5 on", "bake", {5, 5},
-                          transparent_from_level_5_on)}};
+  Law law{.id = "bake.conservative_on_large",
+          .topic = "bake",
+          .says =
+              "of a texture of one alpha, but for one texel at most, no micro-triangle is O or T against "
+              "what is sampled at a corner, its centroid, or the one texel's centre in it",
+          .source = "VK_KHR_opacity_micromap, opacity states; glTF 2.0, Alpha Coverage; spec/bake/state.hpp",
+          .method = Method::sample,
+          .subjects = {"bake"},
+          .fast = {0, 12},
+          .long_run = {0, 12},
+          .fast_seconds = 0.5,
+          .domain =
+              [](const Subject&, Level) {
+                return std::string(
+                    "large ones: 13 shapes from 2^16 to 2^20 texels, among them 16384x4, and at level 3 one "
+                    "of more than 2^24; 8 and 16 bits and binary32, both filters, all addressing; the border "
+                    "is as the other texels; half of the texture, all of it, or a triangle somewhere on it; "
+                    "of sides of 4,096 texels and more also half a million repeats away, clamped");
+              },
+          .mutants = {spoiled("2^16 opaque texels are counted as none", "bake", {0, 0},
+                              transparent_where_a_count_overflows),
+                      spoiled("every unknown is settled beyond 4,096 columns", "bake", {0, 6},
+                              settled_beyond_4096_columns),
+                      spoiled("an unknown of 1,024 rows and more is transparent from level 5 on", "bake",
+                              {5, 5}, transparent_from_level_5_on)}};
   Cases cases;
   cases.count = [](Level n, const Run& run) { return cases_at(n, run.tier); };
   cases.number = case_with_lone_texel;

@@ -209,8 +209,8 @@ Law mips_law() {
        .domain =
            [](const Subject&, Level) {
              return fmt::format(
-                 "those with two mips or more of {}; every second one a whole chain, of "
-                 "which any mip decides alone",
+                 "those with two mips or more of {}; every second one a whole chain, of which any mip "
+                 "decides alone",
                  strata_text());
            },
        .mutants = {asked_for_another("the third mip and those after it are left out", {0, 8}, two_mips),
@@ -275,24 +275,21 @@ std::vector<Law> relation_laws() {
   const auto hairy = [](const Case& one) { return one.margin == 0x1p-8f; };
   const auto never = [](const Case& one) { return one.cutoff.numerator == 256; };
   return {
-      relation(
-          {.id = "bake.shift",
-           .topic = "bake",
-           .says =
-               "whole repeats of the texture change nothing: any number along a repeated axis, an even one "
-               "along a mirrored one",
-           .source = "Vulkan, Wrapping Operation",
-           .subjects = {"bake"},
-           .mutants = {changed("an unknown beyond 30 repeats", {4, 4}, far, State::UO, State::O),
-                       changed("an unknown left of 4 mirrored ones", {3, 3}, left, State::UT, State::T),
-                       changed("a transparent one 30 above", {5, 5}, above, State::T, State::UT)}},
-          periodic_sample, keeps_shifts, has_no_repeats),
+      relation({.id = "bake.shift",
+                .topic = "bake",
+                .says = "whole repeats of the texture change nothing: any number along a repeated axis, an "
+                        "even one along a mirrored one",
+                .source = "Vulkan, Wrapping Operation",
+                .subjects = {"bake"},
+                .mutants = {changed("an unknown beyond 30 repeats", {4, 4}, far, State::UO, State::O),
+                            changed("an unknown left of 4 mirrored ones", {3, 3}, left, State::UT, State::T),
+                            changed("a transparent one 30 above", {5, 5}, above, State::T, State::UT)}},
+               periodic_sample, keeps_shifts, has_no_repeats),
       relation(
           {.id = "bake.order",
            .topic = "bake",
-           .says =
-               "the vertices in another order give the same states, each to the micro-triangle that is where "
-               "it was",
+           .says = "the vertices in another order give the same states, each to the micro-triangle that is "
+                   "where it was",
            .source = "VK_KHR_opacity_micromap, barycentrics to micro-triangles; spec/index/index.hpp",
            .subjects = {"bake"},
            .mutants = {changed("an unknown of clockwise triangles", {4, 4}, clockwise, State::UO, State::UT),

@@ -53,8 +53,8 @@ Law all_levels_law() {
           .topic = "dag",
           .says =
               "of every map of every level n >= 3: the graph means the map, equal subtrees are one part, a "
-              "lookup finds each "
-              "state, what is added changes nothing that was meant, and the whole takes no more than flat",
+              "lookup finds each state, what is added changes nothing that was meant, and the whole takes no "
+              "more than flat",
           .source = form,
           .method = Method::induction,
           .subjects = {about},

@@ -54,8 +54,7 @@ Term same(const Term& a, const Term& b) { return said("same", {a, b}); }
 void add_same_in_children(std::vector<Statement>& all, unsigned count) {
   add(all, "same_in_children_" + std::to_string(count),
       "Parts that give a path the same state do so in what is below its first digit: so those that mean the "
-      "same map do "
-      "in each of " +
+      "same map do in each of " +
           std::to_string(count) + " children.",
       [count](Script& script) -> Lemma {
         script.raw(parts_below);

@@ -52,11 +52,10 @@ Term bits_of(Script& script, const std::string& name, const Term& number) {
 Term word_of(const Term& condition) { return choose(condition, word_constant(1), word_constant(0)); }
 
 Statement scale_lemma(const Steps& steps) {
-  Script script(
-      steps.name + "_scale", Answer::unsat,
-      "For each of the 2^32 bit patterns and every N = 2^n, n <= 30: clamped to [0,1] and times N it "
-      "is, without any rounding, x 2^n of the number x that the bits stand for; 0 for a sign or a "
-      "NaN, N for a number above 1. It is no more than N.");
+  Script script(steps.name + "_scale", Answer::unsat,
+                "For each of the 2^32 bit patterns and every N = 2^n, n <= 30: clamped to [0,1] and times N "
+                "it is, without any rounding, x 2^n of the number x that the bits stand for; 0 for a sign or "
+                "a NaN, N for a number above 1. It is no more than N.");
   define_binary32(script);
   const LevelTerms level = declare_level(script);
   const Term bits = script.declare("x_bits", word_sort(32));
@@ -73,10 +72,9 @@ Statement scale_lemma(const Steps& steps) {
 }
 
 Statement parts_lemma(const Steps& steps) {
-  Script script(
-      steps.name + "_parts", Answer::unsat,
-      "For every N = 2^n, n <= 30, and every binary32 number y in [0, N]: what is cut off as whole is "
-      "in [0, N], the rest is a number in [0, 1), and exactly y = whole + rest.");
+  Script script(steps.name + "_parts", Answer::unsat,
+                "For every N = 2^n, n <= 30, and every binary32 number y in [0, N]: what is cut off as whole "
+                "is in [0, N], the rest is a number in [0, 1), and exactly y = whole + rest.");
   define_binary32(script);
   const LevelTerms level = declare_level(script);
   const Term bits = script.declare("y_bits", word_sort(32));
@@ -113,19 +111,17 @@ Statement flush_lemma(const Steps& steps) {
   return reach_one_lemma(
       steps, "_flush",
       "with 0 in the place of what is below 2^-96, the answer is still whether uf + vf >= 1 exactly.\nA "
-      "processor "
-      "that takes numbers below 2^-126 for 0 loses less, even times 2^30.",
+      "processor that takes numbers below 2^-126 for 0 loses less, even times 2^30.",
       [](const Term& x) {
         return Binary32::of_bits(choose(below(x, word_constant(0x0f800000)), word_constant(0), x)).term;
       });
 }
 
 Statement square_lemma(const Steps& steps) {
-  Script script(
-      steps.name + "_square", Answer::unsat,
-      "For every N = 2^n, n <= 16, all iu = floor(uN) and iv = floor(vN) in [0, N], and both halves "
-      "of the square: iu and iv as limited are the specification's, and the row is the low n bits of "
-      "its NOT iw. All three are below N.\nspec::index::grid_square.");
+  Script script(steps.name + "_square", Answer::unsat,
+                "For every N = 2^n, n <= 16, all iu = floor(uN) and iv = floor(vN) in [0, N], and both "
+                "halves of the square: iu and iv as limited are the specification's, and the row is the low "
+                "n bits of its NOT iw. All three are below N.\nspec::index::grid_square.");
   const GridWords g = declare_grid_words(script);
   const Term upper = script.declare("upper_half", boolean);
   script.comment("The specification.");
@@ -142,10 +138,9 @@ Statement square_lemma(const Steps& steps) {
 }
 
 Statement curve_lemma(const Steps& steps) {
-  Script script(
-      steps.name + "_curve", Answer::unsat,
-      "For every N = 2^n, n <= 16, all iu, iv and row below N and any iw whose low n bits are those of "
-      "NOT row: the index is the specification's.\nspec::index::curve.");
+  Script script(steps.name + "_curve", Answer::unsat,
+                "For every N = 2^n, n <= 16, all iu, iv and row below N and any iw whose low n bits are "
+                "those of NOT row: the index is the specification's.\nspec::index::curve.");
   const GridWords g = declare_grid_words(script);
   const Term low = script.define("low", (W(g.N) - 1).term);
   const Term row = script.declare("row", W::sort()), iw = script.declare("iw", W::sort());
@@ -172,8 +167,8 @@ Statement reference_lemma(std::uint64_t most) {
   const std::string size = std::to_string(bits);
   Script script(
       "reference_" + size, Answer::unsat,
-      "For all uN = iu + uf and vN = iv + vf, iu and iv in [0, N], uf and vf any multiples of 2^-149 "
-      "in [0, 1): the specification's square is that of iu, iv and uf + vf >= 1, in words of " +
+      "For all uN = iu + uf and vN = iv + vf, iu and iv in [0, N], uf and vf any multiples of 2^-149 in [0, "
+      "1): the specification's square is that of iu, iv and uf + vf >= 1, in words of " +
           size + " bits.\nspec::index::quantise_scaled, which takes floors of its own.");
   const Scaled s = declare_scaled<bits>(script, most);
   const auto by_floors = every_path([&] {
@@ -219,8 +214,7 @@ Statement parts_witness() {
 Statement carry_witness() {
   Script script(
       "witness_carry", Answer::sat,
-      "Not vacuous: some uf and vf fulfil what `carry` supposes, and their sum is below 1 and rounds "
-      "to 1.");
+      "Not vacuous: some uf and vf fulfil what `carry` supposes, and their sum is below 1 and rounds to 1.");
   define_binary32(script);
   const Term uf = script.declare("uf_bits", word_sort(32)), vf = script.declare("vf_bits", word_sort(32));
   for (const Term& x : {uf, vf}) script.require(below(x, one_bits));
@@ -230,10 +224,9 @@ Statement carry_witness() {
 }
 
 Statement reference_witness() {
-  Script script(
-      "witness_reference", Answer::sat,
-      "Not vacuous: some uN and vN fulfil what `reference_64` supposes, strictly inside the highest "
-      "level and in the upper half of a square.");
+  Script script("witness_reference", Answer::sat,
+                "Not vacuous: some uN and vN fulfil what `reference_64` supposes, strictly inside the "
+                "highest level and in the upper half of a square.");
   const Scaled s = declare_scaled<64>(script, std::uint64_t{1} << 30);
   script.require(equal(s.N, Word<64>(std::uint64_t{1} << 30).term));
   for (const Term& word : {s.iu, s.iv}) script.require(below(word, s.N));

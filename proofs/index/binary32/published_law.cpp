@@ -119,8 +119,8 @@ Law published_law() {
       .id = "index.published_differs_where",
       .topic = "index",
       .says =
-          "run in binary32 the published code gives another index than in exact arithmetic just where "
-          "1 - 2^-25 <= uf+vf < 1 and floor(uN) + floor(vN) < N-1, and there that of the square's other half",
+          "run in binary32 the published code gives another index than in exact arithmetic just where 1 - "
+          "2^-25 <= uf+vf < 1 and floor(uN) + floor(vN) < N-1, and there that of the square's other half",
       .source = vulkan,
       .method = Method::bit_vectors,
       .subjects = {"reference-f32"},

@@ -32,11 +32,10 @@ Term side_bits_of(Script& script, const Term& n) {
 }
 
 Statement published_scale_lemma() {
-  Script script(
-      "scale", Answer::unsat,
-      "For every pattern of 32 bits that is no NaN, and every N = 2^n, n <= 16: clamped to [0,1] and times N "
-      "in binary32 it is x 2^n exactly of the number x that the bits stand for; 0 or -0 for a sign, N for "
-      "a number above 1.\nspec::index::within_unit on binary32.");
+  Script script("scale", Answer::unsat,
+                "For every pattern of 32 bits that is no NaN, and every N = 2^n, n <= 16: clamped to [0,1] "
+                "and times N in binary32 it is x 2^n exactly of the number x that the bits stand for; 0 or "
+                "-0 for a sign, N for a number above 1.\nspec::index::within_unit on binary32.");
   define_binary32(script);
   const Term n = declare_level_up_to(script, 16), side_bits = side_bits_of(script, n);
   const Term bits = script.declare("x_bits", word_sort(32));
@@ -79,11 +78,10 @@ Statement halves_lemma() {
 }
 
 Statement published_parts_lemma() {
-  Script script(
-      "parts", Answer::unsat,
-      "For every N = 2^n, n <= 16, and every binary32 number y in [-0, N]: the whole part is y's, in [0, N], "
-      "and what is left in binary32 is the rest exactly, in [-0, 1).\n"
-      "whole and the difference of spec::index::quantise_scaled on binary32.");
+  Script script("parts", Answer::unsat,
+                "For every N = 2^n, n <= 16, and every binary32 number y in [-0, N]: the whole part is y's, "
+                "in [0, N], and what is left in binary32 is the rest exactly, in [-0, 1).\n"
+                "whole and the difference of spec::index::quantise_scaled on binary32.");
   define_binary32(script);
   const Term n = declare_level_up_to(script, 16), side_bits = side_bits_of(script, n);
   const Term bits = script.declare("y_bits", word_sort(32));
@@ -100,10 +98,9 @@ Statement published_parts_lemma() {
 }
 
 Statement published_witness() {
-  Script script(
-      "witness_square", Answer::sat,
-      "Not vacuous: some squares and rests fulfil what `square` supposes, and the published code errs "
-      "there: uf + vf < 1, not below 1 - 2^-25, and iu + iv < N-1.");
+  Script script("witness_square", Answer::sat,
+                "Not vacuous: some squares and rests fulfil what `square` supposes, and the published code "
+                "errs there: uf + vf < 1, not below 1 - 2^-25, and iu + iv < N-1.");
   const PublishedInput in = declare_published_input(script);
   script.require(is_less(Exact(exactly(size_of(in.uf))) + Exact(exactly(size_of(in.vf))), Exact(1)));
   script.require(reaches_published_one(in));

@@ -73,41 +73,40 @@ std::vector<proofs::induction::Statement> shipped_rows() {
 
 Law row_law() {
   const auto statements = [] { return row_statements_of(scalar_steps<Implemented>(), lane_steps()); };
-  return {
-      .id = "index.row_floats",
-      .topic = "index",
-      .says =
-          "for every pair of binary32 numbers, at every level 0..16, the library's index in row order, one "
-          "value at a time and in vectors, is that of figure 4 in exact arithmetic",
-      .source = attribute_4,
-      .method = Method::bit_vectors,
-      .subjects = {"impl"},
-      .at_once = "levels 0..16",
-      .fast_seconds = 2,
-      .cases = [count = statements().size()](Level, const Run&) -> std::uint64_t { return count; },
-      .domain =
-          [](const Subject&, Level) {
-            return "every pair of binary32 bit patterns, clamped to [0,1] each, levels 0..16 together";
+  return {.id = "index.row_floats",
+          .topic = "index",
+          .says =
+              "for every pair of binary32 numbers, at every level 0..16, the library's index in row order, "
+              "one value at a time and in vectors, is that of figure 4 in exact arithmetic",
+          .source = attribute_4,
+          .method = Method::bit_vectors,
+          .subjects = {"impl"},
+          .at_once = "levels 0..16",
+          .fast_seconds = 2,
+          .cases = [count = statements().size()](Level, const Run&) -> std::uint64_t { return count; },
+          .domain =
+              [](const Subject&, Level) {
+                return "every pair of binary32 bit patterns, clamped to [0,1] each, levels 0..16 together";
+              },
+          .how = [](const Subject&, Level) { return "bit vectors, " + proofs::induction::prover_name(); },
+          .unfit = [](const Subject& s, Level) -> std::optional<std::string> {
+            if (dynamic_cast<const proofs::induction::Provable*>(&s) != nullptr || s.name() == "impl")
+              return std::nullopt;
+            return fmt::format("no statements about {}: there are some about impl", s.name());
           },
-      .how = [](const Subject&, Level) { return "bit vectors, " + proofs::induction::prover_name(); },
-      .unfit = [](const Subject& s, Level) -> std::optional<std::string> {
-        if (dynamic_cast<const proofs::induction::Provable*>(&s) != nullptr || s.name() == "impl")
-          return std::nullopt;
-        return fmt::format("no statements about {}: there are some about impl", s.name());
-      },
-      .judge =
-          [statements](const Subject& s, Level, const Run& run) {
-            const auto* own = dynamic_cast<const proofs::induction::Provable*>(&s);
-            return proofs::induction::discharge(
-                own != nullptr ? own->statements() : statements(),
-                {[&] { return counterexamples(row_exact_on_floats, subject_as<IndexSubject>(s), run); },
-                 where_searched()},
-                run);
-          },
-      .replay = replayed_by(replay_row_order),
-      .mutants = {wrong_rows<LineInNextColumn>("N - 1 - floor(uN) in the place of floor((1-u)N)"),
-                  wrong_rows<RowWithoutEnd>("the hypotenuse in a row of its own"),
-                  wrong_rows<DeafBesideLines>("uf up to 2^-21 taken for 0")}};
+          .judge =
+              [statements](const Subject& s, Level, const Run& run) {
+                const auto* own = dynamic_cast<const proofs::induction::Provable*>(&s);
+                return proofs::induction::discharge(
+                    own != nullptr ? own->statements() : statements(),
+                    {[&] { return counterexamples(row_exact_on_floats, subject_as<IndexSubject>(s), run); },
+                     where_searched()},
+                    run);
+              },
+          .replay = replayed_by(replay_row_order),
+          .mutants = {wrong_rows<LineInNextColumn>("N - 1 - floor(uN) in the place of floor((1-u)N)"),
+                      wrong_rows<RowWithoutEnd>("the hypotenuse in a row of its own"),
+                      wrong_rows<DeafBesideLines>("uf up to 2^-21 taken for 0")}};
 }
 
 }  // namespace mmverify::proofs::index::binary32

@@ -59,8 +59,8 @@ Scaled declare_scaled_in_square(Script& script) {
 Statement floors_of_sum_lemma() {
   Script script(
       "floors_of_sum", Answer::unsat,
-      "For every N in 1..2^16, and all uN = iu + uf and vN = iv + vf in [0, N], uf and vf any multiples "
-      "of 2^-149 in [0, 1): floor(uN + vN) is iu + iv, one more where uf + vf >= 1; floor(vN) is iv.");
+      "For every N in 1..2^16, and all uN = iu + uf and vN = iv + vf in [0, N], uf and vf any multiples of "
+      "2^-149 in [0, 1): floor(uN + vN) is iu + iv, one more where uf + vf >= 1; floor(vN) is iv.");
   const Scaled s = declare_scaled_in_square(script);
   const ExactIn<32> un(s.un), vn(s.vn);
   const Term carry = no(is_less(Exact(s.uf) + Exact(s.vf), Exact(1)));
@@ -69,10 +69,9 @@ Statement floors_of_sum_lemma() {
 }
 
 Statement floor_of_rest_lemma() {
-  Script script(
-      "floor_of_rest", Answer::unsat,
-      "For every N in 1..2^16, and every uN = iu + uf in [0, N], uf any multiple of 2^-149 in [0, 1): "
-      "floor(N - uN) is N - iu, one less where uf > 0.");
+  Script script("floor_of_rest", Answer::unsat,
+                "For every N in 1..2^16, and every uN = iu + uf in [0, N], uf any multiple of 2^-149 in [0, "
+                "1): floor(N - uN) is N - iu, one less where uf > 0.");
   const Scaled s = declare_scaled_in_square(script);
   const ExactIn<32> un(s.un), N{W(s.N)};
   const Term beyond = is_less(Exact(0), Exact(s.uf));

@@ -21,10 +21,9 @@ GridWords declare_wide_grid_words(Script& script) {
 }
 
 Statement wide_square_witness() {
-  Script script(
-      "witness_square", Answer::sat,
-      "Not vacuous: some words fulfil what the statement about squares supposes, at the highest level and "
-      "strictly inside.");
+  Script script("witness_square", Answer::sat,
+                "Not vacuous: some words fulfil what the statement about squares supposes, at the highest "
+                "level and strictly inside.");
   const GridWords g = declare_wide_grid_words(script);
   script.require(equal(g.N, largest_N.term));
   for (const Term& word : {g.iu, g.iv})

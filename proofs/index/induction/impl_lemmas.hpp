@@ -58,11 +58,10 @@ template <class Formula>
 Statement wide_bits_lemma() {
   using namespace proofs::induction;
   using W = Word<64>;
-  Script script(
-      "bits", Answer::unsat,
-      "For every N = 2^n, n <= 30, all iu, iv and row below N and any iw whose low n bits are those "
-      "of NOT row, in 64-bit words: impl's index is the specification's.\n"
-      "impl::index::detail::wide_curve; spec::index::curve.");
+  Script script("bits", Answer::unsat,
+                "For every N = 2^n, n <= 30, all iu, iv and row below N and any iw whose low n bits are "
+                "those of NOT row, in 64-bit words: impl's index is the specification's.\n"
+                "impl::index::detail::wide_curve; spec::index::curve.");
   const GridWords g = declare_wide_grid_words(script);
   const Term low = script.define("low", (W(g.N) - 1).term);
   const Term row = script.declare("row", word_sort(64)), iw = script.declare("iw", word_sort(64));

@@ -55,12 +55,11 @@ Statement beyond_lemma() {
 template <class Formula>
 Statement opening_lemma() {
   using namespace proofs::induction;
-  Script script(
-      "opening", Answer::unsat,
-      "At level n, M = 2^n, for every point of the closed triangle: the state that the recursion "
-      "opens with and the words that the reference quantises to are related, nothing flipped, no "
-      "bit done, no digit yet.\niw is negative, and its low n bits are those of iw + M, which is in "
-      "[0, M). Holds for every M >= 1, powers of two or not.");
+  Script script("opening", Answer::unsat,
+                "At level n, M = 2^n, for every point of the closed triangle: the state that the recursion "
+                "opens with and the words that the reference quantises to are related, nothing flipped, no "
+                "bit done, no digit yet.\niw is negative, and its low n bits are those of iw + M, which is "
+                "in [0, M). Holds for every M >= 1, powers of two or not.");
   define_relation(script);
   script.comment("The point, times M.");
   const Term M = script.declare("M", integer), u = script.declare("u", real), v = script.declare("v", real);

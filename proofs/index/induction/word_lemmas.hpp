@@ -71,9 +71,8 @@ Statement prefix_xor_lemma(const char* name) {
   Script script(
       name, Answer::unsat,
       "For every t below 2^" + std::to_string(bits / 2) +
-          ": f = xor_from_above(t) has f = t XOR (f >> 1), "
-          "that is f_i = t_i XOR f_{i+1} at every place, with 0 above the highest. So, from the top down, "
-          "f_i is the XOR of t_j for all j >= i.");
+          ": f = xor_from_above(t) has f = t XOR (f >> 1), that is f_i = t_i XOR f_{i+1} at every place, "
+          "with 0 above the highest. So, from the top down, f_i is the XOR of t_j for all j >= i.");
   const Term t = script.declare("t", word_sort(bits));
   script.require(at_most(t, Word<bits>((std::uint64_t{1} << bits / 2) - 1).term));
   const Word<bits> f(script.define("f", Formula::prefix_xor(Word<bits>(t)).term));

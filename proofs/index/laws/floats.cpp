@@ -30,8 +30,8 @@ Law row_exact_on_floats_law() {
       .id = "index.row_exact_on_floats",
       .topic = "index",
       .says =
-          "for binary32 numbers the row-order index is that of figure 4 in exact arithmetic for those "
-          "very numbers",
+          "for binary32 numbers the row-order index is that of figure 4 in exact arithmetic for those very "
+          "numbers",
       .source = attribute_4,
       .method = Method::sample,
       .subjects = {"w-minor", "impl"},

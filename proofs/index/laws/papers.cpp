@@ -62,8 +62,8 @@ Law prose_law() {
   return {.id = "paper.vulkan_prose_differs",
           .topic = "index",
           .says =
-              "read to the letter, Vulkan's prose differs from its reference code on the 2^n + 1 vertices "
-              "of the hypotenuse of each level from 1 on, at level 0 on one, and nowhere else",
+              "read to the letter, Vulkan's prose differs from its reference code on the 2^n + 1 vertices of "
+              "the hypotenuse of each level from 1 on, at level 0 on one, and nowhere else",
           .source =
               "VK_EXT_opacity_micromap and VK_KHR_opacity_micromap: section \"Ray Opacity Micromap\", and "
               "appendix \"Reference Code\"",

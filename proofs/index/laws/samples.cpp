@@ -62,8 +62,7 @@ Law corners_on_samples_law() {
           .topic = "index",
           .says =
               "the corners of an index are those of the specification, in the order that a subject declares "
-              "where "
-              "it declares one, at every level",
+              "where it declares one, at every level",
           .source = succinct_4_3,
           .method = Method::sample,
           .subjects = {"impl"},

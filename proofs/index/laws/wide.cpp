@@ -216,8 +216,7 @@ Law ends_at_16_law() {
           .topic = "index",
           .says =
               "in 32-bit words the reference is wrong at level 17: the last index does not fit, and bit 16 "
-              "of the "
-              "prefix XOR does not come down to bit 0",
+              "of the prefix XOR does not come down to bit 0",
           .source = vulkan,
           .method = Method::witness,
           .subjects = {"reference"},

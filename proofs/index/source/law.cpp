@@ -118,13 +118,12 @@ class OfLevel {
     // The compiled function decides, but an undefined result may be right by chance.
     if (got == want && !c.undefined)
       return undecided(
-          fmt::format(
-              "level {} case {}: by the formula the index is {}, the compiled function gives {}, which is "
-              "right, and nothing is proved: either the source leaves its result open there (a NaN's sign, "
-              "which of -0 and 0 fminf gives, a frozen value), so that another compiler may give the other "
-              "one, or the code breaks a promise that it makes (const, pure, restrict), or the translator or "
-              "the prover is wrong",
-              level_, at, c.index, got),
+          fmt::format("level {} case {}: by the formula the index is {}, the compiled function gives {}, "
+                      "which is right, and nothing is proved: either the source leaves its result open there "
+                      "(a NaN's sign, which of -0 and 0 fminf gives, a frozen value), so that another "
+                      "compiler may give the other one, or the code breaks a promise that it makes (const, "
+                      "pure, restrict), or the translator or the prover is wrong",
+                      level_, at, c.index, got),
           tally);
     refuted_ = true;
     tally.break_off();

@@ -63,55 +63,52 @@ Barycentrics middle_of(std::uint32_t number, unsigned level) {
 }  // namespace
 
 std::vector<Law> image_laws() {
-  Law law{
-      .id = "traverse.same_image",
-      .topic = "traverse",
-      .says =
-          "rays that ask micromaps first, and the texture where these do not know, meet the same triangles "
-          "at the "
-          "same t, and the same light, as rays that ask the texture alone: with special indices only, flat "
-          "maps, "
-          "the paper's tree, the ranked tree, VQ2 and VQ4",
-      .source = "Succinct Opacity Micromaps, 5.2; Compressed Opacity Maps, figures 1 and 12",
-      .method = proofs::Method::sample,
-      .subjects = {"traverse"},
-      .at_once = "levels 0..5",
-      .fast_seconds = 1.5,
-      .domain =
-          [](const Subject&, Level) {
-            return fmt::format(
-                "{} x {} pixels of cameras on a random path through a world of our own, a primary ray and "
-                "a shadow ray each, by {} forms of its maps",
-                picture_width, picture_height, forms().size());
-          },
-      .unfit = needing_rays({entry::look}),
-      .mutants = {
-          mutant("unknown states are opaque", "traverse", answering([](const Asks&, Answer& a) {
-                   if (a && (*a == State::UT || *a == State::UO)) a = State::O;
-                 })),
-          mutant("special indices lose their sign: -1 is O, -2 is T", "traverse",
-                 answering([](const Asks& asks, Answer& a) {
-                   if (asks.method == Method::special && a && (*a == State::T || *a == State::O))
-                     a = *a == State::T ? State::O : State::T;
-                 })),
-          mutant("at level 5 the index is that of level 4", "traverse", asking([](Asks& asks) {
-                   if (asks.method == Method::ranked && asks.level == 5)
-                     asks.at = middle_of(impl::index::from_barycentrics(asks.at.u, asks.at.v, 4), 5);
-                 })),
-          mutant("barycentrics are rounded to 4 bits", "traverse", asking([](Asks& asks) {
-                   const auto rounded = [](float x) {
-                     return static_cast<float>(static_cast<int>(x * 16 + 0.5f)) / 16;
-                   };
-                   asks.at = render::in_triangle(rounded(asks.at.u), rounded(asks.at.v));
-                 })),
-          mutant("u and v are exchanged", "traverse", asking([](Asks& asks) {
-                   if (asks.method == Method::tree) std::swap(asks.at.u, asks.at.v);
-                 })),
-          mutant("the upper half of a square map is not turned", "traverse", asking([](Asks& asks) {
-                   if (asks.method == Method::vq4 && asks.triangle % 2 == 1)
-                     asks.at = render::in_triangle(1 - asks.at.u, 1 - asks.at.v);
-                 })),
-      }};
+  Law law{.id = "traverse.same_image",
+          .topic = "traverse",
+          .says =
+              "rays that ask micromaps first, and the texture where these do not know, meet the same "
+              "triangles at the same t, and the same light, as rays that ask the texture alone: with special "
+              "indices only, flat maps, the paper's tree, the ranked tree, VQ2 and VQ4",
+          .source = "Succinct Opacity Micromaps, 5.2; Compressed Opacity Maps, figures 1 and 12",
+          .method = proofs::Method::sample,
+          .subjects = {"traverse"},
+          .at_once = "levels 0..5",
+          .fast_seconds = 1.5,
+          .domain =
+              [](const Subject&, Level) {
+                return fmt::format(
+                    "{} x {} pixels of cameras on a random path through a world of our own, a primary ray "
+                    "and a shadow ray each, by {} forms of its maps",
+                    picture_width, picture_height, forms().size());
+              },
+          .unfit = needing_rays({entry::look}),
+          .mutants = {
+              mutant("unknown states are opaque", "traverse", answering([](const Asks&, Answer& a) {
+                       if (a && (*a == State::UT || *a == State::UO)) a = State::O;
+                     })),
+              mutant("special indices lose their sign: -1 is O, -2 is T", "traverse",
+                     answering([](const Asks& asks, Answer& a) {
+                       if (asks.method == Method::special && a && (*a == State::T || *a == State::O))
+                         a = *a == State::T ? State::O : State::T;
+                     })),
+              mutant("at level 5 the index is that of level 4", "traverse", asking([](Asks& asks) {
+                       if (asks.method == Method::ranked && asks.level == 5)
+                         asks.at = middle_of(impl::index::from_barycentrics(asks.at.u, asks.at.v, 4), 5);
+                     })),
+              mutant("barycentrics are rounded to 4 bits", "traverse", asking([](Asks& asks) {
+                       const auto rounded = [](float x) {
+                         return static_cast<float>(static_cast<int>(x * 16 + 0.5f)) / 16;
+                       };
+                       asks.at = render::in_triangle(rounded(asks.at.u), rounded(asks.at.v));
+                     })),
+              mutant("u and v are exchanged", "traverse", asking([](Asks& asks) {
+                       if (asks.method == Method::tree) std::swap(asks.at.u, asks.at.v);
+                     })),
+              mutant("the upper half of a square map is not turned", "traverse", asking([](Asks& asks) {
+                       if (asks.method == Method::vq4 && asks.triangle % 2 == 1)
+                         asks.at = render::in_triangle(1 - asks.at.u, 1 - asks.at.v);
+                     })),
+          }};
   return {on_numbered_cases(
       std::move(law),
       {[](Level, const Run& run) { return cameras(run) * pixels_by_forms(); },

@@ -97,8 +97,8 @@ void add_skip(std::vector<Statement>& all, Shape shape) {
   using namespace proofs::induction;
   add(all, std::string("skip_") + name(shape),
       std::string("bitscan passes over a ") + name(shape) +
-          " as over one subtree: with c >= 1 subtrees to pass it comes to where it would come from the "
-          "place behind it with c-1.",
+          " as over one subtree: with c >= 1 subtrees to pass it comes to where it would come from the place "
+          "behind it with c-1.",
       [shape](Script& script) -> Lemma {
         define_passes(script);
         const auto [T, children] = grow(script, shape);
@@ -184,8 +184,7 @@ void add_emit(std::vector<Statement>& all, Shape shape) {
   add(all, std::string("emit_") + name(shape),
       std::string("Algorithm 2 with a ") + name(shape) +
           " on top of the stack: its encoding is appended to both sequences, and then what was below it is "
-          "on "
-          "top. Sequences are as they will be: what is appended stays.",
+          "on top. Sequences are as they will be: what is appended stays.",
       [shape](Script& script) -> Lemma {
         define_written(script);
         const auto [T, children] = grow(script, shape);

@@ -161,8 +161,7 @@ void check_entry_point(const std::string& file, const ModuleFacts& facts) {
   if (!facts.foreign_capabilities.empty())
     throw BadShader(
         fmt::format("{}: it declares what no device is opened with, capability {}; there are numbers of 8, "
-                    "16 and 64 bits, "
-                    "derivatives, subgroups and float controls",
+                    "16 and 64 bits, derivatives, subgroups and float controls",
                     file, fmt::join(facts.foreign_capabilities, ", ")));
 }
 
@@ -213,8 +212,7 @@ void describe(const std::string& file, Compiled& made) {
     const std::string hash = sha256(bytes);
     all += m.entry_point + " " + hash + "\n";
     std::string text = fmt::format(
-        "SPIR-V {}.{}, {} bytes, sha256 {}, workgroup {}, {} specialization constants, {} float "
-        "operations",
+        "SPIR-V {}.{}, {} bytes, sha256 {}, workgroup {}, {} specialization constants, {} float operations",
         facts.version >> 16 & 0xff, facts.version >> 8 & 0xff, bytes.size(), hash, facts.group_size,
         facts.spec_constants, facts.float_operations);
     if (facts.contractible != 0) text += fmt::format(", {} without NoContraction", facts.contractible);
@@ -223,8 +221,7 @@ void describe(const std::string& file, Compiled& made) {
     if (facts.contractible != 0)
       made.warnings.push_back(
           fmt::format("{}: {}: {} of {} float operations have no NoContraction (`precise`), in {}: a driver "
-                      "may rearrange "
-                      "them, 1-(1-x) to x for example",
+                      "may rearrange them, 1-(1-x) to x for example",
                       file, m.entry_point, facts.contractible, facts.float_operations,
                       fmt::join(facts.contractible_in, ", ")));
   }
@@ -269,10 +266,9 @@ void compile_source(const ShaderName& name, Compiled& made) {
     throw BadShader(fmt::format("{}: it does not answer {}; it answers {}", name.file, *name.entry_point,
                                 fmt::join(defined, ", ")));
   if (made.manifest.modules.empty())
-    throw BadShader(
-        name.file +
-        ": it defines neither main nor a function that could be asked, such as uint index(uint level, "
-        "float u, float v); docs/SUBJECTS.md has them all");
+    throw BadShader(name.file +
+                    ": it defines neither main nor a function that could be asked, such as uint index(uint "
+                    "level, float u, float v); docs/SUBJECTS.md has them all");
 }
 
 }  // namespace
@@ -334,8 +330,8 @@ std::string compile_function(const std::string& file, const std::string& functio
     else  // the compiler drops functions without a caller
       text += fmt::format(
           "RWStructuredBuffer<uint> mmverify_answer;\n[numthreads(1, 1, 1)] void main() {{ "
-          "mmverify_answer[0] = "
-          "{}(mmverify_word(0), asfloat(mmverify_word(1)), asfloat(mmverify_word(2))); }}\n",
+          "mmverify_answer[0] = {}(mmverify_word(0), asfloat(mmverify_word(1)), asfloat(mmverify_word(2))); "
+          "}}\n",
           function);
   }
   const std::string spirv = folder.file("functions.spv");

@@ -53,10 +53,9 @@ class Reader {
     for (const json& block : group("push_constants")) {
       const std::uint64_t end = end_of_struct(block.value("type", ""), 0);
       if (end > sizeof(PushConstants))
-        fault(
-            fmt::format("its push constants{} take {} bytes, and {} are given: uint count, level, first, "
-                        "second, bytes",
-                        name_of_type(block), end, sizeof(PushConstants)));
+        fault(fmt::format(
+            "its push constants{} take {} bytes, and {} are given: uint count, level, first, second, bytes",
+            name_of_type(block), end, sizeof(PushConstants)));
     }
     for (const json& entry : group("entryPoints"))
       for (const json& by_constant : entry.value("workgroup_size_is_spec_constant_id", json::array()))

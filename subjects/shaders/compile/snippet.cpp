@@ -146,8 +146,7 @@ const std::vector<SnippetFunction>& snippet_functions() {
       {"attribute_weights_f32", "vec3", "weights", "uint level, float u, float v", "$level, IN0, IN1", "float"},
       {"attribute_decimate", "uvec2", "decimate", "uint level, uint flags, uint i, uint j", "$level, $first, IN0, IN1", "uint"},
       {"attribute_face_mip", "uint", "face_mip", "uint rounding, uint a, uint b, uint c, uint d",
-       "$first, mmverify_word(4u * mmverify_k), mmverify_word(4u * mmverify_k + 1u), mmverify_word(4u * mmverify_k + 2u), "
-       "mmverify_word(4u * mmverify_k + 3u)", "uint"},
+       "$first, mmverify_word(4u * mmverify_k), mmverify_word(4u * mmverify_k + 1u), mmverify_word(4u * mmverify_k + 2u), mmverify_word(4u * mmverify_k + 3u)", "uint"},
       {"traverse_decide", "uint", "decide", "uint api, uint candidate, uint instance_flags, uint ray_flags", "$first, IN0, IN1, IN2", "uint"},
       {"traverse_blend", "uint", "blend", "uint operation, uint payload, uint value", "$first, IN0, IN1", "uint"},
       {"traverse_blend_hits", "uint", "blend_hits", "uint operation, uint payload, uint count",

@@ -39,8 +39,7 @@ int run(int count, char** words) {
   if (count < 4) {
     std::fputs(
         "usage: mmverify-source FILE FUNCTION LEVEL [FAULT [hlsl]]\n       mmverify-source FILE FUNCTION "
-        "export "
-        "OUT.bc [FAULT [hlsl]]\n",
+        "export OUT.bc [FAULT [hlsl]]\n",
         stderr);
     return 2;
   }

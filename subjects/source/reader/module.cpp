@@ -235,8 +235,8 @@ llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned l
   bool loops = round("function(sroa,instsimplify,sccp,sroa)");
   for (int k = 0; loops && k < 4; ++k)
     loops = round(
-        "function(sroa,early-cse,simplifycfg,sccp,loop-simplify,lcssa,loop-mssa(loop-rotate),"
-        "loop(indvars,loop-unroll-full),sroa,early-cse,sccp,simplifycfg,adce)");
+        "function(sroa,early-cse,simplifycfg,sccp,loop-simplify,lcssa,loop-mssa(loop-rotate),loop(indvars,"
+        "loop-unroll-full),sroa,early-cse,sccp,simplifycfg,adce)");
   round("function(sroa,instsimplify,adce)");
   return *module.getFunction(asked);
 }
