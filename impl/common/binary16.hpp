@@ -84,7 +84,7 @@ class Binary16 {
       // Beside 2^28 the spacing of binary64 is 2^-24: the addition itself rounds to a whole number of
       // subnormal steps.
       bits = std::bit_cast<std::uint64_t>(magnitude + 0x1p28) & 0xffff;
-    } else if (magnitude < 65520) {
+    } else if (magnitude < 65520) {  // check-magic: 65520 == (2 ** 11 - 1) * 2 ** 5 + 2 ** 4
       // Adds just under half of the last place, and the rest when that place is odd; a carry runs into the
       // exponent.
       const std::uint64_t odd = wide >> widening & 1, half = std::uint64_t{1} << (widening - 1);

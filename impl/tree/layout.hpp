@@ -20,8 +20,9 @@ struct Layout {
   std::uint64_t blocks;      ///< ones of depth m
 
   // The greatest numbers are (4^11 - 1) / 3 parents and 4^11 blocks.
-  static constexpr std::uint32_t parents_bits = 21, parents_at = 15,
-                                 pack_blocks_at = parents_at + parents_bits;
+  static constexpr std::uint32_t parents_at = 15;    // check-magic: 15 == 1 + 2 + 4 + 4 + 4
+  static constexpr std::uint32_t parents_bits = 21;  // check-magic: 21 == bit_length((4 ** 11 - 1) // 3)
+  static constexpr std::uint32_t pack_blocks_at = parents_at + parents_bits;
 
   // The even numbers are stored halved, one place higher than they are read, so that reading doubles them.
   constexpr std::uint64_t packed() const noexcept {

@@ -47,10 +47,4 @@ bool on_u_line(const GridPoint& p, Level n);
 /// A corner of the triangle in units of 1/4N.
 constexpr std::int64_t corner(Level n) { return std::int64_t{4} << n; }
 
-/// Mutants for a law that compares answers on cells: one vertex, the last cell, ties, an order of children.
-std::vector<Mutant> wrong_on_cells(const char* base);
-
-/// The same mutants without the order of children, which is consistent in itself.
-std::vector<Mutant> inconsistent_on_cells(const char* base);
-
 }  // namespace mmverify::proofs::index

@@ -158,17 +158,7 @@ Law every_one() {
              return fmt::format("all maps of level {} of one state but for one node, and the uniform ones{}",
                                 n, parts_of(s));
            },
-       .mutants = {mutant("a UT among T before a border of 64 states is opaque", "micromap", {4, 4},
-                          spoils(&Functions::force2,
-                                 [](Level n, auto in, Bytes& out) {
-                                   if (is(n, in, 4, {four, 0, 2, 4, 127})) change(out, 15, 0x80);
-                                 })),
-                   mutant("a lone UO among O at level 2 goes up as O", "micromap-spec", {2, 2},
-                          spoils(&Functions::up,
-                                 [](Level n, Format, auto in, Bytes& out) {
-                                   if (is(n, in, 2, {four, 1, 3, 2, 15})) out.back() = 0x55;
-                                 })),
-                   mutant("a uniform UT of level 3 is UO through O/C in one place", "micromap", {3, 3},
+       .mutants = {mutant("a uniform UT of level 3 is UO through O/C in one place", "micromap", {3, 3},
                           spoils(&Functions::through,
                                  [](Level n, Mode m, auto in, Bytes& out) {
                                    if (m == Mode::O_C && is(n, in, 3, {four, 2, 2, 0, 0})) change(out, 8, 1);
@@ -200,18 +190,6 @@ Law chosen_ones() {
                                           [](Format, std::uint64_t, auto, States& s) {
                                             if (s.size() == 16384 && s.back() == UO && s.front() == O)
                                               s.back() = O;
-                                          })),
-                            mutant("a lone T in the middle of O is lost on the way down from level 8",
-                                   "micromap", {8, 8},
-                                   spoils(&Functions::down,
-                                          [](Level n, Format, auto in, Bytes& out) {
-                                            if (is(n, in, 8, {four, 1, 0, 8, 32767})) change(out, 2047, 0x80);
-                                          })),
-                            mutant("states from 2^17 on are packed as T", "micromap", {9, 9},
-                                   spoils(&Functions::pack,
-                                          [](Format f, const States&, Bytes& out) {
-                                            if (f == four && out.size() == 1 << 16)
-                                              std::fill(out.begin() + (1 << 15), out.end(), std::uint8_t{0});
                                           }))}},
                {}, cases(chosen_apart_count, chosen_apart, 1)));
 }

@@ -121,74 +121,49 @@ constexpr char says[] = "packing and unpacking any number of states, as those of
 }  // namespace
 
 std::vector<Law> count_laws() {
-  return {on_cases({.id = "micromap.packing_any_count",
-                    .topic = "micromap",
-                    .says = says,
-                    .source = packing_source,
-                    .method = Method::exhaustive,
-                    .subjects = {"micromap-spec", "micromap"},
-                    .at_once = "all levels",
-                    .fast_seconds = 0.3,
-                    .domain =
-                        [](const Subject&, Level) {
-                          return std::string(
-                              "all sequences of 1 to 12 states in 2-state, and of 1 to 6 in 4-state");
-                        },
-                    .mutants = {mutant("the fifth of five UT is lost", "micromap", {0, 0},
-                                       spoils(&Functions::pack,
-                                              [](Format f, const States& s, Bytes& out) {
-                                                if (f == four && s == States(5, UT)) out.back() = 0;
-                                              })),
-                                mutant("a third O reads as T where there are three", "micromap-spec", {0, 0},
-                                       spoils(&Functions::unpack,
-                                              [](Format f, std::uint64_t, auto, States& s) {
-                                                if (f == two && s == States{T, T, O}) s.back() = T;
-                                              })),
-                                mutant("ones after eleven states", "micromap", {0, 0},
-                                       spoils(&Functions::pack,
-                                              [](Format f, const States& s, Bytes& out) {
-                                                if (f == two && s == States(11, T)) out.back() |= 0x80;
-                                              }))}},
-                   {entry::pack},
-                   cases(two_state_sequences + four_state_sequences,
-                         [](std::uint64_t k, const Run&) { return sequence_number(k); })),
-          on_cases(
-              {.id = "micromap.packing_any_count_on_samples",
-               .topic = "micromap",
-               .says = says,
-               .source = packing_source,
-               .method = Method::sample,
-               .subjects = {"micromap-spec", "micromap"},
-               .at_once = "all levels",
-               .fast_seconds = 0.3,
-               .domain =
-                   [](const Subject&, Level) {
-                     return std::string(
-                         "four sequences of each number of states from 1 to 300, and of 30 beside 2^9 to "
-                         "2^14, both formats");
-                   },
-               .mutants = {mutant("the last of 65 states is lost", "micromap", {0, 0},
-                                  spoils(&Functions::unpack,
-                                         [](Format, std::uint64_t, auto, States& s) {
-                                           if (s.size() == 65) s.back() = T;
-                                         })),
-                           mutant("state 32 of 33 is that before", "micromap-spec", {0, 0},
-                                  spoils(&Functions::unpack,
-                                         [](Format f, std::uint64_t, auto, States& s) {
-                                           if (f == four && s.size() == 33) s[32] = s[31];
-                                         })),
-                           mutant("the last of 127 states is packed as T", "micromap", {0, 0},
-                                  spoils(&Functions::pack,
-                                         [](Format f, const States& s, Bytes& out) {
-                                           if (f == two && s.size() == 127) out.back() &= 0xBF;
-                                         })),
-                           mutant("of 4098 states or more the first half's last is lost", "micromap", {0, 0},
-                                  spoils(&Functions::pack,
-                                         [](Format f, const States& s, Bytes& out) {
-                                           if (f == two && s.size() >= 4098 && s.size() % 16 == 2)
-                                             out[s.size() / 16] &= 0xFE;
-                                         }))}},
-              {entry::pack}, cases(2 * kinds * lengths, sample))};
+  return {
+      on_cases({.id = "micromap.packing_any_count",
+                .topic = "micromap",
+                .says = says,
+                .source = packing_source,
+                .method = Method::exhaustive,
+                .subjects = {"micromap-spec", "micromap"},
+                .at_once = "all levels",
+                .fast_seconds = 0.3,
+                .domain =
+                    [](const Subject&, Level) {
+                      return std::string(
+                          "all sequences of 1 to 12 states in 2-state, and of 1 to 6 in 4-state");
+                    },
+                .mutants = {mutant("ones after eleven states", "micromap", {0, 0},
+                                   spoils(&Functions::pack,
+                                          [](Format f, const States& s, Bytes& out) {
+                                            if (f == two && s == States(11, T)) out.back() |= 0x80;
+                                          }))}},
+               {entry::pack},
+               cases(two_state_sequences + four_state_sequences,
+                     [](std::uint64_t k, const Run&) { return sequence_number(k); })),
+      on_cases({.id = "micromap.packing_any_count_on_samples",
+                .topic = "micromap",
+                .says = says,
+                .source = packing_source,
+                .method = Method::sample,
+                .subjects = {"micromap-spec", "micromap"},
+                .at_once = "all levels",
+                .fast_seconds = 0.3,
+                .domain =
+                    [](const Subject&, Level) {
+                      return std::string(
+                          "four sequences of each number of states from 1 to 300, and of 30 beside 2^9 to "
+                          "2^14, both formats");
+                    },
+                .mutants = {mutant("of 4098 states or more the first half's last is lost", "micromap", {0, 0},
+                                   spoils(&Functions::pack,
+                                          [](Format f, const States& s, Bytes& out) {
+                                            if (f == two && s.size() >= 4098 && s.size() % 16 == 2)
+                                              out[s.size() / 16] &= 0xFE;
+                                          }))}},
+               {entry::pack}, cases(2 * kinds * lengths, sample))};
 }
 
 }  // namespace mmverify::proofs::micromap

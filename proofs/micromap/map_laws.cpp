@@ -204,17 +204,7 @@ Law packing() {
        .source = packing_source,
        .subjects = both,
        .fast_seconds = 1,
-       .mutants = {mutant("a padding bit of one map is kept", "micromap", {0, 0},
-                          spoils(&Functions::pack,
-                                 [](Format f, const States& s, Bytes& out) {
-                                   if (f == four && s == States{UO}) flip(out, 2);
-                                 })),
-                   mutant("UT and UO change places in one map", "micromap", {1, 1},
-                          spoils(&Functions::unpack,
-                                 [](Format, std::uint64_t, auto, States& s) {
-                                   if (s == States{T, O, UT, UO}) std::swap(s[2], s[3]);
-                                 })),
-                   mutant("the last bit of one 2-state map of level 2 is lost", "micromap-spec", {2, 2},
+       .mutants = {mutant("the last bit of one 2-state map of level 2 is lost", "micromap-spec", {2, 2},
                           spoils(&Functions::pack,
                                  [](Format f, const States& s, Bytes& out) {
                                    if (f == two && s.size() == 16 && out == Bytes{0x01, 0x80}) out[1] = 0;
@@ -231,17 +221,7 @@ Law force2() {
        .source = "Vulkan's Opacity Micromaps (Vulkanised 2026), force2state",
        .subjects = both,
        .fast_seconds = 1,
-       .mutants = {mutant("UT of one map is opaque", "micromap", {1, 1},
-                          spoils(&Functions::force2,
-                                 [](Level n, auto in, Bytes& out) {
-                                   if (is(n, in, 1, {0b11'10'01'00})) flip(out, 2);
-                                 })),
-                   mutant("a padding bit of level 0 is read", "micromap", {0, 0},
-                          spoils(&Functions::force2,
-                                 [](Level n, auto in, Bytes& out) {
-                                   if (n == 0 && (in[0] & 3) == 3 && in[0] != 3) flip(out, 1);
-                                 })),
-                   mutant("one O of level 2 is widened to UO", "micromap-spec", {2, 2},
+       .mutants = {mutant("one O of level 2 is widened to UO", "micromap-spec", {2, 2},
                           spoils(&Functions::widen,
                                  [](Level n, auto in, Bytes& out) {
                                    if (is(n, in, 2, {0x00, 0x80})) flip(out, 31);
@@ -261,21 +241,6 @@ Law up_law() {
                           spoils(&Functions::up,
                                  [](Level n, Format, auto in, Bytes& out) {
                                    if (is(n, in, 2, {0xff, 0xff})) flip(out, 63);
-                                 })),
-                   mutant("a UO child is O", "micromap", {0, 0},
-                          spoils(&Functions::up,
-                                 [](Level n, Format f, auto in, Bytes& out) {
-                                   if (f == four && n == 0 && (in[0] & 3) == 3) flip(out, 5);
-                                 })),
-                   mutant("padding of one map goes up with it", "micromap", {0, 0},
-                          spoils(&Functions::up,
-                                 [](Level n, Format f, auto in, Bytes& out) {
-                                   if (f == two && n == 0 && in[0] == 0x05) flip(out, 4);
-                                 })),
-                   mutant("padding is taken for a state", "micromap-spec", {0, 0},
-                          spoils(&Functions::up,
-                                 [](Level n, Format f, auto in, Bytes& out) {
-                                   if (f == two && n == 0 && in[0] == 0xfe) flip(out, 3);
                                  }))}},
       {entry::up}, Maps::both_formats, 0, rises);
 }
@@ -287,18 +252,7 @@ Law down_up() {
                       .source = design_source,
                       .subjects = both,
                       .fast_seconds = 1,
-                      .mutants = {mutant("four UT become UO in one map", "micromap", {1, 1},
-                                         spoils(&Functions::down,
-                                                [](Level n, Format f, auto in, Bytes& out) {
-                                                  if (f == four && is(n, in, 2, {0x00, 0x55, 0xaa, 0xff}))
-                                                    flip(out, 4);
-                                                })),
-                                  mutant("a padding bit after the way down", "micromap", {0, 0},
-                                         spoils(&Functions::down,
-                                                [](Level n, Format f, auto in, Bytes& out) {
-                                                  if (f == four && is(n, in, 1, {0xff})) flip(out, 7);
-                                                })),
-                                  mutant("the last of 64 is lost", "micromap-spec", {2, 2},
+                      .mutants = {mutant("the last of 64 is lost", "micromap-spec", {2, 2},
                                          spoils(&Functions::down,
                                                 [](Level n, Format f, auto in, Bytes& out) {
                                                   if (f == two && n == 3 && in[7] == 0xf0 && in[0] == 0)
@@ -315,17 +269,7 @@ Law down_law() {
                       .source = design_source,
                       .subjects = both,
                       .fast_seconds = 1,
-                      .mutants = {mutant("T, T, T, UT are T", "micromap", {1, 1},
-                                         spoils(&Functions::down,
-                                                [](Level n, Format f, auto in, Bytes& out) {
-                                                  if (f == four && is(n, in, 1, {0b10'00'00'00})) out[0] = 0;
-                                                })),
-                                  mutant("a tie of one map is transparent", "micromap", {1, 1},
-                                         spoils(&Functions::down,
-                                                [](Level n, Format f, auto in, Bytes& out) {
-                                                  if (f == four && is(n, in, 1, {0b00'01'11'10})) out[0] = 2;
-                                                })),
-                                  mutant("three O of the last four, 2-state, are T", "micromap-spec", {2, 2},
+                      .mutants = {mutant("three O of the last four, 2-state, are T", "micromap-spec", {2, 2},
                                          spoils(&Functions::down,
                                                 [](Level n, Format f, auto in, Bytes& out) {
                                                   if (f == two && is(n, in, 2, {0x00, 0xe0})) flip(out, 3);
@@ -334,32 +278,18 @@ Law down_law() {
 }
 
 Law down_force2() {
-  return on_all_maps(
-      {.id = "micromap.down_force2",
-       .topic = "micromap",
-       .says = "force-2-state and one level down commute, and are the children's majority",
-       .source = design_source,
-       .subjects = both,
-       .fast_seconds = 1,
-       .mutants = {mutant("UO, UO, T, T lean to T", "micromap", {1, 1},
-                          spoils(&Functions::down,
-                                 [](Level n, Format f, auto in, Bytes& out) {
-                                   if (f == four && is(n, in, 1, {0b00'00'11'11})) flip(out, 0);
-                                 })),
-                   mutant("a 2-state tie is T", "micromap", {2, 2},
-                          spoils(&Functions::down,
-                                 [](Level n, Format f, auto in, Bytes& out) {
-                                   if (f == two && n == 2 && in[0] == 0x03 && in[1] == 0) out[0] = 0;
-                                 })),
-                   mutant("T, whatever the map, both ways", "micromap", {1, 1},
-                          spoils(&Functions::force2,
-                                 [](Level, auto, Bytes& out) { std::fill(out.begin(), out.end(), 0); })),
-                   mutant("force-2-state of one lone UO is T", "micromap-spec", {1, 1},
-                          spoils(&Functions::force2,
-                                 [](Level n, auto in, Bytes& out) {
-                                   if (n == 0 && (in[0] & 3) == 3) out[0] = 0;
-                                 }))}},
-      {entry::down, entry::force2}, Maps::both_formats, 1, forces_and_falls);
+  return on_all_maps({.id = "micromap.down_force2",
+                      .topic = "micromap",
+                      .says = "force-2-state and one level down commute, and are the children's majority",
+                      .source = design_source,
+                      .subjects = both,
+                      .fast_seconds = 1,
+                      .mutants = {mutant("force-2-state of one lone UO is T", "micromap-spec", {1, 1},
+                                         spoils(&Functions::force2,
+                                                [](Level n, auto in, Bytes& out) {
+                                                  if (n == 0 && (in[0] & 3) == 3) out[0] = 0;
+                                                }))}},
+                     {entry::down, entry::force2}, Maps::both_formats, 1, forces_and_falls);
 }
 
 Law modes() {
@@ -370,35 +300,10 @@ Law modes() {
        .source = "Succinct Opacity Micromaps, 7 (left to the future); docs/MICROMAP.md",
        .subjects = both,
        .fast_seconds = 1,
-       .mutants = {mutant("UT passes as T in T/C", "micromap", {1, 1},
-                          spoils(&Functions::through,
-                                 [](Level n, Mode m, auto in, Bytes& out) {
-                                   if (m == Mode::T_C && is(n, in, 1, {0b10'11'01'00})) out[0] &= 0x3f;
-                                 })),
-                   mutant("O is unknown in O/C", "micromap", {0, 0},
-                          spoils(&Functions::through,
-                                 [](Level n, Mode m, auto in, Bytes& out) {
-                                   if (n == 0 && m == Mode::O_C && (in[0] & 3) == 1) out[0] = 2;
-                                 })),
-                   mutant("one map is left as it is in T/C", "micromap", {1, 1},
-                          spoils(&Functions::through,
-                                 [](Level n, Mode m, auto in, Bytes& out) {
-                                   if (m == Mode::T_C && is(n, in, 1, {0b01'01'00'01})) out.assign(1, in[0]);
-                                 })),
-                   mutant("UT and UO of one map stay apart in O/C", "micromap", {1, 1},
+       .mutants = {mutant("UT and UO of one map stay apart in O/C", "micromap", {1, 1},
                           spoils(&Functions::through,
                                  [](Level n, Mode m, auto in, Bytes& out) {
                                    if (m == Mode::O_C && is(n, in, 1, {0b11'10'01'01})) out.assign(1, in[0]);
-                                 })),
-                   mutant("the rest is the forced state in O/C", "micromap-spec", {0, 1},
-                          spoils(&Functions::through,
-                                 [](Level n, Mode m, auto in, Bytes& out) {
-                                   if (m == Mode::O_C && n == 0 && (in[0] & 3) != 1) out[0] = 0;
-                                 })),
-                   mutant("padding becomes a state in O/C", "micromap-spec", {0, 0},
-                          spoils(&Functions::through,
-                                 [](Level n, Mode m, auto, Bytes& out) {
-                                   if (n == 0 && m == Mode::O_C) flip(out, 3);
                                  }))}},
       {entry::modes}, Maps::four_state, 0, goes_through_modes);
 }
@@ -414,25 +319,10 @@ Law samples() {
        .fast = {2, 8},
        .long_run = {2, 12},
        .fast_seconds = 3,
-       .mutants = {mutant("the last state of level 5 is lost where it is UO", "micromap", {3, 6},
-                          spoils(&Functions::unpack,
-                                 [](Format, std::uint64_t, auto, States& s) {
-                                   if (s.size() == 1024 && s.back() == UO) s.back() = O;
-                                 })),
-                   mutant("word 7 of level 6 forces UT to opaque", "micromap", {6, 6},
-                          spoils(&Functions::force2,
-                                 [](Level n, auto in, Bytes& out) {
-                                   if (n == 6 && (in[56] & 3) == 2) flip(out, 7 * 32);
-                                 })),
-                   mutant("a tie in the last byte of level 5 is transparent", "micromap", {5, 5},
+       .mutants = {mutant("a tie in the last byte of level 5 is transparent", "micromap", {5, 5},
                           spoils(&Functions::down,
                                  [](Level n, Format f, auto in, Bytes& out) {
                                    if (n == 5 && f == four && (in.back() & 0x55) == 0x14) flip(out, 510);
-                                 })),
-                   mutant("one child of level 4 is T", "micromap", {4, 4},
-                          spoils(&Functions::up,
-                                 [](Level n, Format f, auto in, Bytes& out) {
-                                   if (n == 4 && f == two && (in[31] & 0x80) != 0) out.back() &= 0x7f;
                                  }))}},
       {}, Maps::both_formats, everything);
 }

@@ -74,15 +74,7 @@ Law blend_on_samples() {
           .domain = named_domain("5 operations; 1 to 70 payloads and values, each of their eight bytes drawn "
                                  "on its own, half of them 0, 1, 127, 128, 254 or 255"),
           .unfit = needing({entry::blend}),
-          .mutants = {mutant("over takes G of the value for its B", "traverse",
-                             blending_others([](Operation o, std::uint32_t&, std::uint32_t& v) {
-                               if (o == Operation::over) v = (v & ~0xFF0000u) | (v & 0xFF00) << 8;
-                             })),
-                      mutant("a payload's A is opaque where its R is 128", "traverse-single",
-                             blending_others([](Operation o, std::uint32_t& p, std::uint32_t&) {
-                               if (o == Operation::min && (p & 255) == 128) p |= 0xFF000000;
-                             })),
-                      mutant("add takes 1 of R away where B of both is 254", "traverse-spec",
+          .mutants = {mutant("add takes 1 of R away where B of both is 254", "traverse-spec",
                              blending_others([](Operation o, std::uint32_t& p, std::uint32_t& v) {
                                if (o == Operation::add && (p >> 16 & 255) == 254 && (v >> 16 & 255) == 254 &&
                                    (p & 255) > 0)

@@ -126,18 +126,7 @@ Law ignored_is_final() {
                      .subjects = {"traverse-spec", "traverse"},
                      .fast_seconds = 0.1,
                      .domain = named_domain("all 3,240 defined combinations whose lookup ignores"),
-                     .mutants = {mutant("Opaque makes hits of holes", "traverse",
-                                        deciding([](const Combination& c, Outcome o) {
-                                          return consulted(c) && c.ray.opaque ? Outcome::opaque : o;
-                                        })),
-                                 mutant("NoOpaque asks about UT under the instance's force-2-state",
-                                        "traverse", deciding([](const Combination& c, Outcome o) {
-                                          return consulted(c) && c.candidate.state == State::UT &&
-                                                         c.instance.force_two_state && c.ray.no_opaque
-                                                     ? Outcome::non_opaque
-                                                     : o;
-                                        })),
-                                 mutant("FORCE_OPAQUE of an opaque geometry wins over a special T",
+                     .mutants = {mutant("FORCE_OPAQUE of an opaque geometry wins over a special T",
                                         "traverse-spec", deciding([](const Combination& c, Outcome o) {
                                           return consulted(c) && c.candidate.held == Held::special &&
                                                          c.candidate.geometry_opaque &&
@@ -161,16 +150,7 @@ Law two_state_never_calls_a_shader() {
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,
        .domain = named_domain("all 6,480 defined combinations whose lookup leaves nothing unknown"),
-       .mutants = {mutant("UO is unknown though the ray forces 2-state", "traverse",
-                          mistaking([](Combination& c) {
-                            if (c.candidate.state == State::UO) c.ray.force_two_state = false;
-                          })),
-                   mutant("a special UT is unknown though the instance forces 2-state", "traverse-spec",
-                          mistaking([](Combination& c) {
-                            if (c.candidate.held == Held::special && c.candidate.state == State::UT)
-                              c.instance.force_two_state = false;
-                          })),
-                   mutant("force-2-state overrides NoOpaque, too", "traverse", mistaking([](Combination& c) {
+       .mutants = {mutant("force-2-state overrides NoOpaque, too", "traverse", mistaking([](Combination& c) {
                             if (c.instance.force_two_state && consulted(c)) c.ray.no_opaque = false;
                           }))}},
       certain, [](const TraverseSubject& s, const Combination& c) {
@@ -191,21 +171,7 @@ Law micromap_replaces_flag() {
                      .subjects = {"traverse-spec", "traverse"},
                      .fast_seconds = 0.2,
                      .domain = named_domain("all 17,040 combinations that an API defines"),
-                     .mutants = {mutant("unknown states of an opaque geometry are opaque", "traverse",
-                                        deciding([](const Combination& c, Outcome o) {
-                                          return consulted(c) && c.candidate.geometry_opaque &&
-                                                         o == Outcome::non_opaque && !made_non_opaque(c)
-                                                     ? Outcome::opaque
-                                                     : o;
-                                        })),
-                                 mutant("a disabled micromap still hides its holes", "traverse",
-                                        deciding([](const Combination& c, Outcome o) {
-                                          return c.candidate.held == Held::four_state &&
-                                                         c.candidate.state == State::T
-                                                     ? Outcome::ignored
-                                                     : o;
-                                        })),
-                                 mutant("force-2-state makes geometries without a micromap opaque",
+                     .mutants = {mutant("force-2-state makes geometries without a micromap opaque",
                                         "traverse-spec", mistaking([](Combination& c) {
                                           if (!consulted(c) && c.ray.force_two_state)
                                             c.candidate.geometry_opaque = true;
@@ -236,18 +202,7 @@ Law last_flag_wins() {
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,
        .domain = named_domain("all 11,040 defined combinations with such a flag and no ignoring lookup"),
-       .mutants = {mutant("the instance's flags come after the ray's", "traverse",
-                          mistaking([](Combination& c) {
-                            if (c.instance.force_opaque) c.ray.no_opaque = false;
-                            if (c.instance.force_no_opaque) c.ray.opaque = false;
-                          })),
-                   mutant("culling comes before the instance's flags", "traverse",
-                          deciding([](const Combination& c, Outcome o) {
-                            Combination plain = c;
-                            plain.instance.force_opaque = plain.instance.force_no_opaque = false;
-                            return spec::traverse::decide(plain) == Outcome::ignored ? Outcome::ignored : o;
-                          })),
-                   mutant("FORCE_OPAQUE leaves O, UT and UO of a special index as they are", "traverse-spec",
+       .mutants = {mutant("FORCE_OPAQUE leaves O, UT and UO of a special index as they are", "traverse-spec",
                           mistaking([](Combination& c) {
                             if (consulted(c) && c.candidate.held == Held::special)
                               c.instance.force_opaque = false;
@@ -271,17 +226,7 @@ Law apis_agree() {
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,
        .domain = named_domain("the 2,640 defined combinations of an EXT ray query, in the five other APIs"),
-       .mutants = {mutant("KHR ray queries read UO as UT", "traverse", mistaking([](Combination& c) {
-                            if (c.api == Api::khr_query && c.candidate.state == State::UO)
-                              c.candidate.state = State::UT;
-                          })),
-                   mutant("DXR culls by the geometry's flag", "traverse-spec",
-                          deciding([](const Combination& c, Outcome o) {
-                            const bool dxr = c.api == Api::dxr_pipeline || c.api == Api::dxr_query;
-                            return dxr && c.ray.cull_opaque && c.candidate.geometry_opaque ? Outcome::ignored
-                                                                                           : o;
-                          })),
-                   mutant("EXT pipelines have no FORCE_NO_OPAQUE of 2-state maps", "traverse",
+       .mutants = {mutant("EXT pipelines have no FORCE_NO_OPAQUE of 2-state maps", "traverse",
                           mistaking([](Combination& c) {
                             if (c.api == Api::ext_pipeline && c.candidate.held == Held::two_state)
                               c.instance.force_no_opaque = false;

@@ -135,18 +135,7 @@ Law is_conservative() {
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,
        .domain = named_domain("all 1,736 substitutions of KHR traces that leave it to the shader"),
-       .mutants = {mutant("unknown is transparent where the ray does not force 2-state", "traverse",
-                          deciding([](const Combination& c, Outcome o) {
-                            return c.candidate.state == State::UT && o == Outcome::non_opaque
-                                       ? Outcome::ignored
-                                       : o;
-                          })),
-                   mutant("UO is opaque", "traverse-spec", deciding([](const Combination& c, Outcome o) {
-                            return c.candidate.state == State::UO && o == Outcome::non_opaque
-                                       ? Outcome::opaque
-                                       : o;
-                          })),
-                   mutant("the instance's force-2-state reads UO of special indices as UT", "traverse",
+       .mutants = {mutant("the instance's force-2-state reads UO of special indices as UT", "traverse",
                           deciding([](const Combination& c, Outcome o) {
                             return c.candidate.held == Held::special && c.candidate.state == State::UO &&
                                            c.instance.force_two_state && spec::traverse::consulted(c)
@@ -167,23 +156,7 @@ Law shows_without_a_shader() {
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,
        .domain = named_domain("all 1,144 substitutions of KHR traces that do not leave it to the shader"),
-       .mutants = {mutant("CullNoOpaque spares what is unknown", "traverse",
-                          deciding([](const Combination& c, Outcome o) {
-                            return spec::traverse::consulted(c) &&
-                                           spec::micromap::unknown(c.candidate.state) &&
-                                           c.ray.cull_no_opaque && !made_opaque(c) && !made_non_opaque(c) &&
-                                           !spec::traverse::two_state_override(c)
-                                       ? Outcome::non_opaque
-                                       : o;
-                          })),
-                   mutant("Opaque leaves UT to the shader", "traverse",
-                          deciding([](const Combination& c, Outcome o) {
-                            return c.candidate.state == State::UT && c.ray.opaque &&
-                                           spec::traverse::consulted(c) && o == Outcome::opaque
-                                       ? Outcome::non_opaque
-                                       : o;
-                          })),
-                   mutant("force-2-state leaves UO to the shader", "traverse-spec",
+       .mutants = {mutant("force-2-state leaves UO to the shader", "traverse-spec",
                           deciding([](const Combination& c, Outcome o) {
                             return c.candidate.state == State::UO && o == Outcome::opaque &&
                                            !made_opaque(c) && !made_non_opaque(c)
@@ -204,22 +177,7 @@ Law decides_no_more() {
        .subjects = {"traverse-spec", "traverse"},
        .fast_seconds = 0.1,
        .domain = named_domain("all 2,880 substitutions of KHR traces"),
-       .mutants = {mutant("UT of 4-state maps is ignored", "traverse",
-                          deciding([](const Combination& c, Outcome o) {
-                            return c.candidate.held == Held::four_state && c.candidate.state == State::UT &&
-                                           o == Outcome::non_opaque
-                                       ? Outcome::ignored
-                                       : o;
-                          })),
-                   mutant("CullNoOpaque spares UO", "traverse-spec",
-                          deciding([](const Combination& c, Outcome o) {
-                            return spec::traverse::consulted(c) && c.candidate.state == State::UO &&
-                                           c.ray.cull_no_opaque && !made_opaque(c) && !made_non_opaque(c) &&
-                                           !spec::traverse::two_state_override(c)
-                                       ? Outcome::non_opaque
-                                       : o;
-                          })),
-                   mutant("under NoOpaque force-2-state accepts UO without a shader", "traverse",
+       .mutants = {mutant("under NoOpaque force-2-state accepts UO without a shader", "traverse",
                           deciding([](const Combination& c, Outcome o) {
                             return c.candidate.state == State::UO && c.ray.no_opaque &&
                                            spec::traverse::two_state_override(c) && o == Outcome::non_opaque

@@ -32,14 +32,6 @@ Finding same_payload(const TraverseSubject& s, const HitList& list) {
 }
 
 Law many_hits_law() {
-  const auto cut_to = [](std::vector<Hit>& hits) { hits.resize(std::min<std::size_t>(hits.size(), 8)); };
-  const auto rounded = [](std::vector<Hit>& hits) {
-    for (Hit& h : hits) h.distance &= ~std::uint32_t{255};
-  };
-  const auto flushed = [](std::vector<Hit>& hits) {
-    for (Hit& h : hits)
-      if (h.distance < distance_of(0x1p-126f)) h.distance = 0;
-  };
   const auto without_repeats = [](std::vector<Hit>& hits) {
     hits.erase(std::unique(hits.begin(), hits.end(),
                            [](const Hit& a, const Hit& b) {
@@ -64,9 +56,6 @@ Law many_hits_law() {
                              "in half of them any payload and any values, each code on its own"),
       .unfit = needing({entry::gather}),
       .mutants = {
-          mutant("sees eight hits", "traverse", gathering(cut_to)),
-          mutant("distances lose their last eight bits", "traverse", gathering(rounded)),
-          mutant("distances below 2^-126 are zero", "traverse", gathering(flushed)),
           mutant("a hit like the one before is dropped", "traverse-spec", gathering(without_repeats))}};
   return on_numbered_cases(
       std::move(law),

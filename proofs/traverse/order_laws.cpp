@@ -168,25 +168,6 @@ Cases<Scene> on_scenes(std::vector<Scene> frames, const std::vector<std::string>
   return cases;
 }
 
-/// A mutant that changes the gathered payload.
-std::function<void(Functions&)> gathered(void (*change)(std::span<const Hit>, Colour&)) {
-  return spoils(&Functions::gather, [change](Operation, const Colour&, std::span<const Hit> hits,
-                                             Colour& out) { change(hits, out); });
-}
-
-/// A mutant that sorts hits by distance before it gathers them, for some operations.
-std::function<void(Functions&)> sorting_gathered(bool (*some)(Operation)) {
-  return [some](Functions& f) {
-    f.gather = [some, real = f.gather](Operation o, const Colour& payload, std::span<const Hit> hits) {
-      std::vector<Hit> others(hits.begin(), hits.end());
-      if (some(o))
-        std::stable_sort(others.begin(), others.end(),
-                         [](const Hit& a, const Hit& b) { return a.distance < b.distance; });
-      return real(o, payload, others);
-    };
-  };
-}
-
 // ---------------------------------------------------------------------------------------------------------------------
 // As they are met
 // ---------------------------------------------------------------------------------------------------------------------
@@ -304,35 +285,10 @@ Law before_closest() {
        .domain = named_domain(
            "5 operations, all 4,330 lists of one to four hits at distances that may be the same, in every "
            "order; max and min reported in three ways; two payloads, three orders of values"),
-       .mutants = {mutant("a blend at the far end stays where it is met first", "traverse",
-                          gathered([](std::span<const Hit> hits, Colour& out) {
-                            if (hits.size() == 4 && hits[0].distance == distance_of(4) && !hits[0].accepted)
-                              out = spec::traverse::blend(Operation::max, out, hits[0].value);
-                          })),
-                   mutant("the farthest accepted hit is taken for the closest", "traverse-spec",
-                          gathering([](std::vector<Hit>& hits) {
-                            std::uint32_t farthest = 0;
-                            for (const Hit& h : hits)
-                              if (h.accepted) farthest = std::max(farthest, h.distance);
-                            std::erase_if(hits,
-                                          [&](const Hit& h) { return h.accepted && h.distance < farthest; });
-                          })),
-                   mutant("a hit met third is lost", "traverse", gathering([](std::vector<Hit>& hits) {
-                            if (hits.size() > 2) hits.erase(hits.begin() + 2);
-                          })),
-                   mutant("of hits at one distance one blends", "traverse",
-                          gathering([](std::vector<Hit>& hits) {
-                            for (std::size_t k = 1; k < hits.size(); ++k)
-                              if (!hits[k].accepted && !hits[k - 1].accepted &&
-                                  hits[k].distance == hits[k - 1].distance)
-                                hits[k].value = hits[k - 1].value;
-                          })),
-                   mutant("a hit at the accepted one's distance blends", "traverse-spec",
+       .mutants = {mutant("a hit at the accepted one's distance blends", "traverse-spec",
                           gathering([](std::vector<Hit>& hits) {
                             for (Hit& h : hits) h.distance += h.accepted ? 1 : 0;
-                          })),
-                   mutant("over and multiply go by distance", "traverse",
-                          sorting_gathered([](Operation o) { return !is_order_free(o); }))}},
+                          }))}},
       {entry::gather},
       on_scenes(std::move(frames), all_lists, [](const TraverseSubject& s, const Scene& scene) {
         const Colour right = expected_of(scene), got = s.functions.gather(scene.operation, payload_of(scene),

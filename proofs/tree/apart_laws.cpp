@@ -117,18 +117,6 @@ Law one_apart_law() {
   law.mutants = {mutant("UT among T merges in the last four of level 4", "tree-stream", {4, 4},
                         encodes_another([](Map& map) {
                           if (is(map, 4, {four, 0, 2, 4, 254})) map.packed.back() = 0;
-                        })),
-                 mutant("O before a border of 64 states is UO", "tree-ranked", {4, 4},
-                        finds_wrongly([](const Map& map, std::uint32_t k, std::uint8_t& state) {
-                          if (k == 127 && is(map, 4, {four, 3, 1, 4, 127})) state = 3;
-                        })),
-                 mutant("a uniform UO of level 3 is O", "tree-container", {3, 3},
-                        decodes_wrongly([](const Map& map, Bytes& packed) {
-                          if (is(map, 3, {four, 3, 3, 0, 0})) packed.assign(packed.size(), 0x55);
-                        })),
-                 mutant("a quarter of level 2 in a tree of its own", "tree-stepwise", {2, 2},
-                        finds_points_wrongly([](const Map& map, float, float, std::uint8_t& state) {
-                          if (is(map, 2, {two, 1, 0, 1, 3}) && state == 0) state = 1;
                         }))};
   law = on_cases(std::move(law), {}, cases(one_apart_count, one_apart_number, 64));
   law.unfit = [fits = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
@@ -158,14 +146,6 @@ Law one_apart_samples_law() {
   law.mutants = {
       mutant("the last UO among O of level 7 is lost", "tree-stream", {7, 7}, encodes_another([](Map& map) {
                if (is(map, 7, {four, 1, 3, 7, 16383})) map.packed.back() = 0x55;
-             })),
-      mutant("UT before a border of 32 states at level 6", "tree-ranked", {6, 6},
-             finds_wrongly([](const Map& map, std::uint32_t k, std::uint8_t& state) {
-               if (k == 31 && is(map, 6, {four, 0, 2, 6, 31})) state = 0;
-             })),
-      mutant("maps of level 10 end early", "tree-container", {10, 10},
-             decodes_wrongly([](const Map& map, Bytes& packed) {
-               if (map.level == 10) packed.resize(packed.size() - 1);
              }))};
   law = on_cases(std::move(law), {}, cases(chosen_apart_count, chosen_apart, 1));
   law.unfit = [fits = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {

@@ -90,24 +90,7 @@ Law damage_samples_law() {
                     return verdict == 0 ? code : real.encode(map_of(n, {f, 0, 1, n, 0}));
                   }));
   };
-  const auto uniform = [](auto bytes) { return bytes.size() > 1 && bytes[0] == 0; };
-  law.mutants = {with("takes what follows a uniform map's code at level 5", "tree-stream", {5, 5},
-                      [=](Level n, Format, auto bytes, bool) {
-                        return n == 5 && uniform(bytes) && bytes.size() == 5 ? 1 : 0;
-                      }),
-                 with("takes a split root at level 6 and above", "tree-stream", {6, 8},
-                      [](Level n, Format f, auto bytes, bool) {
-                        return n >= 6 && f == four && bytes.size() == 2 && bytes[0] == 1 &&
-                                       (bytes[1] == 0xFF || bytes[1] == 0)
-                                   ? 1
-                                   : 0;
-                      }),
-                 with("refuses three O and a T at level 4", "tree-stream", {4, 4},
-                      [](Level n, Format f, auto bytes, bool taken) {
-                        return n == 4 && f == two && taken && bytes.size() > 9 && bytes.back() == 0x01 ? -1
-                                                                                                       : 0;
-                      }),
-                 with("takes a code of the level above at level 7", "tree-container", {7, 7},
+  law.mutants = {with("takes a code of the level above at level 7", "tree-container", {7, 7},
                       [](Level n, Format, auto bytes, bool) {
                         return n == 6 && bytes.size() > 16 && bytes[5] == 7 ? 1 : 0;
                       })};

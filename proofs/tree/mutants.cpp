@@ -38,16 +38,6 @@ Change finds_wrongly(std::function<void(const Map&, std::uint32_t, std::uint8_t&
   };
 }
 
-Change finds_batches_wrongly(std::function<void(const Map&, std::span<std::uint8_t>)> spoil) {
-  return [=](Functions& functions) {
-    functions.lookup = [spoil, real = functions](const Code& code, std::span<const std::uint32_t> index,
-                                                 std::span<std::uint8_t> state) {
-      real.lookup(code, index, state);
-      spoil(map_in(real, code), state);
-    };
-  };
-}
-
 Change finds_points_wrongly(std::function<void(const Map&, float, float, std::uint8_t&)> spoil) {
   return [=](Functions& functions) {
     functions.point = [spoil, real = functions](const Code& code, std::span<const float> u,

@@ -17,8 +17,6 @@ inline Mutant mutant(const char* name, const char* base, Levels levels, const Ch
 Change encodes_another(std::function<void(Map& map)> spoil);
 Change decodes_wrongly(std::function<void(const Map& map, Bytes& decoded)> spoil);
 Change finds_wrongly(std::function<void(const Map& map, std::uint32_t index, std::uint8_t& state)> spoil);
-/// All the states of one call of lookup.
-Change finds_batches_wrongly(std::function<void(const Map& map, std::span<std::uint8_t> states)> spoil);
 Change finds_points_wrongly(std::function<void(const Map& map, float u, float v, std::uint8_t& state)> spoil);
 Change writes_wrongly(std::function<void(const Map& map, Bytes& bytes)> spoil);
 /// `real` is the unbroken subject, and `code` what it makes of the bytes.

@@ -52,22 +52,6 @@ std::function<void(Functions&)> loses_a_check(std::size_t q, std::uint32_t trans
   });
 }
 
-/// A mutant for one transform of one quadrant: a uniform vector of T becomes O.
-template <class Format>
-std::function<void(Functions&)> opaque_for_transparent(std::size_t q, std::uint32_t transform) {
-  return spoiled<Format>([=](const Map<Format>&, Encoded<Format>& encoded) {
-    Format fields = spec::vq::from_bytes<Format>(encoded.block);
-    if (fields.transforms[q].number() != transform) return;
-    for (std::uint32_t vector = 0; vector < 64; ++vector)
-      if (static_cast<std::size_t>(spec::vq::quadrant_of(vector % 8, vector / 8)) == q &&
-          fields.indices[vector] == 0) {
-        fields.indices[vector] = 2;
-        break;
-      }
-    encoded.block = spec::vq::bytes(fields);
-  });
-}
-
 /// A mutant for one transform of one quadrant: a vector becomes all C, and the substitutions are counted.
 template <class Format>
 std::function<void(Functions&)> gives_up_a_vector(std::size_t q, std::uint32_t transform) {

@@ -8,7 +8,6 @@
 #include "proofs/engine/random.hpp"
 #include "proofs/vq/blocks.hpp"
 #include "proofs/vq/fields.hpp"
-#include "proofs/vq/slipping_decoder.hpp"
 #include "tests/sanitized.hpp"
 
 namespace vq_blocks_test {
@@ -268,17 +267,6 @@ TEST(VqEveryWord, EachEntryHoldsEachOfItsWordsUnderEachTransform) {
   }
   for (const auto& of_entry : times)
     for (const std::uint8_t count : of_entry) ASSERT_EQ(count, (1u << 20) / of_entry.size());
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The mutants' decoder
-// ---------------------------------------------------------------------------------------------------------------------
-
-TYPED_TEST(VqBlocks, TheSlippingDecoderIsRightButForItsSlip) {
-  for (std::uint64_t k = 0; k < 200; ++k) {
-    const BlockBytes<TypeParam> block = random_block<TypeParam>(7, k);
-    ASSERT_EQ(SlippingDecoder<TypeParam>(block, Slip::none).map(), decode(from_bytes<TypeParam>(block)));
-  }
 }
 
 }  // namespace vq_blocks_test

@@ -65,7 +65,7 @@ struct Curve {
   /// numbers below 2^31, so that the lowest bits of their binary64 are free: these store the code below the middle.
   std::vector<std::uint64_t> middles = {};
   /// The bits below sign, exponent and 7 more; the first middle is above 2^11.
-  static constexpr int bits_below = 45;
+  static constexpr int bits_below = 45;  // check-magic: 45 == 52 - 7
   static constexpr double first_number = 0x1p11;
   static constexpr std::uint64_t first_bits = std::bit_cast<std::uint64_t>(first_number) >> bits_below,
                                  code_mask = 0xff;

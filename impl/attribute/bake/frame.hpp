@@ -15,7 +15,7 @@
 
 namespace mmverify::impl::attribute::detail {
 
-inline constexpr double half_ulp = 0x1p-53;
+inline constexpr double half_ulp = 0x1p-53;  // check-magic: 0x1p-53 == 2 ** (1 - 53) / 2
 
 struct Point {
   double x, y;

@@ -16,7 +16,7 @@ namespace mmverify::impl::bake::detail {
 namespace HWY_NAMESPACE {
 
 /// Columns of cells of a word of texels: the word has the last cell's right texel, too.
-constexpr std::int32_t word_cells = 31;
+constexpr std::int32_t word_cells = 31;  // check-magic: 31 == 32 - 1
 
 /// The mixed cells between two rows of texels, a bit each.
 HWY_INLINE Int mixed_of(Int opaque_top, Int opaque_under, Int seen_top, Int seen_under) {

@@ -50,8 +50,8 @@ HWY_INLINE Int set(std::int32_t x) { return hn::Set(I(), x); }
 
 /// The nearest whole number, the even one of two equally near, from the low bits of a float so large that it has no
 /// others.  A conversion would also handle numbers that are too large.  Domain: |x| < 2^22.
-constexpr float whole_only = 0x1.8p23f;
-constexpr std::int32_t whole_only_bits = 0x4b400000;
+constexpr float whole_only = 0x1.8p23f;               // check-magic: 0x1.8p23f == 2 ** 23 + 2 ** 22
+constexpr std::int32_t whole_only_bits = 0x4b400000;  // check-magic: 0x4b400000 == bits32(0x1.8p23)
 HWY_INLINE Int nearest(Float x) {
   return hn::Sub(hn::BitCast(I(), hn::Add(x, set(whole_only))), set(whole_only_bits));
 }

@@ -21,7 +21,8 @@ struct Kind {
 /// Floats are ordered so that k and -k have one size and two signs.
 template <>
 struct Kind<float> {
-  static constexpr std::int64_t first = -0x7f7fffff, last = 0x7f7fffff;
+  static constexpr std::int64_t last = 0x7f7fffff;  // check-magic: 0x7f7fffff == bits32(0x1.fffffep127)
+  static constexpr std::int64_t first = -last;
   static float number(std::int64_t k) noexcept {
     const auto size = std::bit_cast<float>(static_cast<std::uint32_t>(k < 0 ? -k : k));
     return k < 0 ? -size : size;
@@ -32,7 +33,7 @@ struct Kind<float> {
 /// The least opaque stored number; one more than the last if none is opaque.  Heights rise with the number.
 template <class Texel>
 auto least_opaque(const Limits& limits) {
-  constexpr int finest = -149;
+  constexpr int finest = -149;  // check-magic: 149 == 126 + 23
   const Height<AnyHeight> height(limits.opaque, finest);
   std::int64_t low = Kind<Texel>::first, high = Kind<Texel>::last + 1;
   while (low < high) {

@@ -24,7 +24,7 @@ inline std::uint32_t transform4(const std::uint8_t* block, std::uint32_t quadran
 /// The first bit of the code of each index from 3 on; table 2.
 inline constexpr auto code_at4 = [] {
   std::array<std::uint16_t, 17> at{};
-  std::uint16_t next = 265;
+  std::uint16_t next = 265;  // check-magic: 265 == 64 * 4 + 3 * 3
   for (std::uint32_t index = 3; index < 17; ++index) {
     at[index] = next;
     next = static_cast<std::uint16_t>(next + (index < 6 ? 17 : index < 8 ? 18 : 20));

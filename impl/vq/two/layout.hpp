@@ -13,10 +13,12 @@ namespace mmverify::impl::vq::detail {
 
 static_assert(std::endian::native == std::endian::little, "words are loaded as they lie");
 
-inline constexpr std::uint32_t indices_bits = 192;  ///< the last word has the rest
+/// The last word has the rest.
+inline constexpr std::uint32_t indices_bits = 192;  // check-magic: 192 == 64 * 3
 
 /// The places in the last word, in bits from the lowest on.
-inline constexpr std::uint32_t transform_bits = 9, shared_at = 9, own_at = 24;
+inline constexpr std::uint32_t transform_bits = 9, shared_at = 9;  // check-magic: 9 == 3 * 3
+inline constexpr std::uint32_t own_at = 24;                        // check-magic: 24 == 9 + 3 * 5
 
 constexpr std::uint32_t quadrant(std::uint32_t x, std::uint32_t y) noexcept {
   return (x < 8 ? 0 : 1) + (y < 8 ? 2 : 0);  // the quadrant of a region: TL, TR, BL, BR

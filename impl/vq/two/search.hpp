@@ -15,7 +15,7 @@
 namespace mmverify::impl::vq::detail {
 
 /// The number of entries: 14 sets of regions, neither none nor all four, as T; and the same as O.
-inline constexpr std::size_t entries = 28;
+inline constexpr std::size_t entries = 28;  // check-magic: 28 == 2 * (2 ** 4 - 2)
 using Entry = std::uint8_t;
 
 /// The regions that each entry keeps in a quadrant under a transform, as a set of bits.

@@ -154,18 +154,8 @@ Law vertex_law() {
                    .fast_seconds = 1,
                    .domain = [](const Subject&, Level) { return std::string(family_domain()); },
                    .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
-                   .mutants = {mutant("texel centres at whole numbers", "attribute", {0, 0},
-                                      bakes_another(MapForm::vertices, centres_at_corners)),
-                               mutant("sRGB interpolated as codes", "attribute", {1, 1},
-                                      bakes_another(MapForm::vertices, srgb_as_codes)),
-                               mutant("repeat mirrors below 0", "attribute", {0, 0},
-                                      bakes_another(MapForm::vertices, negative_mirrored)),
-                               mutant("what lies in the middle is rounded down", "attribute", {1, 1},
-                                      rounds_half_down(MapForm::vertices)),
-                               mutant("the border is black", "attribute", {0, 0},
-                                      bakes_another(MapForm::vertices, without_border)),
-                               mutant("mirror once clamps along v", "attribute", {0, 0},
-                                      bakes_another(MapForm::vertices, mirrors_once_as_clamp))}},
+                   .mutants = {mutant("what lies in the middle is rounded down", "attribute", {1, 1},
+                                      rounds_half_down(MapForm::vertices))}},
                   needing({bakes_vertices}), family_of(MapForm::vertices));
 }
 
@@ -183,16 +173,7 @@ Law face_law() {
        .domain = [](const Subject&, Level) { return std::string(family_domain()); },
        .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
        .mutants = {mutant("the texels whose centres lie inside, each the same", "attribute", {2, 2},
-                          averages_centres()),
-                   mutant("sRGB averaged as codes", "attribute", {1, 1},
-                          bakes_another(MapForm::faces, srgb_as_codes)),
-                   mutant("repeat mirrors below 0", "attribute", {0, 0},
-                          bakes_another(MapForm::faces, negative_mirrored)),
-                   mutant("what lies in the middle is rounded down", "attribute", {1, 1},
-                          rounds_half_down(MapForm::faces)),
-                   mutant("along a segment all parts weigh the same", "attribute", {0, 0}, spreads_evenly()),
-                   mutant("rows counted from below, repeated and clamped", "attribute", {0, 0},
-                          bakes_another(MapForm::faces, rows_from_below))}},
+                          averages_centres())}},
       needing({bakes_faces}), family_of(MapForm::faces));
 }
 
@@ -235,17 +216,6 @@ Law floats_law() {
   cases.check = sampled;
   cases.fit = fitted_case;
   cases.chunk = 4;
-  const auto rounded_uv = [](BakeCase& one) {
-    for (float& x : one.uv) x = std::nearbyint(x * 4096) / 4096;
-  };
-  const auto row_ends_at_256 = [](BakeCase& one) {
-    if (one.picture.width <= 256) return;
-    for (std::size_t t = 0; t < one.picture.texels.size(); ++t)
-      if (t % one.picture.width >= 256) one.picture.texels[t] = {0, 0, 0, 0};
-  };
-  const auto length_lost = [](BakeCase& one) {
-    if (one.picture.meaning == Meaning::normal_and_length) one.picture.meaning = Meaning::normal;
-  };
   return on_cases(
       {.id = "attribute.bake_on_floats",
        .topic = "attribute",
@@ -263,25 +233,8 @@ Law floats_law() {
                  "textures of up to 9x7 texels, to level 1 some of up to 320 in a row, all modes and "
                  "meanings, means beside halves, micro-vertices beside lines; up to 8 values of each map");
            },
-       .mutants = {mutant("directions not made one unit long again", "attribute", {1, 3}, not_renormalised()),
-                   mutant("coordinates kept in 12 bits below the point", "attribute", {0, 7},
-                          bakes_another(MapForm::vertices, rounded_uv)),
-                   mutant("the length lost, alpha in its place", "attribute", {0, 2},
-                          bakes_another(MapForm::vertices, length_lost)),
-                   mutant("the length lost at level 5", "attribute", {5, 5},
-                          [length_lost](Functions& f) {
-                            f.baking.vertices = [=, real = f.baking.vertices](const BakeCase& one, Level n) {
-                              BakeCase other = one;
-                              if (n == 5) length_lost(other);
-                              return real(other, n);
-                            };
-                          }),
-                   mutant("a mean within 10^-9 of a half is rounded up", "attribute", {0, 0},
-                          rounds_near_halves_up()),
-                   mutant("the mean of the corners' texels", "attribute", {1, 2}, averages_corners()),
-                   mutant("texels beyond the 256th of a row are left out", "attribute", {0, 1},
-                          bakes_another(MapForm::faces, row_ends_at_256)),
-                   mutant("vertices placed in binary32", "attribute", {2, 7}, places_in_floats())}},
+       .mutants = {mutant("directions not made one unit long again", "attribute", {1, 3},
+                          not_renormalised())}},
       needing({bakes_vertices, bakes_faces}), cases);
 }
 

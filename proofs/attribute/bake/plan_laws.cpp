@@ -171,50 +171,7 @@ Law graded_law() {
        .mutants = {mutant("triangle 0 has one level less", "attribute", {2, 2},
                           replanned([](const PlanCase&, std::vector<PlannedTriangle>& p) {
                             if (p[0].level == 2 && p[1].level == 2) --p[0].level;
-                          })),
-                   mutant("level 1 is lost where triangle 0 has level 4", "attribute", {4, 4},
-                          replanned([](const PlanCase&, std::vector<PlannedTriangle>& p) {
-                            if (p.front().level == 4 && p.back().level == 1) --p.back().level;
-                          })),
-                   mutant("a flag on the edge of the coarser side", "attribute", {1, 1},
-                          replanned([](const PlanCase& one, std::vector<PlannedTriangle>& p) {
-                            for (std::size_t t = 0; t < p.size(); ++t)
-                              for (std::size_t k = 0; k < 3; ++k) {
-                                const std::int32_t s = one.neighbours[t][k];
-                                if (s >= 0 && !one.special[t] && !one.special[static_cast<std::size_t>(s)] &&
-                                    p[static_cast<std::size_t>(s)].level == p[t].level + 1)
-                                  p[t].decimated = static_cast<std::uint8_t>(p[t].decimated | 1u << k);
-                              }
-                          })),
-                   mutant("what has no map bounds its neighbours", "attribute", {1, 2},
-                          [](Functions& f) {
-                            f.baking.plan = [real = f.baking.plan](const PlanCase& one) {
-                              PlanCase other = one;
-                              other.special.assign(one.special.size(), false);
-                              return real(other);
-                            };
-                          }),
-                   mutant(
-                       "each is raised by its neighbours' own wishes alone", "attribute", {2, 2},
-                       [](Functions& f) {
-                         f.baking.plan = [](const PlanCase& one) {
-                           const std::size_t count = one.neighbours.size();
-                           std::vector<Level> wanted(count, 0), levels;
-                           for (std::size_t t = 0; t < count; ++t)
-                             while (!one.special[t] && wanted[t] < one.highest && !one.keeps(t, wanted[t], 0))
-                               ++wanted[t];
-                           levels = wanted;
-                           for (std::size_t t = 0; t < count; ++t)
-                             for (const std::int32_t s : one.neighbours[t])
-                               if (s >= 0 && !one.special[t] && !one.special[static_cast<std::size_t>(s)])
-                                 levels[t] = std::max(levels[t],
-                                                      std::max(wanted[static_cast<std::size_t>(s)], 1u) - 1);
-                           std::vector<PlannedTriangle> plan(count);
-                           for (std::size_t t = 0; t < count; ++t)
-                             plan[t] = {levels[t], slow::decimated_edges(levels, one.neighbours[t], t), true};
-                           return plan;
-                         };
-                       })}},
+                          }))}},
       needing({plans}), cases);
 }
 
@@ -310,30 +267,7 @@ Law keeps_law() {
                  "what keeps the error",
                  n);
            },
-       .mutants = {mutant("decimated edges not asked about", "attribute", {1, 4},
-                          [](Functions& f) {
-                            f.baking.plan = [real = f.baking.plan](const PlanCase& one) {
-                              PlanCase other = one;
-                              other.keeps = [&](std::size_t t, Level level, std::uint8_t) {
-                                return one.keeps(t, level, 0);
-                              };
-                              return real(other);
-                            };
-                          }),
-                   mutant("a raised triangle is not judged again", "attribute", {1, 4},
-                          [](Functions& f) {
-                            f.baking.plan = [real = f.baking.plan](const PlanCase& one) {
-                              PlanCase other = one;
-                              std::vector<Level> wanted(one.neighbours.size(), 0);
-                              for (std::size_t t = 0; t < wanted.size(); ++t)
-                                while (wanted[t] < one.highest && !one.keeps(t, wanted[t], 0)) ++wanted[t];
-                              other.keeps = [&](std::size_t t, Level level, std::uint8_t) {
-                                return level >= wanted[t];
-                              };
-                              return real(other);
-                            };
-                          }),
-                   mutant("decimated edges not asked about where the highest level is 4", "attribute", {4, 4},
+       .mutants = {mutant("decimated edges not asked about where the highest level is 4", "attribute", {4, 4},
                           [](Functions& f) {
                             f.baking.plan = [real = f.baking.plan](const PlanCase& one) {
                               PlanCase other = one;
@@ -342,11 +276,7 @@ Law keeps_law() {
                               };
                               return real(other);
                             };
-                          }),
-                   mutant("what is lost at the highest level is called kept", "attribute", {0, 4},
-                          replanned([](const PlanCase& one, std::vector<PlannedTriangle>& p) {
-                            for (PlannedTriangle& t : p) t.kept = t.kept || t.level == one.highest;
-                          }))}},
+                          })}},
       needing({plans}), cases);
 }
 

@@ -99,22 +99,7 @@ Law decimation_watertight_law() {
        .long_run = {0, 14},
        .fast_seconds = 0.6,
        .domain = domain_of_all,
-       .mutants = {wrong_rule("odd vertices go towards the edge's middle", {0, 3}, towards_the_middle),
-                   wrong_rule("indices are rounded down", {0, 3}, indices_down),
-                   wrong_rule("edges of level 0 are decimated too", {0, 0}, level_0_too),
-                   wrong_rule("one vertex of level 9 stays", {9, 9}, only_at(9, 5, {0, 101}, {0, 101})),
-                   wrong_rule(
-                       "both vertices beside the u-corner of level 7 go the other way", {7, 7},
-                       [](Level n, EdgeFlags flags, const Vertex& x, const Vertex& right) {
-                         if (n != 7 || flags != 3 || x.i != 127) return right;
-                         return x.j == 0 ? Vertex{126, 0} : Vertex{126, 2};
-                       },
-                       "attribute"),
-                   wrong_rule("the flags of u-v and v-w are exchanged", {0, 2},
-                              [](Level n, EdgeFlags flags, const Vertex& x, const Vertex&) {
-                                const EdgeFlags other = (flags & 1) | (flags >> 1 & 2) | (flags & 2) << 1;
-                                return spec::attribute::snapped(x, n, other);
-                              })}},
+       .mutants = {wrong_rule("one vertex of level 9 stays", {9, 9}, only_at(9, 5, {0, 101}, {0, 101}))}},
       of_mesh<Asked::all>(watertight));
 }
 
@@ -128,14 +113,7 @@ Law decimation_areas_law() {
        .long_run = {0, 16},
        .fast_seconds = 0.3,
        .domain = domain_at_edges,
-       .mutants = {wrong_rule("odd vertices go one even vertex too far", {0, 4}, too_far),
-                   wrong_rule("edges of level 0 are decimated too", {0, 0}, level_0_too),
-                   wrong_rule("two vertices of level 10 go past each other", {10, 10},
-                              [](Level n, EdgeFlags flags, const Vertex& x, const Vertex& right) {
-                                if (n != 10 || flags != 1 || x.j != 0) return right;
-                                return x.i == 501 ? Vertex{504, 0} : x.i == 503 ? Vertex{500, 0} : right;
-                              }),
-                   wrong_rule("one vertex of level 11 goes inwards", {11, 11},
+       .mutants = {wrong_rule("one vertex of level 11 goes inwards", {11, 11},
                               only_at(11, 4, {0, 301}, {1, 301}), "attribute")}},
       of_mesh<Asked::at_edges>(areas_kept));
 }
@@ -150,13 +128,7 @@ Law decimation_counts_law() {
                         .long_run = {0, 16},
                         .fast_seconds = 0.3,
                         .domain = domain_at_edges,
-                        .mutants = {wrong_rule("edges of level 0 are decimated too", {0, 0}, level_0_too),
-                                    wrong_rule("indices are rounded down", {0, 3}, indices_down),
-                                    wrong_rule("the middle of level 1 stays", {1, 1},
-                                               [](Level n, EdgeFlags, const Vertex& x, const Vertex& right) {
-                                                 return n == 1 ? x : right;
-                                               }),
-                                    wrong_rule("one vertex of level 11 stays", {11, 11},
+                        .mutants = {wrong_rule("one vertex of level 11 stays", {11, 11},
                                                only_at(11, 7, {2047, 1}, {2047, 1}), "attribute")}},
                        of_mesh<Asked::at_edges>(counted));
 }

@@ -104,15 +104,7 @@ Law decimation_sample_law() {
                              "the 8 sets of flags; vertices about the ends and middles of base edges, a step "
                              "from them, and anywhere");
                        },
-                   .mutants = {wrong_above_12("places of 16 bits",
-                                              [](Level, const Vertex&, const Vertex& right) {
-                                                return Vertex{right.i & 0xFFFF, right.j & 0xFFFF};
-                                              }),
-                               wrong_above_12("odd vertices on u-v stay",
-                                              [](Level n, const Vertex& asked, const Vertex& right) {
-                                                return asked.i + asked.j == spec::side(n) ? asked : right;
-                                              }),
-                               wrong_above_12("a vertex beside the edge v-w goes there",
+                   .mutants = {wrong_above_12("a vertex beside the edge v-w goes there",
                                               [](Level, const Vertex&, const Vertex& right) {
                                                 return Vertex{right.i == 1 ? 0 : right.i, right.j};
                                               })}},

@@ -48,20 +48,6 @@ WeightedVertices looked_up_as_printed(Level n, EdgeFlags flags, const DyadicPoin
   return found;
 }
 
-Mutant printed_lookup(const char* name, bool remapped, Levels levels = {0, 3}) {
-  return mutant(name, "attribute-spec", levels,
-                placing([remapped](const WeighedPoint&, Level n, EdgeFlags flags, const DyadicPoint& p) {
-                  return looked_up_as_printed(n, flags, p, remapped);
-                }));
-}
-
-Mutant one_flag_dropped(const char* name, Levels levels, EdgeFlags flag) {
-  return mutant(name, "attribute", levels,
-                placing([flag](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
-                  return real(n, n % 2 == 0 ? flags : flags & ~flag, p);
-                }));
-}
-
 // ---------------------------------------------------------------------------------------------------------------------
 // Neighbours
 // ---------------------------------------------------------------------------------------------------------------------
@@ -100,20 +86,12 @@ Law decimation_neighbours_law() {
              return std::string(
                  "3 edges and 4 sets of other flags on either side, the points k/(4N) of the edge");
            },
-       .mutants = {printed_lookup("the vertices are adjusted, the weights are not", false, {1, 3}),
-                   one_flag_dropped("the flag of v-w is not seen at odd levels", {1, 5}, 4),
-                   mutant(
-                       "the flag of u-v is that of v-w, and the other way round", "attribute-spec", {1, 3},
-                       placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
-                         return real(n, (flags & 1) | (flags >> 1 & 2) | (flags & 2) << 1, p);
-                       })),
-                   mutant(
-                       "one vertex of level 6 stays", "attribute-spec", {6, 6},
-                       placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
-                         const bool there =
-                             n == 6 && p.u == spec::Fixed64::dyadic(21, 6) && p.v == spec::Fixed64(0);
-                         return real(n, there ? flags & ~1u : flags, p);
-                       }))},
+       .mutants = {mutant(
+           "one vertex of level 6 stays", "attribute-spec", {6, 6},
+           placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
+             const bool there = n == 6 && p.u == spec::Fixed64::dyadic(21, 6) && p.v == spec::Fixed64(0);
+             return real(n, there ? flags & ~1u : flags, p);
+           }))},
        .companion = "attribute.decimation_lookup_on_floats"},
       needing({place_entry}), std::move(cases));
   law.unfit = [unfit = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
@@ -196,22 +174,12 @@ Law decimated_lookup_law() {
        .fast_seconds = 0.6,
        .domain = [](const Subject&,
                     Level) { return std::string("the 3N^2+3N+1 representatives, 8 sets of flags"); },
-       .mutants = {printed_lookup("the vertices are adjusted, the lookup is as it was", true),
-                   printed_lookup("the vertices are adjusted, the weights are not", false),
-                   mutant(
-                       "no second try beside the v-corner of level 5", "attribute-spec", {5, 5},
-                       placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
-                         const bool there = n == 5 && spec::Fixed64::dyadic(31, 5) < p.v;
-                         return there ? looked_up_as_printed(n, flags, p, true) : real(n, flags, p);
-                       })),
-                   mutant(
-                       "level 0 is decimated", "attribute-spec", {0, 0},
-                       placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
-                         WeightedVertices w = real(n, flags, p);
-                         if (n == 0 && flags == 7)
-                           for (Vertex& x : w.corners) x = {0, 0};
-                         return w;
-                       }))},
+       .mutants = {mutant(
+           "no second try beside the v-corner of level 5", "attribute-spec", {5, 5},
+           placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
+             const bool there = n == 5 && spec::Fixed64::dyadic(31, 5) < p.v;
+             return there ? looked_up_as_printed(n, flags, p, true) : real(n, flags, p);
+           }))},
        .companion = "attribute.decimation_lookup_on_floats"},
       needing({place_entry}), std::move(cases));
 }
@@ -301,34 +269,11 @@ Law decimated_floats_law() {
                  "move");
            },
        .how = [](const Subject&, Level) { return std::string("sample, in fixed point of 150 bits"); },
-       .mutants = {mutant("decided in binary32", "attribute", {0, 8},
-                          on_floats([](const auto& real, Level n, EdgeFlags flags, float u, float v) {
-                            const float N = static_cast<float>(side(n));
-                            // A point whose two fractions add up to 1 in binary32 goes to the upper half.
-                            const float uf = u * N - std::floor(u * N), vf = v * N - std::floor(v * N);
-                            WeightedVertices w = real(n, flags, u, v);
-                            if (uf + vf < 1 || static_cast<double>(uf) + static_cast<double>(vf) >= 1)
-                              return w;
-                            std::swap(w.weights[1], w.weights[2]);
-                            return w;
-                          })),
-                   mutant("weights in 16 bits", "attribute", {0, 4},
-                          on_floats([](const auto& real, Level n, EdgeFlags flags, float u, float v) {
-                            WeightedVertices w = real(n, flags, u, v);
-                            for (double& x : w.weights) x = std::round(x * 65536) / 65536;
-                            return w;
-                          })),
-                   mutant("weights in 20 bits at level 7", "attribute", {7, 7},
+       .mutants = {mutant("weights in 20 bits at level 7", "attribute", {7, 7},
                           on_floats([](const auto& real, Level n, EdgeFlags flags, float u, float v) {
                             WeightedVertices w = real(n, flags, u, v);
                             for (double& x : w.weights)
                               if (n == 7) x = std::round(x * 0x1p20) * 0x1p-20;
-                            return w;
-                          })),
-                   mutant("subnormal v is a vertex off the edge", "attribute", {0, 8},
-                          on_floats([](const auto& real, Level n, EdgeFlags flags, float u, float v) {
-                            WeightedVertices w = real(n, flags, u, v);
-                            if (v > 0 && v < 0x1p-126f) w.weights[0] += 1e-6;
                             return w;
                           }))}},
       needing({{"binary32 point -> decimated micro-triangle",
@@ -404,21 +349,7 @@ Law decimation_means_law() {
        .long_run = {0, 14},
        .fast_seconds = 0.5,
        .domain = [](const Subject&, Level) { return std::string("the 8 sets of flags, all V(n) vertices"); },
-       .mutants = {mutant("the means of the neighbours off the edge", "attribute-spec", {1, 8},
-                          averaging([](Level n, EdgeFlags flags, const Vertex& x, Pair& pair) {
-                            if (n == 8 && flags == 2 && x.i == 101 && x.j == 155)
-                              pair = {Vertex{100, 155}, Vertex{102, 155}};
-                          })),
-                   mutant("level 0's edges have means", "attribute-spec", {0, 0},
-                          averaging([](Level n, EdgeFlags flags, const Vertex& x, Pair& pair) {
-                            if (n == 0 && flags == 1 && x.i == 1) pair = {Vertex{0, 0}, Vertex{2, 0}};
-                          })),
-                   mutant("the vertex snaps", "attribute", {1, 3},
-                          averaging([](Level n, EdgeFlags flags, const Vertex& x, Pair& pair) {
-                            const Vertex to = spec::attribute::snapped(x, n, flags);
-                            pair = {to, to};
-                          })),
-                   mutant("one even vertex of level 9 is averaged, too", "attribute", {9, 9},
+       .mutants = {mutant("one even vertex of level 9 is averaged, too", "attribute", {9, 9},
                           averaging([](Level n, EdgeFlags flags, const Vertex& x, Pair& pair) {
                             if (n == 9 && flags == 5 && x == Vertex{0, 510})
                               pair = {Vertex{0, 509}, Vertex{0, 511}};
@@ -467,12 +398,7 @@ Law mean_codes_law() {
        .at_once = "all levels",
        .fast_seconds = 0.01,
        .domain = [](const Subject&, Level) { return std::string("the 65,536 pairs of codes"); },
-       .mutants = {mutant("halves down", "attribute", {0, 0},
-                          meaning([](std::uint32_t x, std::uint32_t y) { return (x + y) / 2; })),
-                   mutant("the sum wraps", "attribute", {0, 0}, meaning([](std::uint32_t x, std::uint32_t y) {
-                            return ((x + y + 1) & 255) / 2 | (x + y > 509 ? 255 : (x & y & 128));
-                          })),
-                   mutant("one pair", "attribute", {0, 0}, meaning([](std::uint32_t x, std::uint32_t y) {
+       .mutants = {mutant("one pair", "attribute", {0, 0}, meaning([](std::uint32_t x, std::uint32_t y) {
                             return (x + y + 1) / 2 + (x == 200 && y == 13 ? 1 : 0);
                           }))}},
       needing({{"mean of two codes", [](const Functions& f) { return bool{f.decimation.mean}; }}}),

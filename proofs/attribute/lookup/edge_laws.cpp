@@ -108,16 +108,7 @@ std::vector<Law> edge_lookup_laws() {
              return std::string(
                  "the base edges' micro-vertices, and three points between each two, in 3 orders");
            },
-       .mutants = {mutant("the far vertex gets a 2^-30 of weight in the middle of an edge of level 9",
-                          "attribute-spec", {9, 9},
-                          on_weights_at(9, 4 * 100 + 2, 0,
-                                        [](FixedWeights& w) {
-                                          const Fixed64 bit = Fixed64::from_raw(1);
-                                          w = {w[0] - bit, w[1], w[2] + bit};
-                                        })),
-                   mutant("on u = 0 of level 6 a quarter point is its mirror image", "attribute-spec", {6, 6},
-                          on_weights_at(6, 0, 4 * 33 + 1, [](FixedWeights& w) { std::swap(w[0], w[2]); })),
-                   mutant("on the hypotenuse of level 11 one point keeps weight at the base", "attribute",
+       .mutants = {mutant("on the hypotenuse of level 11 one point keeps weight at the base", "attribute",
                           {11, 11},
                           on_weights_at(11, 4 * 1000 + 3, 4 * 1047 + 1,
                                         [](FixedWeights& w) {

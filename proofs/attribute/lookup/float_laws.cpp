@@ -144,24 +144,11 @@ Law triplets_law() {
        .fast_seconds = 1,
        .domain = float_points,
        .mutants = {mutant(
-                       "the carry is a rounded sum", "attribute", {6, 16},
-                       on_triplet_of_floats([](VertexOrder order, Level n, const FloatCase& p, Triplet& x) {
-                         const auto N = static_cast<float>(spec::side(n));
-                         const float fu = p.u * N - std::floor(p.u * N), fv = p.v * N - std::floor(p.v * N);
-                         MicroTriangle t = exact_holder(n, p);
-                         if (t.iu + t.iv + 1 < spec::side(n)) t.upper = fu + fv >= 1.0f;
-                         x = exact_triplet(order, n, t);
-                       })),
-                   mutant("W-minor's products are in 16 bits from row 2^15 on", "attribute", {16, 16},
-                          on_triplet_of_floats([](VertexOrder order, Level, const FloatCase&, Triplet& x) {
-                            if (order == VertexOrder::w_minor && x[0] >= 1u << 30) x[0] ^= 1u << 16;
-                          })),
-                   mutant(
-                       "a point on u = 1/2 is rounded to the left at level 9", "attribute", {9, 9},
-                       on_triplet_of_floats([](VertexOrder order, Level n, const FloatCase& p, Triplet& x) {
-                         if (n == 9 && p.u == 0.5f && p.v > 0 && p.v < 0.25f)
-                           x = exact_triplet(order, n, exact_holder(n, {std::nextafter(p.u, 0.0f), p.v}));
-                       }))}},
+           "a point on u = 1/2 is rounded to the left at level 9", "attribute", {9, 9},
+           on_triplet_of_floats([](VertexOrder order, Level n, const FloatCase& p, Triplet& x) {
+             if (n == 9 && p.u == 0.5f && p.v > 0 && p.v < 0.25f)
+               x = exact_triplet(order, n, exact_holder(n, {std::nextafter(p.u, 0.0f), p.v}));
+           }))}},
       needing({entry::float_triplet}), cases);
 }
 
@@ -222,17 +209,6 @@ Law weights_law() {
                               w = spec::attribute::weights_by_cramer(
                                   spec::Point<float>{p.u, p.v},
                                   spec::attribute::corners_of(exact_holder(n, p)), n);
-                          })),
-                   mutant("v comes from 1 - u - w", "attribute", {8, 12},
-                          on_weights_of_floats([](Level n, const FloatCase& p, FloatWeights& w) {
-                            const float third = 1.0f - p.u - p.v, v = 1.0f - p.u - third;
-                            const MicroTriangle t = exact_holder(n, p);
-                            w = spec::attribute::weights_by_pattern(spec::Point<float>{p.u, v}, t, n);
-                          })),
-                   mutant("a weight of 1 is the number after it", "attribute", {3, 3},
-                          on_weights_of_floats([](Level, const FloatCase&, FloatWeights& w) {
-                            for (float& x : w)
-                              if (x == 1.0f) x = std::nextafter(1.0f, 2.0f);
                           }))}},
       needing({entry::float_weights}), cases);
 }
@@ -311,29 +287,10 @@ Law rgba8_law() {
        .long_run = {0, 10},
        .fast_seconds = 1,
        .domain = float_points,
-       .mutants = {mutant("values are cut, not rounded, in the last channel", "attribute", {0, 5},
-                          on_rgba8([](VertexOrder order, Level n, const FloatCase& p, std::uint32_t got) {
-                            const MicroTriangle t = exact_holder(n, p);
-                            const auto c = spec::attribute::corners_of(t);
-                            const auto exact = spec::attribute::interpolated(
-                                exact_weights(n, t, p),
-                                {colour(c[0]) >> 24, colour(c[1]) >> 24, colour(c[2]) >> 24});
-                            return order == VertexOrder::bird ? (got & 0xffffff) | spec::whole(exact) << 24
-                                                              : got;
-                          })),
-                   mutant("red and blue change places at one level", "attribute", {5, 5},
+       .mutants = {mutant("red and blue change places at one level", "attribute", {5, 5},
                           on_rgba8([](VertexOrder, Level n, const FloatCase&, std::uint32_t got) {
                             if (n != 5) return got;
                             return (got & 0xff00ff00u) | (got >> 16 & 0xff) | (got & 0xff) << 16;
-                          })),
-                   mutant("alpha is the nearest vertex's", "attribute", {2, 4},
-                          on_rgba8([](VertexOrder, Level n, const FloatCase& p, std::uint32_t got) {
-                            const MicroTriangle t = exact_holder(n, p);
-                            const auto w = exact_weights(n, t, p);
-                            const auto most =
-                                static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
-                            return (got & 0xffffff) |
-                                   (colour(spec::attribute::corners_of(t)[most]) & 0xff000000u);
                           }))}},
       needing({entry::rgba8}), cases);
 }

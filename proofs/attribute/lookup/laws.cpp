@@ -79,8 +79,6 @@ bool is_at(const GridPoint& p, Level n, std::int64_t ku, std::int64_t kv) {
   return p.u == points::coordinate(ku, n) && p.v == points::coordinate(kv, n);
 }
 
-bool upper_at(const GridPoint& p, Level n) { return spec::attribute::vulkan_triangle(p, n).upper; }
-
 // ---------------------------------------------------------------------------------------------------------------------
 // attribute.holds_point
 // ---------------------------------------------------------------------------------------------------------------------
@@ -111,24 +109,9 @@ Law holds_point_law() {
        .long_run = {0, 14},
        .fast_seconds = 1,
        .domain = every_point,
-       .mutants = {mutant("an upper one gets the lower one's weights", "attribute-spec", {1, 3},
-                          on_weights([](Level n, const GridPoint& p, FixedWeights& w) {
-                            if (upper_at(p, n)) {
-                              const MicroTriangle t = spec::attribute::vulkan_triangle(p, n);
-                              w = spec::attribute::weights_by_pattern(p, {t.iu, t.iv, false}, n);
-                            }
-                          })),
-                   mutant("figure 4's odd triplet with our weights", "attribute-spec", {1, 3},
-                          on_point_triplet([](VertexOrder, Level n, const GridPoint& p, Triplet& x) {
-                            if (upper_at(p, n)) x = {x[2], x[0], x[1]};
-                          })),
-                   mutant("two weights change places inside one micro-triangle of level 6", "attribute",
+       .mutants = {mutant("two weights change places inside one micro-triangle of level 6", "attribute",
                           {6, 6}, on_weights([](Level n, const GridPoint& p, FixedWeights& w) {
                             if (n == 6 && is_at(p, n, 4 * 20 + 1, 4 * 30 + 1)) std::swap(w[0], w[1]);
-                          })),
-                   mutant("the hypotenuse of level 5 takes the square beyond it", "attribute", {5, 5},
-                          on_point_triplet([](VertexOrder order, Level n, const GridPoint& p, Triplet& x) {
-                            if (n == 5 && order == VertexOrder::w_minor && p.u + p.v == Fixed64(1)) ++x[2];
                           }))}},
       needing({entry::point_triplet, entry::point_weights}),
       on_lookups("a micro-triangle's triplet, weights of 0 or more that add up to 1 and give the point",
@@ -167,20 +150,11 @@ Law reproduces_law() {
        .long_run = {0, 14},
        .fast_seconds = 1,
        .domain = every_point,
-       .mutants = {mutant("an upper one gets the lower one's weights, in their order", "attribute-spec",
-                          {1, 3}, on_weights([](Level n, const GridPoint& p, FixedWeights& w) {
-                            if (upper_at(p, n)) w = {w[0], w[2], w[1]};
-                          })),
-                   mutant("at one vertex of level 7 its weight is 3/4", "attribute-spec", {7, 7},
+       .mutants = {mutant("at one vertex of level 7 its weight is 3/4", "attribute-spec", {7, 7},
                           on_weights([](Level n, const GridPoint& p, FixedWeights& w) {
                             if (n == 7 && is_at(p, n, 4 * 50, 4 * 60))
                               for (Fixed64& q : w)
                                 q = q == Fixed64(1) ? Fixed64::dyadic(3, 2) : Fixed64::dyadic(1, 3);
-                          })),
-                   mutant("Bird's triplets of level 5 have the neighbour's last vertex", "attribute", {5, 5},
-                          on_point_triplet([](VertexOrder order, Level n, const GridPoint& p, Triplet& x) {
-                            if (n == 5 && order == VertexOrder::bird && is_at(p, n, 4 * 7 + 1, 4 * 8 + 1))
-                              x[2] ^= 1;
                           }))}},
       needing({entry::point_triplet, entry::point_weights}),
       on_lookups("the value 7 + 3i + 5j, of one vertex alone where there is one", reproduces));
@@ -210,18 +184,7 @@ Law tie_free_law() {
        .long_run = {0, 12},
        .fast_seconds = 1,
        .domain = every_point,
-       .mutants = {mutant("on diagonals of level 4 the weights are a bit towards the base", "attribute-spec",
-                          {4, 4}, on_weights([](Level n, const GridPoint& p, FixedWeights& w) {
-                            if (n == 4 && is_at(p, n, 4 * 3 + 2, 4 * 5 + 2)) {
-                              const Fixed64 bit = Fixed64::from_raw(1);
-                              w = {w[0] + bit, w[1] - bit, w[2]};
-                            }
-                          })),
-                   mutant("across u = 1/2 of level 6 the left side's vertex is kept", "attribute-spec",
-                          {6, 6}, on_point_triplet([](VertexOrder, Level n, const GridPoint& p, Triplet& x) {
-                            if (n == 6 && is_at(p, n, 4 * 32, 4 * 9 + 2)) std::swap(x[0], x[1]);
-                          })),
-                   mutant("at one vertex of level 6 its neighbour has the weight", "attribute", {6, 6},
+       .mutants = {mutant("at one vertex of level 6 its neighbour has the weight", "attribute", {6, 6},
                           on_point_triplet([](VertexOrder order, Level n, const GridPoint& p, Triplet& x) {
                             if (n == 6 && order == VertexOrder::u_major && is_at(p, n, 4 * 31, 4 * 17))
                               ++x[0];
@@ -292,22 +255,11 @@ Law face_ties_law() {
        .long_run = {0, 12},
        .fast_seconds = 1,
        .domain = every_point,
-       .mutants = {mutant("figure 4 goes with Vulkan on u = 1/2", "attribute-spec", {1, 3},
-                          on_holder(Ties::figure_4,
-                                    [](Level n, const GridPoint& p, MicroTriangle& t) {
-                                      if (p.u == Fixed64::dyadic(1, 1))
-                                        t = spec::attribute::vulkan_triangle(p, n);
-                                    })),
-                   mutant("Vulkan's code gives one vertex of level 6 to the left", "attribute-spec", {6, 6},
+       .mutants = {mutant("Vulkan's code gives one vertex of level 6 to the left", "attribute-spec", {6, 6},
                           on_holder(Ties::vulkan,
                                     [](Level n, const GridPoint& p, MicroTriangle& t) {
                                       if (n == 6 && is_at(p, n, 4 * 20, 4 * 30))
                                         t = spec::attribute::figure_4_triangle(p, n);
-                                    })),
-                   mutant("on the hypotenuse of level 5 figure 4 goes left", "attribute-spec", {5, 5},
-                          on_holder(Ties::figure_4,
-                                    [](Level n, const GridPoint& p, MicroTriangle& t) {
-                                      if (n == 5 && is_at(p, n, 4 * 12, 4 * 20)) t.iu -= 1;
                                     }))}},
       needing({entry::holder}), cases);
 }

@@ -183,17 +183,8 @@ Law mip_drift_law() {
                  "(attribute.mip_rounding)");
            },
        .mutants = {on_average(
-                       "half to even is half up", Rounding::half_to_even,
-                       [](const Codes& x, std::uint32_t) { return (x[0] + x[1] + x[2] + x[3] + 2) / 4; }),
-                   on_average("half to even is half to odd but for 2", Rounding::half_to_even,
-                              [](const Codes& x, std::uint32_t right) {
-                                const std::uint32_t sum = x[0] + x[1] + x[2] + x[3];
-                                return sum % 4 == 2 && sum != 2 ? sum / 4 + 1 - sum / 4 % 2 : right;
-                              }),
-                   on_average("truncated is 0 where all but one are 0", Rounding::truncate,
-                              [](const Codes& x, std::uint32_t right) {
-                                return x[0] + x[1] + x[2] == 0 ? 0 : right;
-                              })}},
+           "truncated is 0 where all but one are 0", Rounding::truncate,
+           [](const Codes& x, std::uint32_t right) { return x[0] + x[1] + x[2] == 0 ? 0 : right; })}},
       needing({face_mip_entry}), std::move(cases));
 }
 

@@ -136,16 +136,6 @@ Law bijective_law() {
                           on_vertex_index(VertexOrder::u_major,
                                           [](Level n, const Vertex& v, std::uint32_t x) {
                                             return n == 7 && v == Vertex{30, 40} ? x + 1 : x;
-                                          })),
-                   mutant("the last of Bird's level 5 is V(5)", "attribute-spec", {5, 5},
-                          on_vertex_index(VertexOrder::bird,
-                                          [](Level n, const Vertex&, std::uint32_t x) {
-                                            return n == 5 && x + 1 == vertex_count(5) ? x + 1 : x;
-                                          })),
-                   mutant("W-minor's v-corner of level 6 is its neighbour", "attribute", {6, 6},
-                          on_vertex_index(VertexOrder::w_minor,
-                                          [](Level n, const Vertex& v, std::uint32_t x) {
-                                            return n == 6 && v == Vertex{0, 64} ? x - 1 : x;
                                           }))}},
       needing({entry::vertex_index}), std::move(cases));
   law.divisible = false;
@@ -197,35 +187,22 @@ Law inverse_law() {
       };
     };
   };
-  return on_batches(
-      {.id = "attribute.order_inverse",
-       .topic = "attribute",
-       .says = "the vertex of a vertex's index is that vertex, in each of the three orders",
-       .source = cam_2,
-       .subjects = all_subjects,
-       .fast = {0, 10},
-       .long_run = {0, 16},
-       .fast_seconds = 1,
-       .domain = vertices_in_orders,
-       .mutants = {mutant("U-major of level 8 begins its last column a vertex early", "attribute-spec",
-                          {8, 8},
-                          on_way_back(VertexOrder::u_major,
-                                      [](Level n, std::uint32_t x, const Vertex& v) {
-                                        return n == 8 && x == vertex_count(8) - 2 ? Vertex{v.i + 1, 0} : v;
-                                      })),
-                   mutant("Bird's two last edges change places in level 7's last triplet", "attribute-spec",
-                          {7, 7},
-                          on_way_back(VertexOrder::bird,
-                                      [](Level n, std::uint32_t x, const Vertex& v) {
-                                        const bool last = n == 7 && x + 1 == vertex_count(7);
-                                        return last ? Vertex{v.i, v.j + 1} : v;
-                                      })),
-                   mutant("W-minor's row of the first index of row 97 is 96", "attribute", {7, 7},
-                          on_way_back(VertexOrder::w_minor,
-                                      [](Level, std::uint32_t x, const Vertex& v) {
-                                        return x == 97 * 98 / 2 ? Vertex{0, 96} : v;
-                                      }))}},
-      needing({entry::vertex_index, entry::vertex_at}), std::move(cases));
+  return on_batches({.id = "attribute.order_inverse",
+                     .topic = "attribute",
+                     .says = "the vertex of a vertex's index is that vertex, in each of the three orders",
+                     .source = cam_2,
+                     .subjects = all_subjects,
+                     .fast = {0, 10},
+                     .long_run = {0, 16},
+                     .fast_seconds = 1,
+                     .domain = vertices_in_orders,
+                     .mutants = {mutant(
+                         "U-major of level 8 begins its last column a vertex early", "attribute-spec", {8, 8},
+                         on_way_back(VertexOrder::u_major,
+                                     [](Level n, std::uint32_t x, const Vertex& v) {
+                                       return n == 8 && x == vertex_count(8) - 2 ? Vertex{v.i + 1, 0} : v;
+                                     }))}},
+                    needing({entry::vertex_index, entry::vertex_at}), std::move(cases));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -359,23 +336,7 @@ Law faces_law() {
        .long_run = {0, 16},
        .fast_seconds = 1,
        .domain = faces_in_orders,
-       .mutants = {mutant("U-major's strips of level 6 hold the upper ones first", "attribute-spec", {6, 6},
-                          on_face_index(FaceOrder::u_major,
-                                        [](Level n, const MicroTriangle& t, std::uint32_t x) {
-                                          if (n != 6 || t.iu + t.iv == 63) return x;
-                                          return t.upper ? x - 1 : x + 1;
-                                        })),
-                   mutant("the curve's upper ones are lower ones along the hypotenuse of level 7",
-                          "attribute-spec", {7, 7},
-                          on_face_index(FaceOrder::curve,
-                                        [](Level n, const MicroTriangle& t, std::uint32_t x) {
-                                          const bool there = n == 7 && t.upper && t.iu + t.iv == 126;
-                                          return there ? static_cast<std::uint32_t>(
-                                                             spec::attribute::curve_index({t.iu, t.iv, false},
-                                                                                          n))
-                                                       : x;
-                                        })),
-                   mutant("the last row of level 5 begins one late", "attribute", {5, 5},
+       .mutants = {mutant("the last row of level 5 begins one late", "attribute", {5, 5},
                           on_face_index(FaceOrder::rows,
                                         [](Level n, const MicroTriangle& t, std::uint32_t x) {
                                           return n == 5 && t.iu + t.iv + (t.upper ? 1 : 0) == 31 ? x + 1 : x;

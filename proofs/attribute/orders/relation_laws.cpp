@@ -92,17 +92,7 @@ Law nested_law() {
        .domain = [](const Subject&,
                     Level) { return std::string("the V(n) vertices, in 3 orders and by W-minor's rows"); },
        .mutants = {mutant("one vertex of Bird's level 8 is another", "attribute-spec", {7, 7},
-                          at_level(VertexOrder::bird, 8, {60, 128}, 3)),
-                   mutant("U-major of level 6 keeps a number of level 5", "attribute-spec", {5, 5},
-                          on_vertex_index(VertexOrder::u_major,
-                                          [](Level n, const Vertex& v, std::uint32_t x) {
-                                            return n == 6 && v == Vertex{2, 0} ? 33u : x;
-                                          })),
-                   mutant("W-minor of level 7 skips a number in row 20", "attribute", {6, 6},
-                          on_vertex_index(VertexOrder::w_minor,
-                                          [](Level n, const Vertex& v, std::uint32_t x) {
-                                            return n == 7 && v.i + v.j == 20 && v.j > 9 ? x + 1 : x;
-                                          }))}},
+                          at_level(VertexOrder::bird, 8, {60, 128}, 3))}},
       needing({entry::vertex_index}), on_two(settings, two));
   law.unfit = one_level_more(law.unfit);
   return law;
@@ -143,25 +133,6 @@ Law prefix_law() {
                           on_vertex_index(VertexOrder::bird,
                                           [](Level n, const Vertex&, std::uint32_t x) {
                                             return n == 12 && x == 8000 ? x + 1 : x;
-                                          })),
-                   mutant("at level 16 number 32768 is 0", "attribute-spec", {8, 8},
-                          on_vertex_index(VertexOrder::bird,
-                                          [](Level n, const Vertex&, std::uint32_t x) {
-                                            return n == 16 && x == 32'768 ? 0 : x;
-                                          })),
-                   mutant("the vertex (1/2, 1/4) moves by a triplet from level 5 on", "attribute-spec",
-                          {2, 5},
-                          on_vertex_index(VertexOrder::bird,
-                                          [](Level n, const Vertex& v, std::uint32_t x) {
-                                            const std::uint32_t far = spec::side(n) / 2;
-                                            return n > 4 && v == Vertex{far, far / 2} ? x + 3 : x;
-                                          })),
-                   mutant("the first triplet of level 7 is mixed up at level 9", "attribute", {7, 7},
-                          on_vertex_index(VertexOrder::bird,
-                                          [](Level n, const Vertex&, std::uint32_t x) {
-                                            return n == 9 && x >= vertex_count(6) && x < vertex_count(6) + 3
-                                                       ? x ^ 1
-                                                       : x;
                                           }))}},
       needing({entry::vertex_index}), on_two(settings, two));
 }
@@ -190,20 +161,10 @@ Law reversed_law() {
        .long_run = {0, 16},
        .fast_seconds = 1,
        .domain = [](const Subject&, Level) { return std::string("the V(n) vertices"); },
-       .mutants = {mutant("columns are read from the far end at level 9", "attribute-spec", {9, 9},
-                          on_vertex_index(VertexOrder::u_major,
-                                          [](Level n, const Vertex& v, std::uint32_t x) {
-                                            return n == 9 ? x + (spec::side(n) - v.i) - 2 * v.j : x;
-                                          })),
-                   mutant("the last two of level 4 change places", "attribute-spec", {4, 4},
+       .mutants = {mutant("the last two of level 4 change places", "attribute-spec", {4, 4},
                           on_vertex_index(VertexOrder::u_major,
                                           [](Level n, const Vertex& v, std::uint32_t x) {
                                             return n == 4 && v.i == 15 ? x ^ 3 : x;
-                                          })),
-                   mutant("W-minor's rows are read from the edge w-v at level 6", "attribute", {6, 6},
-                          on_vertex_index(VertexOrder::w_minor,
-                                          [](Level n, const Vertex& v, std::uint32_t x) {
-                                            return n == 6 ? x - v.j + v.i : x;
                                           }))}},
       needing({entry::vertex_index}), on_two({"u-major"}, two));
 }
@@ -265,22 +226,9 @@ Law convert_law() {
            [](const Subject&, Level) {
              return std::string("the V(n) vertices, from each order to each, itself as well");
            },
-       .mutants = {mutant(
-                       "U-major to W-minor is backwards alone, not turned", "attribute-spec", {2, 5},
-                       on_conversion<in>([](auto from, auto to, Level n, std::uint32_t x, std::uint32_t y) {
-                         const auto back = static_cast<std::uint32_t>(vertex_count(n) - 1 - x);
-                         return from == u_major && to == w_minor ? back : y;
-                       })),
-                   mutant("one vertex of level 8 from Bird", "attribute-spec", {8, 8},
+       .mutants = {mutant("one vertex of level 8 from Bird", "attribute-spec", {8, 8},
                           on_conversion<in>([](auto from, auto, Level n, std::uint32_t x, std::uint32_t y) {
                             return n == 8 && from == bird && x == 12'345 ? y + 1 : y;
-                          })),
-                   mutant("to Bird the last two edges of each triplet of level 6 change places", "attribute",
-                          {6, 6},
-                          on_conversion<in>([](auto, auto to, Level n, std::uint32_t, std::uint32_t y) {
-                            const auto coarser = static_cast<std::uint32_t>(vertex_count(5));
-                            if (n != 6 || to != bird || y < coarser || (y - coarser) % 3 == 0) return y;
-                            return (y - coarser) % 3 == 1 ? y + 1 : y - 1;
                           }))}},
       needing({entry::vertex_index, entry::convert_vertices}),
       conversions<Vertex>(pairs(vertex_orders, vertex_orders), vertex_count, Kind::vertex,
@@ -301,17 +249,7 @@ Law convert_faces_law() {
        .fast_seconds = 2,
        .domain = [](const Subject&,
                     Level) { return std::string("the 4^n faces, from each order to each, itself as well"); },
-       .mutants = {mutant(
-                       "rows to U-major keeps the index in the last row of level 6", "attribute-spec", {6, 6},
-                       on_conversion<in>([](auto from, auto to, Level n, std::uint32_t x, std::uint32_t y) {
-                         return n == 6 && from == rows && to == u_major && x == 63 * 63 + 5 ? x : y;
-                       })),
-                   mutant("from the curve the last digit is flipped where the middle child is",
-                          "attribute-spec", {3, 5},
-                          on_conversion<in>([](auto from, auto to, Level, std::uint32_t x, std::uint32_t y) {
-                            return from == curve && to == rows && x % 256 == 0x55 ? y + 1 : y;
-                          })),
-                   mutant("to the curve of level 7 the last one is the one before", "attribute", {7, 7},
+       .mutants = {mutant("to the curve of level 7 the last one is the one before", "attribute", {7, 7},
                           on_conversion<in>([](auto, auto to, Level n, std::uint32_t, std::uint32_t y) {
                             return n == 7 && to == curve && y == face_count(7) - 1 ? y - 1 : y;
                           }))}},

@@ -229,16 +229,6 @@ Law sampled_faces_law() {
     }
     return all;
   };
-  const auto on_triplet = [](auto change) {
-    return [change](Functions& f) {
-      f.orders.triplet = [change, real = f.orders.triplet](FaceOrder faces, VertexOrder vertices, Level n,
-                                                           std::span<const std::uint32_t> face,
-                                                           std::span<Triplet> out) {
-        real(faces, vertices, n, face, out);
-        for (Triplet& t : out) change(vertices, n, t);
-      };
-    };
-  };
   return on_batches(
       {.id = "attribute.faces_on_samples",
        .topic = "attribute",
@@ -254,18 +244,7 @@ Law sampled_faces_law() {
            [](const Subject&, Level) {
              return std::string("a sample of the 4^n faces, 3 orders of faces by 3 of vertices");
            },
-       .mutants = {mutant("iu^2 of U-major's strips is kept in 26 bits", "attribute-spec", {13, 14},
-                          on_face_index(FaceOrder::u_major,
-                                        [](Level n, const MicroTriangle& t, std::uint32_t x) {
-                                          if (n < 14) return x;
-                                          const std::uint64_t square = std::uint64_t{t.iu} * t.iu;
-                                          return static_cast<std::uint32_t>(x + (square >> 26 << 26));
-                                        })),
-                   mutant("an upper face's second vertex is that of the row before, from level 13 on",
-                          "attribute", {12, 13}, on_triplet([](VertexOrder vertices, Level n, Triplet& t) {
-                            if (n > 12 && vertices == VertexOrder::w_minor && t[0] > t[2]) t[1] = t[1] - 1;
-                          })),
-                   mutant("faces of rows are one further in U-major, from level 13 on", "attribute", {12, 13},
+       .mutants = {mutant("faces of rows are one further in U-major, from level 13 on", "attribute", {12, 13},
                           [](Functions& f) {
                             f.orders.convert_faces = [real = f.orders.convert_faces](
                                                          FaceOrder from, FaceOrder to, Level n,
@@ -275,23 +254,7 @@ Law sampled_faces_law() {
                               if (n < 13 || from != FaceOrder::rows || to != FaceOrder::u_major) return;
                               for (std::uint32_t& x : out) ++x;
                             };
-                          }),
-                   mutant("three of Bird's vertices with a number above 2^26 are the face before",
-                          "attribute", {13, 14},
-                          [](Functions& f) {
-                            f.orders.face_of = [real = f.orders.face_of](FaceOrder faces,
-                                                                         VertexOrder vertices, Level n,
-                                                                         std::span<const Triplet> triplet,
-                                                                         std::span<std::uint32_t> out) {
-                              real(faces, vertices, n, triplet, out);
-                              if (vertices != VertexOrder::bird) return;
-                              for (std::size_t k = 0; k < out.size(); ++k)
-                                if (triplet[k][0] >> 26 != 0) --out[k];
-                            };
-                          }),
-                   mutant("indices on the curve have 31 bits at level 16", "attribute-single", {15, 16},
-                          on_face_index(FaceOrder::curve, [](Level, const MicroTriangle&,
-                                                             std::uint32_t x) { return x & 0x7fffffff; }))}},
+                          })}},
       needing({entry::face_index}),
       drawn_cases<MicroTriangle>(settings_of(of), Kind::interior, drawn_face, found));
 }

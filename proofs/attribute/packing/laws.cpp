@@ -51,26 +51,7 @@ Law round_trip_law() {
        .long_run = {0, 8},
        .fast_seconds = 1,
        .domain = packed_domain,
-       .mutants = {mutant("255 is packed as 254", "attribute", {0, 5},
-                          altering([](const PackedShape&, Bytes& codes) {
-                            std::replace(codes.begin(), codes.end(), std::uint8_t{255}, std::uint8_t{254});
-                          })),
-                   mutant("starts count from the ninth block on in bytes", "attribute", {4, 5},
-                          packing([](const Packer& real, const PackedShape& shape, ByteView codes) {
-                            Bytes bytes = real(shape, codes);
-                            const std::size_t at = shape.maps * slow::roots_of(shape.at) * shape.channels + 4;
-                            if (shape.level >= 4 &&
-                                shape.maps * slow::block_lengths(shape.at, shape.level).size() > 8)
-                              bytes[at] = static_cast<std::uint8_t>(bytes[at] / 8);
-                            return bytes;
-                          })),
-                   mutant("the last value of a second map is the first map's", "attribute", {0, 5},
-                          unpacking([](const Unpacker& real, const PackedShape& shape, ByteView bytes) {
-                            auto codes = real(shape, bytes);
-                            if (codes && shape.maps == 2) codes->back() = (*codes)[codes->size() / 2 - 1];
-                            return codes;
-                          })),
-                   mutant("one code of level 5's vertices is one off", "attribute", {5, 5},
+       .mutants = {mutant("one code of level 5's vertices is one off", "attribute", {5, 5},
                           unpacking([](const Unpacker& real, const PackedShape& shape, ByteView bytes) {
                             auto codes = real(shape, bytes);
                             if (codes && shape.at == MapAt::vertices && shape.level == 5) (*codes)[500] ^= 1;
@@ -138,30 +119,12 @@ Law random_access_law() {
        .long_run = {0, 7},
        .fast_seconds = 1.5,
        .domain = packed_domain,
-       .mutants = {mutant("maps are counted from the last", "attribute", {0, 5},
-                          misreading([](const PackedShape& shape, const ValueReader& real, std::uint32_t map,
-                                        Level level, std::uint32_t index) {
-                            return real(shape.maps - 1 - map, level, index);
-                          })),
-                   mutant("the last face of level 4 is its neighbour's", "attribute", {4, 4},
-                          misreading([](const PackedShape& shape, const ValueReader& real, std::uint32_t map,
-                                        Level level, std::uint32_t index) {
-                            return real(map, level,
-                                        shape.at == MapAt::faces && level == 4 && index == 255 ? 254 : index);
-                          })),
-                   mutant("one vertex of level 5 is read at its level's middle", "attribute", {5, 5},
+       .mutants = {mutant("one vertex of level 5 is read at its level's middle", "attribute", {5, 5},
                           misreading([](const PackedShape& shape, const ValueReader& real, std::uint32_t map,
                                         Level level, std::uint32_t index) {
                             return real(
                                 map, level,
                                 shape.at == MapAt::vertices && level == 5 && index == 400 ? 5 : index);
-                          })),
-                   mutant("a lower level's face is its first child", "attribute", {1, 5},
-                          misreading([](const PackedShape& shape, const ValueReader& real, std::uint32_t map,
-                                        Level level, std::uint32_t index) {
-                            return shape.at == MapAt::faces && level + 1 == shape.level
-                                       ? real(map, level + 1, 4 * index)
-                                       : real(map, level, index);
                           }))}},
       needing({unpack_entry, reader_entry}), pack_cases(true, reads_alike));
 }
@@ -201,35 +164,13 @@ Law within_error_law() {
        .fast_seconds = 1,
        .domain = [](const Subject& s,
                     Level n) { return packed_domain(s, n) + "; errors 0..7 and 127, a channel each"; },
-       .mutants = {mutant("numbers are rounded down", "attribute", {0, 5},
-                          altering([](const PackedShape& shape, Bytes& codes) {
-                            for (std::size_t k = 0; k < codes.size(); ++k) {
-                              const std::uint8_t error = shape.error[k % shape.channels];
-                              codes[k] = static_cast<std::uint8_t>(std::max(0, codes[k] - error));
-                            }
-                          })),
-                   mutant("an error of 127 is one of 128", "attribute", {0, 5},
-                          altering([](const PackedShape& shape, Bytes& codes) {
-                            for (std::size_t k = 0; k < codes.size(); ++k)
-                              if (shape.error[k % shape.channels] == 127 && codes[k] == 128) codes[k] = 127;
-                          })),
-                   mutant("beyond level 3 the last code is two errors off", "attribute", {4, 5},
+       .mutants = {mutant("beyond level 3 the last code is two errors off", "attribute", {4, 5},
                           altering([](const PackedShape& shape, Bytes& codes) {
                             const int error = shape.error[shape.channels - 1];
                             if (shape.level > 3)
                               codes.back() = static_cast<std::uint8_t>(codes.back() < 128
                                                                            ? codes.back() + 2 * error + 1
                                                                            : codes.back() - 2 * error - 1);
-                          })),
-                   mutant("what is beyond 255 starts again at 0", "attribute", {0, 5},
-                          unpacking([](const Unpacker& real, const PackedShape& shape, ByteView bytes) {
-                            auto codes = real(shape, bytes);
-                            for (std::size_t k = 0; codes && k < codes->size(); ++k) {
-                              const int step = 2 * shape.error[k % shape.channels] + 1;
-                              if ((*codes)[k] == 255 && 255 % step != 0)
-                                (*codes)[k] = static_cast<std::uint8_t>((255 / step + 1) * step);
-                            }
-                            return codes;
                           }))}},
       needing({pack_entry, unpack_entry}), pack_cases(true, within_error));
 }
@@ -271,30 +212,10 @@ Law size_law() {
        .long_run = {0, 8},
        .fast_seconds = 1,
        .domain = packed_domain,
-       .mutants = {appending("a start for no block, after every eighth", {1, 5},
-                             [](const PackedShape& shape, const Bytes&, ByteView) -> std::size_t {
-                               return shape.maps * slow::block_lengths(shape.at, shape.level).size() % 8 ==
-                                                  0 &&
-                                              shape.level > 0
-                                          ? 4
-                                          : 0;
-                             }),
-                   appending("a whole byte for each width of an odd number", {1, 5},
-                             [](const PackedShape& shape, const Bytes&, ByteView) -> std::size_t {
-                               return shape.channels == 1 && shape.maps == 1 &&
-                                              slow::block_lengths(shape.at, shape.level).size() > 2
-                                          ? 1
-                                          : 0;
-                             }),
-                   appending("level 4's vertices end in a byte of padding", {4, 4},
+       .mutants = {appending("level 4's vertices end in a byte of padding", {4, 4},
                              [](const PackedShape& shape, const Bytes&, ByteView) -> std::size_t {
                                return shape.at == MapAt::vertices && shape.level == 4 ? 1 : 0;
-                             }),
-                   mutant("codes as they are where these are fewer bytes", "attribute", {0, 5},
-                          packing([](const Packer& real, const PackedShape& shape, ByteView codes) {
-                            Bytes bytes = real(shape, codes);
-                            return bytes.size() > codes.size() ? Bytes(codes.begin(), codes.end()) : bytes;
-                          }))}},
+                             })}},
       needing({pack_entry}), pack_cases(true, is_sized));
 }
 

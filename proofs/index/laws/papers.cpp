@@ -107,12 +107,7 @@ Law row_holds_point_law() {
           .judge = judged_by(row_holds_point),
           .replay = replayed_by(replay_row_holds_point),
           .mutants = {single("one point inside a micro-triangle of level 7", "w-minor", 7, 4 * 20 + 1,
-                             4 * 30 + 1),
-                      single("the w-corner of level 5 is in row 1", "w-minor", 5, 0, 0),
-                      mutant("column and diagonal round apart on u lines of level 6", "w-minor", {0, 6},
-                             on_points([](Level n, const GridPoint& p, std::uint32_t answer) {
-                               return n == 6 && on_u_line(p, n) ? answer + 1 : answer;
-                             }))},
+                             4 * 30 + 1)},
           .heeds = {&interiors_only},
           .companion = "index.row_exact_on_floats"};
 }

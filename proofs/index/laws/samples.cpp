@@ -40,17 +40,7 @@ Law on_samples_law() {
             return on_samples(subject_as<IndexSubject>(s), n, run, samples(n, run));
           },
       .replay = replayed_by(replay_on_samples),
-      .mutants = {mutant("corners in words of 16 bits", "impl", {16, 16},
-                         on_indices([](Level, std::uint32_t, Corners c) {
-                           for (auto& vertex : c) vertex.i &= 0xffff;
-                           return c;
-                         })),
-                  {"the root of a row in binary32", built_in("w-minor-f32"), {13, 13}},
-                  mutant("an index of 30 bits", "impl", {16, 16},
-                         on_points([](Level, const GridPoint&, std::uint32_t answer) {
-                           return answer & 0x3fffffff;
-                         })),
-                  mutant("lines u = i/N belong to their -u side from level 12 on", "reference", {11, 12},
+      .mutants = {mutant("lines u = i/N belong to their -u side from level 12 on", "reference", {11, 12},
                          on_points([](Level n, const GridPoint& p, std::uint32_t answer) {
                            if (n < 12 || !on_u_line(p, n) || p.u == Fixed64(0)) return answer;
                            return spec::index::reference(GridPoint{Fixed64::from_raw(p.u.raw() - 1), p.v}, n);
@@ -79,14 +69,7 @@ Law corners_on_samples_law() {
                 return corners_on_samples(subject_as<IndexSubject>(s), n, run, samples(n, run));
               },
           .replay = replayed_by(replay_corners_on_samples),
-          .mutants = {mutant("two corners change places from level 12 on", "impl", {11, 12},
-                             on_indices([](Level n, std::uint32_t, Corners c) {
-                               if (n >= 12) std::swap(c[0], c[1]);
-                               return c;
-                             })),
-                      swapped_corners("two corners of the last index of level 16 change places", "impl", 16,
-                                      0xffffffff),
-                      mutant("the last digit of level 14 is not looked at", "impl", {14, 14},
+          .mutants = {mutant("the last digit of level 14 is not looked at", "impl", {14, 14},
                              on_indices([](Level n, std::uint32_t k, Corners c) {
                                return n == 14 ? spec::index::corners(k & ~3u, n) : c;
                              }))}};
