@@ -21,10 +21,24 @@ Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {
   return on_cases_of(std::move(law), std::move(cases));
 }
 
-Finding built(const ArraySubject& s, const BuildCase& c, Check check) {
+namespace {
+
+Finding built_once(const ArraySubject& s, const BuildCase& c, Check check) {
   const std::optional<Answer> answer = s.functions.build(c);
   if (auto found = shape(answer, c)) return *found;
   return check(*answer, c);
+}
+
+}  // namespace
+
+Finding built(const ArraySubject& s, BuildCase c, Check check) {
+  Finding found = built_once(s, c, check);
+  if (!found.holds || !s.functions.gets_places) return found;
+  c.scattered = true;
+  const Finding again = built_once(s, c, check);
+  if (again.holds) return found;
+  const Words words = again.words();
+  return wrong(words.expected, words.got + ", with its maps from the last to the first");
 }
 
 Law on_small_arrays(Law law, Check check) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <map>
 #include <utility>
 
 #include "proofs/array/cases.hpp"
@@ -23,16 +24,38 @@ static_assert(static_cast<std::uint32_t>(Api::glTF) == MMVERIFY_ARRAY_GLTF);
 static_assert(static_cast<std::uint32_t>(Encoding::i32) == MMVERIFY_INDEX_I32);
 static_assert(static_cast<std::uint32_t>(Target::Kind::outside) == MMVERIFY_TARGET_OUTSIDE);
 
-std::vector<std::uint8_t> blob_of(const BuildCase& c) {
-  const BuildOptions& o = c.options;
+/// The triangles of a case, and the bytes that their maps lie in.
+struct LaidOut {
   std::vector<mmverify_array_triangle_t> triangles;
   Bytes bytes;
+};
+
+LaidOut laid_out(const BuildCase& c) {
+  LaidOut out;
+  std::vector<const Bytes*> all;
   for (const auto* some : {&c.before, &c.maps})
     for (const PackedMap& m : *some) {
-      triangles.push_back(
-          {m.level, static_cast<std::uint32_t>(m.format), static_cast<std::uint32_t>(bytes.size())});
-      bytes.insert(bytes.end(), m.bytes.begin(), m.bytes.end());
+      out.triangles.push_back({m.level, static_cast<std::uint32_t>(m.format), 0});
+      all.push_back(&m.bytes);
     }
+  constexpr std::uint8_t between = 0xa5;
+  std::map<Bytes, std::uint32_t> places;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const std::size_t t = c.scattered ? all.size() - 1 - k : k;
+    const Bytes& map = *all[t];
+    const auto end = static_cast<std::uint32_t>(out.bytes.size());
+    const auto [place, is_new] = places.try_emplace(map, end);
+    out.triangles[t].map = c.scattered ? place->second : end;
+    if (c.scattered && !is_new) continue;
+    out.bytes.insert(out.bytes.end(), map.begin(), map.end());
+    if (c.scattered) out.bytes.push_back(between);
+  }
+  return out;
+}
+
+std::vector<std::uint8_t> blob_of(const BuildCase& c) {
+  const BuildOptions& o = c.options;
+  const auto [triangles, bytes] = laid_out(c);
   mmverify_array_case_t what{};
   what.size = sizeof what;
   what.api = static_cast<std::uint32_t>(o.api);
@@ -211,6 +234,7 @@ Bytes emulated(const Library& library, Level n, Level most, std::span<const std:
 
 Functions functions_of(const LibraryPtr& library) {
   Functions f;
+  f.gets_places = true;
   if (library->offers(Call::array_build))
     f.build = [library](const BuildCase& c) { return build(*library, c); };
   if (library->offers(Call::array_resolve))

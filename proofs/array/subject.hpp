@@ -41,6 +41,9 @@ struct PackedMap {
 struct BuildCase {
   std::vector<PackedMap> before, maps;
   BuildOptions options;
+  /// The maps lie from the last to the first with a byte between, equal ones in one place; else each behind the one
+  /// before.  Only a builder that gets places of memory sees a difference.
+  bool scattered = false;
 };
 
 /// The output of a builder: bytes as a build of the API takes them.
@@ -70,6 +73,7 @@ struct Functions {
   std::function<Bundle(const Bundle&, const Bundle&)> concatenate = {};
   std::function<Bytes(const Bundle&, std::uint32_t version)> write = {};
   std::function<std::optional<Bundle>(std::span<const std::uint8_t>)> read = {};
+  bool gets_places = false;  ///< `build` gets each map as a place in memory
   /// Files have the bytes of docs/ARRAYS.md; if not, they only have to read back the same.
   bool files_are_ours = true;
   /// A 4-state map of a level above `most`, converted to level `most`.

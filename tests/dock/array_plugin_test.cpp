@@ -68,6 +68,10 @@ INSTANTIATE_TEST_SUITE_P(
         WrongArray{"array_state_4", "array.codes", "got kind 255"},
         WrongArray{"array_refuses_two", "array.resolves --levels 0",
                    "got a refusal, though every index fits"},
+        WrongArray{"array_takes_maps_in_a_row", "array.resolves --levels 0..1",
+                   ", with its maps from the last to the first"},
+        WrongArray{"array_wants_ascending_maps", "array.resolves --levels 0",
+                   "got a refusal, though every index fits, with its maps from the last to the first"},
         WrongArray{"array_says_more_bytes", "array.resolves --levels 0",
                    "expected an answer as the header has it got "}),
     [](const auto& info) { return std::to_string(info.index) + "_" + info.param.name; });

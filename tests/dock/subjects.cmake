@@ -182,7 +182,7 @@ mmverify_add_subject(array_example ${array_example})
 mmverify_add_part(right_array ${array_example} mmverify_subject_v1=right_array)
 mmverify_add_part(wrong_array subjects/wrong_array.cpp)
 foreach(wrong merges_known one_format one_histogram base_on_special order_from_level_2 less_or_equal minus_5_everywhere state_4
-    refuses_two says_more_bytes crash throws overrun counts_calls resolves_only old_header one_base_a_batch)
+    refuses_two says_more_bytes takes_maps_in_a_row wants_ascending_maps crash throws overrun counts_calls resolves_only old_header one_base_a_batch)
   mmverify_add_wrong(array_${wrong} ${wrong} wrong_array right_array)
 endforeach()
 

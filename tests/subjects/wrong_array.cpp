@@ -1,4 +1,5 @@
 // The example of arrays but for one thing, chosen when it is linked: the bugs that builders of arrays have had.
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <stdexcept>
@@ -89,8 +90,28 @@ void turn_from_level_2(Changed& c) {
   }
 }
 
+/// Of two triangles of one level and format the earlier one gets the map that lies before the other.
+void take_maps_in_a_row(Changed& c, const mmverify_array_case_t& what) {
+  for (std::uint32_t k = 0; k < what.count; ++k)
+    for (std::uint32_t j = 0; j < k; ++j) {
+      const mmverify_array_triangle_t &a = what.triangles[j], &b = what.triangles[k];
+      if (a.level != b.level || a.format != b.format || a.map < b.map) continue;
+      std::swap_ranges(&c.maps[c.triangles[j].map], &c.maps[c.triangles[j].map] + bytes_of(a),
+                       &c.maps[c.triangles[k].map]);
+    }
+}
+
+/// Whether each map lies behind the one before.
+bool ascend(const mmverify_array_case_t& what) {
+  for (std::uint32_t k = 1; k < what.count; ++k)
+    if (what.triangles[k].map <= what.triangles[k - 1].map) return false;
+  return true;
+}
+
 std::size_t build(const mmverify_array_case_t* what, std::uint8_t* answer, std::size_t capacity) {
   Changed c(*what);
+  if (wrong_is("takes_maps_in_a_row")) take_maps_in_a_row(c, *what);
+  if (wrong_is("wants_ascending_maps") && !ascend(*what)) return 0;
   if (wrong_is("merges_known")) merge_known(c);
   if (wrong_is("one_format")) one_format(c);
   if (wrong_is("order_from_level_2")) turn_from_level_2(c);
