@@ -15,18 +15,6 @@ namespace impl_attribute_decimation_test {
 constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
                 infinite = std::numeric_limits<float>::infinity();
 
-TEST(ImplDecimation, is_the_specification_on_every_vertex) {
-  for (Level n = 0; n <= 6; ++n)
-    for (EdgeFlags flags = 0; flags < 8; ++flags)
-      for (std::uint32_t i = 0; i <= 1u << n; ++i)
-        for (std::uint32_t j = 0; i + j <= 1u << n; ++j) {
-          const spec::index::Vertex x = spec::attribute::snapped(spec::index::Vertex{i, j}, n, flags);
-          EXPECT_EQ(snapped({i, j}, n, flags), (Vertex{x.i, x.j}));
-          const auto [a, b] = spec::attribute::averaged({i, j}, n, flags);
-          EXPECT_EQ(averaged({i, j}, n, flags), (std::array{Vertex{a.i, a.j}, Vertex{b.i, b.j}}));
-        }
-}
-
 TEST(ImplDecimation, leaves_alone_what_is_no_vertex) {
   for (const Vertex x : {Vertex{9, 0}, Vertex{5, 5}, Vertex{~0u, 1}, Vertex{0, ~0u}, Vertex{3, ~0u - 2}}) {
     EXPECT_EQ(snapped(x, 3, 7), x);

@@ -70,30 +70,6 @@ TEST(ImplAttributeLookup, spans_are_the_single_values) {
   });
 }
 
-TEST(ImplAttributeLookup, triplets_of_every_micro_triangle_are_the_single_ones) {
-  on_every_target([] {
-    for (fast::Level n = 0; n <= 9; ++n) {
-      const std::size_t count = std::size_t{1} << 2 * n;
-      std::vector<fast::MicroTriangle> faces;
-      std::vector<float> u, v;
-      for (std::uint32_t k = 0; k < count; ++k) {
-        faces.push_back(fast::face_at(fast::FaceOrder::curve, k, n));
-        // Within the lower half of the square, or within the upper.
-        const float inside = faces.back().upper ? 0.625f : 0.25f, side = static_cast<float>(1u << n);
-        u.push_back((static_cast<float>(faces.back().iu) + inside) / side);
-        v.push_back((static_cast<float>(faces.back().iv) + inside) / side);
-      }
-      std::vector<std::uint32_t> x0(count), x1(count), x2(count);
-      for (const auto order : orders) {
-        fast::triplets(order, u, v, n, {x0, x1, x2});
-        for (std::size_t k = 0; k < count; ++k)
-          ASSERT_EQ((std::array{x0[k], x1[k], x2[k]}), fast::triplet(order, faces[k], n))
-              << "level " << n << ", micro-triangle " << k;
-      }
-    }
-  });
-}
-
 TEST(ImplAttributeLookup, values_of_spans_are_the_single_ones) {
   on_every_target([] {
     for (const std::size_t count : {0u, 1u, 7u, 16u, 515u}) {

@@ -39,35 +39,6 @@ std::vector<std::uint32_t> indices(std::uint64_t count) {
   return all;
 }
 
-TEST(ImplAttributeOrder, vertices_are_the_specifications_at_every_level) {
-  for (fast::Level n = 0; n <= 16; ++n) {
-    EXPECT_EQ(fast::vertex_count(n), spec::vertex_count(n));
-    for (const auto order : vertex_orders)
-      for (const std::uint32_t x : indices(spec::vertex_count(n))) {
-        const spec::Vertex at = spec::vertex_at(to_spec(order), x, n);
-        ASSERT_EQ(fast::vertex_index(order, at.i, at.j, n), x) << n;
-        ASSERT_EQ(fast::vertex_at(order, x, n), (fast::Vertex{at.i, at.j})) << n << " " << x;
-      }
-  }
-}
-
-TEST(ImplAttributeOrder, faces_are_the_specifications_at_every_level) {
-  for (fast::Level n = 0; n <= 16; ++n)
-    for (const auto order : face_orders)
-      for (const std::uint32_t x : indices(spec::face_count(n))) {
-        const spec::MicroTriangle at = spec::triangle_at(to_spec(order), x, n);
-        const fast::MicroTriangle t{at.iu, at.iv, at.upper};
-        ASSERT_EQ(fast::face_index(order, t, n), x) << n;
-        ASSERT_EQ(fast::face_at(order, x, n), t) << n << " " << x;
-        for (const auto vertices : vertex_orders) {
-          const spec::Triplet want = spec::triplet(to_spec(vertices), at, n);
-          const auto got = fast::triplet(vertices, t, n);
-          ASSERT_TRUE(std::equal(got.begin(), got.end(), want.begin()));
-          ASSERT_EQ(fast::triangle_of(vertices, got, n), t);
-        }
-      }
-}
-
 TEST(ImplAttributeOrder, spans_of_every_length_and_alignment_are_the_single_values) {
   on_every_target([] {
     for (const fast::Level n : {0u, 1u, 5u, 11u, 16u})

@@ -100,45 +100,9 @@ class Columns {
   std::array<std::vector<std::uint32_t>, 6> columns_;
 };
 
-bool same(const fast::Corners& a, const spec::index::Corners& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), [](auto p, auto q) { return p.i == q.i && p.j == q.j; });
-}
-
 // -----------------------------------------------------------------------------------------------------------
 // Points
 // -----------------------------------------------------------------------------------------------------------
-
-// The grid of k/(4N) holds a representative of every cell: vertices, edges, interiors.
-TEST(ImplIndex, EqualsTheSpecificationOnTheGrid) {
-  for (std::uint32_t n = 0; n <= (sanitized ? 4 : 7); ++n) {
-    const std::uint32_t M = 4u << n;
-    const float step = 1.0f / static_cast<float>(M);
-    std::uint64_t cases = 0, wrong_curve = 0, wrong_rows = 0;
-    for (std::uint32_t i = 0; i <= M; ++i) {
-      for (std::uint32_t j = 0; i + j <= M; ++j, ++cases) {
-        const spec::Point<Fixed64> p{Fixed64::dyadic(i, n + 2), Fixed64::dyadic(j, n + 2)};
-        const float u = static_cast<float>(i) * step, v = static_cast<float>(j) * step;
-        wrong_curve += fast::from_barycentrics(u, v, n) != spec::index::reference(p, n);
-        wrong_rows += fast::w_minor(u, v, n) != spec::index::w_minor(p, n);
-      }
-    }
-    EXPECT_EQ(cases, std::uint64_t{M + 1} * (M + 2) / 2);
-    EXPECT_EQ(wrong_curve, 0u) << "level " << n;
-    EXPECT_EQ(wrong_rows, 0u) << "level " << n;
-  }
-}
-
-TEST(ImplIndex, EqualsTheSpecificationOnRandomFloats) {
-  const std::size_t count = sanitized ? 2'000 : 20'000;
-  const auto u = random_floats(count, 1), v = random_floats(count, 2);
-  for (std::size_t k = 0; k < u.size(); ++k) {
-    if (!std::isfinite(u[k]) || !std::isfinite(v[k])) continue;
-    const std::uint32_t n = static_cast<std::uint32_t>(k) % 17;
-    ASSERT_EQ(fast::from_barycentrics(u[k], v[k], n), spec_curve(u[k], v[k], n))
-        << u[k] << ' ' << v[k] << ' ' << n;
-    ASSERT_EQ(fast::w_minor(u[k], v[k], n), spec_rows(u[k], v[k], n)) << u[k] << ' ' << v[k] << ' ' << n;
-  }
-}
 
 struct Points {
   std::vector<float> u, v;
@@ -171,26 +135,6 @@ Points hard_points(std::uint32_t n) {
       add_neighbours(little / N, below_one / N);
     }
   return points;
-}
-
-TEST(ImplIndex, EqualsTheSpecificationOnHardPoints) {
-  for (const std::uint32_t n : {0u, 1u, 2u, 5u, 11u, 16u}) {
-    const Points p = hard_points(n);
-    std::vector<std::uint32_t> curve, rows, got(p.u.size());
-    for (std::size_t k = 0; k < p.u.size(); ++k) {
-      const float u = p.u[k], v = p.v[k];
-      curve.push_back(spec_curve(u, v, n));
-      rows.push_back(spec_rows(u, v, n));
-      ASSERT_EQ(fast::from_barycentrics(u, v, n), curve[k]) << u << ' ' << v << ' ' << n;
-      ASSERT_EQ(fast::w_minor(u, v, n), rows[k]) << u << ' ' << v << ' ' << n;
-    }
-    on_every_target([&] {
-      fast::from_barycentrics(p.u, p.v, n, got);
-      ASSERT_EQ(got, curve) << "level " << n;
-      fast::w_minor(p.u, p.v, n, got);
-      ASSERT_EQ(got, rows) << "level " << n;
-    });
-  }
 }
 
 // uf = 1-2^-24 and vf = 2^-25 add up to just under 1 and round to 1: the formula in floats takes the wrong
@@ -319,30 +263,6 @@ TEST(ImplIndex, BatchesEqualTheScalarAtEveryLength) {
   });
 }
 
-TEST(ImplIndex, BatchesEqualTheSpecificationOnTheGrid) {
-  on_every_target([] {
-    for (const std::uint32_t n : {0u, 1u, 3u, sanitized ? 4u : 6u}) {
-      const std::uint32_t M = 4u << n;
-      std::vector<float> u, v;
-      std::vector<std::uint32_t> curve, rows;
-      for (std::uint32_t i = 0; i <= M; ++i) {
-        for (std::uint32_t j = 0; i + j <= M; ++j) {
-          const spec::Point<Fixed64> p{Fixed64::dyadic(i, n + 2), Fixed64::dyadic(j, n + 2)};
-          u.push_back(static_cast<float>(i) / static_cast<float>(M));
-          v.push_back(static_cast<float>(j) / static_cast<float>(M));
-          curve.push_back(spec::index::reference(p, n));
-          rows.push_back(spec::index::w_minor(p, n));
-        }
-      }
-      std::vector<std::uint32_t> got(u.size());
-      fast::from_barycentrics(u, v, n, got);
-      EXPECT_EQ(got, curve) << "level " << n;
-      fast::w_minor(u, v, n, got);
-      EXPECT_EQ(got, rows) << "level " << n;
-    }
-  });
-}
-
 TEST(ImplIndex, RefusesSpansOfDifferentLengths) {
   std::vector<float> three(3), four(4);
   std::vector<std::uint32_t> out(4, 7), index(4);
@@ -359,28 +279,6 @@ TEST(ImplIndex, RefusesSpansOfDifferentLengths) {
 // -----------------------------------------------------------------------------------------------------------
 // Triangles
 // -----------------------------------------------------------------------------------------------------------
-
-TEST(ImplIndex, CornersEqualTheSpecification) {
-  for (std::uint32_t n = 0; n <= (sanitized ? 5 : 7); ++n)
-    for (std::uint32_t index = 0; index < 1u << (2 * n); ++index)
-      ASSERT_TRUE(same(fast::corners(index, n), spec::index::corners(index, n))) << index << " level " << n;
-  std::mt19937 random(4);
-  for (int k = 0; k < (sanitized ? 2'000 : 200'000); ++k) {
-    const auto index = static_cast<std::uint32_t>(random());
-    const auto n = static_cast<std::uint32_t>(8 + k % 9);
-    const std::uint32_t kept = n == 16 ? index : index & ((1u << (2 * n)) - 1);
-    ASSERT_TRUE(same(fast::corners(index, n), spec::index::corners(kept, n))) << index << " level " << n;
-  }
-}
-
-TEST(ImplIndex, RowCornersEqualTheSpecification) {
-  for (std::uint32_t index = 0; index < 1u << 14; ++index)
-    ASSERT_TRUE(same(fast::w_minor_corners(index), spec::index::w_minor_corners(index))) << index;
-  for (std::uint32_t r = 1; r <= 65535; r += sanitized ? 97 : 1)
-    for (const std::uint32_t index : {r * r - 1, r * r, r * r + 1, r * r + r})
-      ASSERT_TRUE(same(fast::w_minor_corners(index), spec::index::w_minor_corners(index))) << index;
-  EXPECT_TRUE(same(fast::w_minor_corners(0xffffffff), spec::index::w_minor_corners(0xffffffff)));
-}
 
 TEST(ImplIndex, CornerBatchesEqualTheScalar) {
   on_every_target([] {

@@ -112,49 +112,11 @@ void expect_as_specified(const slow::States& states, slow::Format f) {
 // Packed maps
 // ---------------------------------------------------------------------------------------------------------------------
 
-// All maps of up to 4 states, among them those of levels 0 and 1, in both formats.
-TEST(ImplMicromap, EverySmallMapIsAsSpecified) {
-  for (const slow::Format f : formats)
-    for (std::uint32_t count = 0; count <= 4; ++count)
-      for (std::uint32_t map = 0; map < 1u << (count * bits(f)); ++map) {
-        slow::States states;
-        for (std::uint32_t i = 0; i < count; ++i)
-          states.push_back(static_cast<slow::State>(map >> (i * bits(f)) & (f == two ? 1 : 3)));
-        expect_as_specified(states, f);
-      }
-}
-
-TEST(ImplMicromap, EveryTwoStateMapOfLevel2IsAsSpecified) {
-  for (std::uint32_t map = 0; map < 65'536; map += sanitized ? 97 : 1) {
-    const Bytes bytes{static_cast<std::uint8_t>(map), static_cast<std::uint8_t>(map >> 8)};
-    Bytes down(1), up(8);
-    fast::down(bytes, fast::Format::two_state, 4, down);
-    const slow::States states = slow::unpack(bytes, two, 16);
-    ASSERT_EQ(down, slow::pack(slow::down_two_state(states), two)) << map;
-    fast::up(bytes, fast::Format::two_state, 16, up);
-    ASSERT_EQ(up, slow::pack(slow::up(states), two)) << map;
-  }
-}
-
 TEST(ImplMicromap, EveryLengthAroundTheWordIsAsSpecified) {
   std::mt19937 random(1);
   for (std::uint64_t count = 0; count <= 150; ++count)
     for (const slow::Format f : formats)
       for (int k = 0; k < 4; ++k) expect_as_specified(random_states(random, count, f), f);
-}
-
-TEST(ImplMicromap, WholeLevelsAreAsSpecified) {
-  std::mt19937 random(2);
-  for (std::uint32_t n = 0; n <= (sanitized ? 5 : 7); ++n)
-    for (const slow::Format f : formats) {
-      expect_as_specified(random_states(random, slow::micro_triangles(n), f), f);
-      for (const slow::State s : {slow::State::T, slow::State::O}) {
-        slow::States flat(static_cast<std::size_t>(slow::micro_triangles(n)), s);
-        expect_as_specified(flat, f);
-        flat.back() = s == slow::State::T ? slow::State::O : slow::State::T;  // the last one alone differs
-        expect_as_specified(flat, f);
-      }
-    }
 }
 
 TEST(ImplMicromap, RefusesSpansOfAnotherSize) {
@@ -188,52 +150,6 @@ TEST(ImplMicromap, SubstitutionsAreCountedByPair) {
     const auto got = fast::substitutions(with_dirty_padding(slow::pack(was, four), count, four),
                                          slow::pack(is, four), count);
     ASSERT_EQ(got.count, expected);
-  }
-}
-
-TEST(ImplMicromap, SubstitutionsAreJudgedAsSpecified) {
-  for (unsigned was = 0; was < 4; ++was)
-    for (unsigned is = 0; is < 4; ++is) {
-      const auto a = static_cast<slow::State>(was), b = static_cast<slow::State>(is);
-      fast::Substitutions s;
-      s.count[was][is] = 1;
-      EXPECT_EQ(s.allowed(), slow::allowed(a, b));
-      EXPECT_EQ(s.conservative(), slow::conservative(a, b));
-      EXPECT_EQ(s.force2_stable(), slow::force2_stable(a, b));
-      EXPECT_EQ(static_cast<int>(fast::force2(static_cast<fast::State>(a))),
-                static_cast<int>(slow::force2(a)));
-    }
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Special indices
-// ---------------------------------------------------------------------------------------------------------------------
-
-TEST(ImplMicromap, EveryCodeMeansWhatIsSpecified) {
-  for (const slow::Encoding e : slow::encodings) {
-    const auto g = static_cast<fast::Encoding>(e);
-    EXPECT_EQ(fast::index_limit(g), slow::index_limit(e));
-    EXPECT_EQ(fast::width(g), slow::width(e));
-    for (unsigned s = 0; s < 4; ++s)
-      EXPECT_EQ(fast::special_code(static_cast<fast::State>(s), g),
-                slow::special_code(static_cast<slow::State>(s), e));
-    const auto check = [&](std::uint32_t code) {
-      const slow::Meaning m = slow::meaning(code, e);
-      const auto state = fast::special_state(code, g);
-      ASSERT_EQ(state.has_value(), m.kind == slow::Meaning::Kind::special) << code;
-      ASSERT_TRUE(!state || static_cast<int>(*state) == static_cast<int>(m.state)) << code;
-      ASSERT_EQ(fast::is_index(code, g), m.kind == slow::Meaning::Kind::index) << code;
-    };
-    const std::uint64_t codes = std::uint64_t{1} << slow::width(e);
-    if (codes <= 65'536) {
-      for (std::uint64_t code = 0; code < codes; ++code) check(static_cast<std::uint32_t>(code));
-    } else {
-      for (std::uint32_t k = 0; k < 100; ++k)
-        for (const std::uint32_t border : {0u, 0x80000000u}) {
-          check(border + k);
-          check(border - 1 - k);
-        }
-    }
   }
 }
 
@@ -283,35 +199,6 @@ struct Both {
     return true;
   }
 };
-
-TEST(ImplMicromap, ArraysAreAsSpecified) {
-  std::mt19937 random(4);
-  int refused = 0;
-  for (int round = 0; round < 60; ++round) {
-    Both both;
-    for (int geometry = 0; geometry < 3; ++geometry) {
-      std::vector<slow::Map> maps;
-      for (auto left = random() % 400; left > 0; --left) {
-        if (!maps.empty() && random() % 3 == 0) {
-          maps.push_back(maps[random() % maps.size()]);
-          continue;
-        }
-        const slow::Format f = formats[random() % 2];
-        const auto level = static_cast<std::uint32_t>(random() % 4);
-        maps.push_back({level, f, random_states(random, slow::micro_triangles(level), f)});
-      }
-      const auto records = static_cast<std::uint32_t>(both.slow_array.records.size());
-      const std::uint32_t base = round % 2 == 0 ? 0 : static_cast<std::uint32_t>(random() % (records + 1));
-      refused +=
-          !both.append(maps, {slow::encodings[random() % 5], base, random() % 4 != 0, random() % 2 == 0});
-    }
-    const auto counts = fast::usage_counts(both.fast_array.records);
-    const auto expected = slow::usage_counts(slow::array_histogram(both.slow_array.records));
-    ASSERT_EQ(counts.size(), expected.size());
-    for (std::size_t i = 0; i < counts.size(); ++i) ASSERT_EQ(counts[i].count, expected[i].count);
-  }
-  EXPECT_GT(refused, 0) << "no round met an index that does not fit";
-}
 
 TEST(ImplMicromap, AppendsToArraysOfAnyOrigin) {
   Both both;

@@ -124,52 +124,8 @@ TEST(ImplTree, PaddingBitsAreIgnoredAndWrittenAsZeros) {
 }
 
 // -----------------------------------------------------------------------------------------------------------
-// Whole domains
-// -----------------------------------------------------------------------------------------------------------
-
-TEST(ImplTree, EveryMapOfLevels0And1) {
-  std::uint64_t maps = 0;
-  for (const Format b : both)
-    for (Level n = 0; n <= 1; ++n) {
-      const std::uint64_t count = std::uint64_t{1} << (width(b) * micro_triangles(n));
-      for (std::uint64_t code = 0; code < count; ++code, ++maps) {
-        States states;
-        for (std::uint64_t k = 0; k < micro_triangles(n); ++k)
-          states.push_back(static_cast<std::uint8_t>(code >> (k * width(b)) & (width(b) == 1 ? 1 : 3)));
-        expect_all_forms(states, n, b);
-        expect_specified(states, n, b, encode_stream(n, b, packed(states, b)));
-        if (HasFatalFailure()) return;
-      }
-    }
-  EXPECT_EQ(maps, 2u + 16u + 4u + 256u);
-}
-
-TEST(ImplTree, EveryTwoStateMapOfLevel2) {
-  std::uint64_t maps = 0;
-  for (std::uint32_t code = 0; code < 65536; code += sanitized ? 97 : 1, ++maps) {
-    States states;
-    for (std::uint32_t k = 0; k < 16; ++k) states.push_back(code >> k & 1);
-    expect_all_forms(states, 2, Format::two_state);
-    expect_specified(states, 2, Format::two_state,
-                     encode_stream(2, Format::two_state, packed(states, Format::two_state)));
-    if (HasFatalFailure()) FAIL() << "map " << code;
-  }
-  EXPECT_EQ(maps, sanitized ? 676u : 65536u);
-}
-
-// -----------------------------------------------------------------------------------------------------------
 // Samples
 // -----------------------------------------------------------------------------------------------------------
-
-TEST(ImplTree, AssortedMapsOfLevels2To6) {
-  for (const Format b : both)
-    for (Level n = 2; n <= 6; ++n)
-      for (const States& states : assorted(n, b, n < 6 ? 40 : 14)) {
-        expect_all_forms(states, n, b);
-        expect_specified(states, n, b, encode_stream(n, b, packed(states, b)));
-        if (HasFatalFailure()) FAIL() << "level " << n;
-      }
-}
 
 // No form has more than 2^25 nodes; a quotient that only grows is right where it is right at each end.
 TEST(ImplTree, TheWordOfANodeIsAQuotient) {
@@ -259,20 +215,6 @@ TEST(ImplTree, MemoryIsAsTheBannerSays) {
       }
 }
 
-// One micro-triangle apart from the rest, in every place.
-TEST(ImplTree, OneStateApart) {
-  for (const Format b : both)
-    for (Level n = 1; n <= 4; ++n)
-      for (std::uint64_t k = 0; k < micro_triangles(n); ++k) {
-        States states(micro_triangles(n), 1);
-        states[k] = 0;
-        const Stream s = encode_stream(n, b, packed(states, b));
-        ASSERT_EQ(s.nodes, 4 * n + 1);
-        expect_all_forms(states, n, b);
-        if (HasFatalFailure()) FAIL() << "level " << n << " index " << k;
-      }
-}
-
 TEST(ImplTree, SpansEqualTheSingleLookupAtEveryLength) {
   on_every_target([] {
     std::vector<Tree> trees;
@@ -309,43 +251,6 @@ TEST(ImplTree, SpansEqualTheSingleLookupAtEveryLength) {
       for (std::size_t k = 0; k < count; ++k) ASSERT_EQ(found[k], maps[one][index[k]]);
     }
   });
-}
-
-TEST(ImplTree, EveryStateOnEveryTarget) {
-  on_every_target([] {
-    for (const Format b : both)
-      for (Level n = 0; n <= 6; ++n)
-        for (const States& states : assorted(n, b, 12)) {
-          const Tree tree = Tree::encode(n, b, packed(states, b));
-          std::vector<std::uint32_t> index;
-          // High bits beyond the level's do not count.
-          for (std::uint32_t k = 0; k < states.size(); ++k) index.push_back(n < 6 ? k | 0xff000000 : k);
-          States found(states.size(), 0xee);
-          tree.lookup(index, found);
-          ASSERT_EQ(found, states);
-          for (std::uint32_t k = 0; k < states.size(); ++k) ASSERT_EQ(tree[index[k]], states[k]);
-        }
-  });
-}
-
-// The representatives k/(4N) of every cell, against Algorithms 3 and 4 in exact numbers.
-TEST(ImplTree, AtAPointEqualsTheSpecification) {
-  for (const Format b : both)
-    for (Level n = 0; n <= 5; ++n)
-      for (const States& states : {runs(n, b, 3, 8), runs(n, b, 20, 9)}) {
-        const Tree tree = Tree::encode(n, b, packed(states, b));
-        const spec::tree::Succinct succinct = specified(states, n);
-        const std::uint32_t M = 4u << n;
-        const float step = 1.0f / static_cast<float>(M);
-        for (std::uint32_t i = 0; i <= M; ++i)
-          for (std::uint32_t j = 0; i + j <= M; ++j) {
-            const spec::Point<spec::Fixed64> p{spec::Fixed64::dyadic(i, n + 2),
-                                               spec::Fixed64::dyadic(j, n + 2)};
-            const auto expected = static_cast<std::uint8_t>(spec::tree::at_point(succinct, p).state);
-            ASSERT_EQ(tree.at(static_cast<float>(i) * step, static_cast<float>(j) * step), expected)
-                << n << ' ' << i << ' ' << j;
-          }
-      }
 }
 
 // -----------------------------------------------------------------------------------------------------------

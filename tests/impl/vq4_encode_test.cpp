@@ -22,37 +22,6 @@ using namespace mmverify::tests;
 
 constexpr Effort efforts[] = {Effort::fast, Effort::balanced, Effort::thorough};
 
-TEST(ImplVq4Encode, IsConservativeAndMoreEffortIsNeverWorse) {
-  std::mt19937 random(1);
-  for (int round = 0; round < (sanitized ? 3 : 12); ++round) {
-    const Map4 map = round % 3 == 0 ? noise<Map4>(random) : blob<Map4>(random, round % 3 == 1 ? 1 : 0.1);
-    const Encoded4 paper = encode_paper(map);
-    ASSERT_EQ(substitutions(map, decode(paper.block)), paper.substitutions);
-    const Encoded4 free_c = encode_paper_free_c(map);
-    ASSERT_EQ(substitutions(map, decode(free_c.block)), free_c.substitutions);
-    std::uint32_t before = 1024;
-    for (const Effort effort : efforts) {
-      const Encoded4 encoded = encode(map, effort);
-      ASSERT_EQ(substitutions(map, decode(encoded.block)), encoded.substitutions);
-      EXPECT_LE(encoded.substitutions, before);
-      before = encoded.substitutions;
-    }
-  }
-}
-
-TEST(ImplVq4Encode, BoundIsBelowEveryEncoder) {
-  std::mt19937 random(2);
-  for (int round = 0; round < (sanitized ? 1 : 6); ++round) {
-    const Map4 map = blob<Map4>(random, 0.7);
-    const Proved4 proved = encode_proved(map);
-    ASSERT_EQ(substitutions(map, decode(proved.encoded.block)), proved.encoded.substitutions);
-    EXPECT_LE(proved.least, proved.encoded.substitutions);
-    EXPECT_LE(proved.encoded.substitutions, encode(map, Effort::thorough).substitutions);
-    EXPECT_LE(proved.least, encode_paper(map).substitutions);
-    EXPECT_LE(proved.least, encode_paper_free_c(map).substitutions);
-  }
-}
-
 TEST(ImplVq4Encode, UniformMapsAreKept) {
   for (const State s : {State::T, State::C, State::O}) {
     Map4 map;
@@ -63,18 +32,6 @@ TEST(ImplVq4Encode, UniformMapsAreKept) {
     }
     EXPECT_EQ(decode(encode_paper(map).block), map);
     EXPECT_EQ(encode_proved(map).least, 0u);
-  }
-}
-
-// Random codes of every kind: all thirteen places are needed, each kind of code in its own.
-TEST(ImplVq4Encode, MapsThatFitAreKept) {
-  std::mt19937 random(3);
-  for (int round = 0; round < (sanitized ? 10 : 60); ++round) {
-    const Map4 map = decode(random_block<Block4>(random));
-    const Encoded4 encoded = encode(map, Effort::fast);
-    ASSERT_EQ(encoded.substitutions, 0u) << round;
-    ASSERT_EQ(decode(encoded.block), map);
-    ASSERT_EQ(encode_proved(map).least, 0u);
   }
 }
 
@@ -248,19 +205,6 @@ TEST(ImplVq4Encode, FastFindsTheOneChoiceThatFits) {
   put(4, 0, simple);
   put(5, 0, turned);
   for (const Effort effort : efforts) EXPECT_EQ(encode(map, effort).substitutions, 0u);
-}
-
-TEST(ImplVq4Encode, IsTheSameOnEveryTarget) {
-  std::mt19937 random(7);
-  const Map4 map = blob<Map4>(random, 0.7), noisy = noise<Map4>(random);
-  const Proved4 proved = encode_proved(map);
-  const Encoded4 balanced = encode(noisy, Effort::balanced);
-  on_every_target([&] {
-    const Proved4 now = encode_proved(map);
-    EXPECT_EQ(now.encoded.block, proved.encoded.block);
-    EXPECT_EQ(now.least, proved.least);
-    EXPECT_EQ(encode(noisy, Effort::balanced).block, balanced.block);
-  });
 }
 
 TEST(ImplVq4Encode, DiscontinuousVectorsAreTheOnesThatAreNotValid) {
