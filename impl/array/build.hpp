@@ -35,6 +35,7 @@ struct Built {
 /// first words alone.
 /// Domain: maps as PackedMap has them, levels up to 12, base at most before.size(), an encoding that the API takes; else
 /// std::invalid_argument.  An index that the encoding cannot hold: std::length_error, naming the triangle.
+/// Law: array.resolves, array.shares, array.merging, array.on_samples
 Built build(std::span<const PackedMap> before, std::span<const PackedMap> maps, const BuildOptions& options);
 
 }  // namespace mmverify::impl::array

@@ -101,10 +101,12 @@ class AttributeBakerOf {
   /// Memory: 16 bytes a texel of the triangle's box; 32 with sRGB, 16 bits or floats.  If the box has more than 2^16
   /// texels and lies in the picture, as much for the whole texture, kept from then on (not for floats).
   /// Errors: std::invalid_argument outside the domain; nothing is written.
+  /// Law: attribute.bake_face, attribute.bake_on_floats, attribute.bake_texels16, attribute.bake_texel_floats
   AttributeCounts faces(const BaseTriangle& uv, std::uint32_t level, std::span<RgbaOf<Channel>> out) const;
 
   /// Writes micro-vertex (i, j) to out[r (r + 1) / 2 + j], r = i + j: row order, rows from the first vertex.
   /// Domain, errors: as faces(), but for any number of texels; out.size() = (2^level + 1)(2^level + 2) / 2.
+  /// Law: attribute.bake_vertex, attribute.bake_on_floats, attribute.bake_texels16, attribute.bake_texel_floats
   AttributeCounts vertices(const BaseTriangle& uv, std::uint32_t level, std::span<RgbaOf<Channel>> out) const;
 
  private:

@@ -56,6 +56,7 @@ class BadPacked : public std::runtime_error {
 /// plain bytes, and the widths; for such maps the plain bytes are shorter.
 /// Time: O(codes).  Errors: std::invalid_argument for another number of codes, a shape out of its domain, or residuals
 /// of 2^32 bits and more.
+/// Law: attribute.packed_round_trip, attribute.packed_within_error, attribute.packed_size
 std::vector<std::uint8_t> pack(const PackedShape& shape, std::span<const std::uint8_t> codes);
 
 namespace detail {
@@ -69,6 +70,7 @@ class PackedMaps {
   /// The bytes must outlive it.  Memory: a byte a block of one map, 4 a vertex of it; during the check a map's
   /// residuals.
   /// Errors: BadPacked, with the first byte that is wrong; std::invalid_argument as plain_bytes().
+  /// Law: attribute.packed_canonical
   PackedMaps(const PackedShape& shape, std::span<const std::uint8_t> bytes);
   ~PackedMaps();
   PackedMaps(PackedMaps&&) noexcept;
@@ -77,13 +79,16 @@ class PackedMaps {
   const PackedShape& shape() const noexcept { return shape_; }
 
   /// The codes of one map.  Domain: map < maps, out.size() = values x channels, or std::invalid_argument.
+  /// Test: impl_attribute_compress_test
   void map(std::uint32_t map, std::span<std::uint8_t> out) const;
   /// The codes of all maps, in order.
+  /// Law: attribute.packed_round_trip, attribute.packed_within_error
   std::vector<std::uint8_t> codes() const;
 
   /// One value, a code a channel and 0 beyond.  It reads one block a level, and up to 7 blocks' widths.
   /// A value of a lower level of faces is within half a code of the mean of its four children, errors apart.
   /// Domain: map < maps, level <= the shape's level, index < values of that level; else some value.
+  /// Law: attribute.packed_random_access
   std::array<std::uint8_t, 4> value(std::uint32_t map, std::uint32_t level,
                                     std::uint32_t index) const noexcept;
   std::array<std::uint8_t, 4> value(std::uint32_t map, std::uint32_t index) const noexcept {
@@ -100,6 +105,7 @@ class PackedMaps {
 ///   sum over channels of -sum over residuals r of count(r) log2(count(r) / all), and the same of the roots
 /// The frequencies themselves are not counted.  pack() may take fewer bits, for its widths follow the place.
 /// Domain, errors: as pack().
+/// Test: impl_attribute_compress_test
 double residual_entropy(const PackedShape& shape, std::span<const std::uint8_t> codes);
 
 }  // namespace mmverify::impl::attribute

@@ -26,6 +26,7 @@ enum class MapForm : std::uint8_t { faces, vertices };
 /// Domain: a map of `level`, faces on the curve, vertices in row order, as AttributeBaker writes them; the triangle as
 /// for faces().
 /// Errors: std::invalid_argument outside the domain.
+/// Law: attribute.error_is_bound
 MapError map_error(const RgbaView& texture, const AttributeSampling& sampling, const BaseTriangle& uv,
                    std::uint32_t level, MapForm form, std::span<const Rgba> map);
 
@@ -33,6 +34,7 @@ MapError map_error(const RgbaView& texture, const AttributeSampling& sampling, c
 /// numbers: the map that such edges show.  Bits as in TrianglePlan.  Domain: vertices, in row order, of a level in
 /// 1..max.
 /// Errors: std::invalid_argument outside the domain.
+/// Test: impl_attribute_bake_test
 void decimate_edges(std::uint32_t level, std::uint8_t edges, Meaning meaning, std::span<Rgba> vertices);
 
 }  // namespace mmverify::impl::attribute

@@ -83,8 +83,10 @@ class TriangleBaker {
   /// Errors: std::invalid_argument, naming it, for no mip level; a texture without texels, with more than 16384 a side,
   /// or larger than memory can be; a texel, border, cutoff, factor or margin that is not finite; a border that no texel
   /// can store; a factor or margin below 0; a margin of 2^20 or more.
+  /// Test: impl_bake_errors_test
   TriangleBaker(std::span<const Texels> mips, const AlphaMode& mode, const Sampling& sampling = {});
   /// A baker for 8 bits, MASK, bilinear.
+  /// Test: impl_bake_triangles_test
   TriangleBaker(const AlphaView& texture, Cutoff cutoff, const Addressing& addressing = {});
   ~TriangleBaker();
   TriangleBaker(TriangleBaker&&) noexcept;
@@ -97,6 +99,7 @@ class TriangleBaker {
   /// texture's texels and of the repeats that its edges cross before they close.  Texels, or rows, that addressing
   /// makes equal are taken once, however far they go.
   /// Errors: std::invalid_argument outside the domain; nothing is written.
+  /// Law: bake.conservative, bake.tight, bake.unknown_side, bake.equals_spec
   BakeCounts bake(const BaseTriangle& uv, std::uint32_t level, std::span<std::uint8_t> map) const;
 
  private:

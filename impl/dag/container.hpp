@@ -46,6 +46,7 @@ std::vector<std::uint8_t> save(const Dag& dag);
 /// Domain: any bytes; throws BadContainer for bytes that save() cannot have written.  Time and memory are proportional
 /// to the bytes unless somebody made hashes collide on purpose.  But a further record of a flat map takes as much time
 /// as adding the map, if tiles or nodes were added since.
+/// Law: dag.canonical, dag.malformed, dag.malformed_on_samples
 Dag load(std::span<const std::uint8_t> bytes);
 
 }  // namespace mmverify::impl::dag
