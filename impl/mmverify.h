@@ -29,8 +29,8 @@ const char* mmverify_error(void);
  * Law: index.equals_reference, index.exact_on_floats */
 int mmverify_index(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
 
-/* corners[6 k ..]: i0 j0 i1 j1 i2 j2 of index[k] < 4^level, in units of 1/2^level along u and v: the corners
- * that the children 0, 2 and 3 touch.
+/* corners[6 k .. 6 k + 5]: the corners i0 j0 i1 j1 i2 j2 of micro-triangle index[k] < 4^level, in units of 1/2^level
+ * along u and v. Corner 0, 1, 2 is the one that child 0, 2, 3 touches.
  * Law: index.corners, index.corner_order */
 int mmverify_corners(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
@@ -39,18 +39,19 @@ int mmverify_corners(uint32_t level, const uint32_t* index, uint32_t* corners, s
 int mmverify_row_index(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
 int mmverify_row_corners(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
-/* Packs `count` states, a byte each, to ceil(count b / 8) bytes; and unpacks them.
+/* Packs `count` states, a byte each, to ceil(count b / 8) bytes, and unpacks them.
  * Law: micromap.packing */
 int mmverify_pack(uint32_t format, const uint8_t* states, size_t count, uint8_t* map);
 int mmverify_unpack(uint32_t format, const uint8_t* map, size_t count, uint8_t* states);
 
-/* The 2-state map of a 4-state map: T and UT become T, O and UO become O; and a 2-state map as a 4-state map.
+/* Force-2: the 2-state map of a 4-state map; T and UT become T, O and UO become O. Widen: a 2-state map as a 4-state
+ * map.
  * Law: micromap.force2 */
 int mmverify_force2(uint32_t level, const uint8_t* four_state, uint8_t* two_state);
 int mmverify_widen(uint32_t level, const uint8_t* two_state, uint8_t* four_state);
 
-/* The map of level + 1, each child with its parent's state; and the map of level - 1, a parent T or O if all its
- * children are, else unknown (docs/MICROMAP.md).
+/* Up: the map of level + 1, in which each child has its parent's state. Down: the map of level - 1. There a 4-state
+ * parent is T or O if all its children are, else unknown; a 2-state parent is O if two of them are (docs/MICROMAP.md).
  * Law: micromap.up, micromap.down */
 int mmverify_map_up(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* above);
 int mmverify_map_down(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* below);

@@ -9,7 +9,7 @@
 namespace mmverify::gate {
 namespace {
 
-/// The verdict's rank, higher is better; a text that is no verdict ranks below all.
+/// The rank of a verdict; a better verdict has a higher rank.  An unknown word ranks below all.
 int rank(const Value& verdict) { return rank_of_verdict(unquoted(verdict.text)).value_or(-1); }
 
 Change toward(bool better) { return better ? Change::better : Change::worse; }

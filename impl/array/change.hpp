@@ -6,7 +6,8 @@
 
 namespace mmverify::impl::array {
 
-/// The bundle without unused records, and without bytes of no record; records keep their order, bases become 0.
+/// The bundle without unused records, and without bytes that belong to no record.  Records keep their order, bases
+/// become 0.
 /// Domain: each plain index of a part names a record, each record's bytes are in the data; else
 /// std::invalid_argument.  An index that its encoding cannot hold: std::length_error.  Time: linear.
 /// Law: array.compact, array.changes_on_samples
@@ -18,7 +19,7 @@ Bundle compacted(const Bundle& bundle);
 Bundle reordered(const Bundle& bundle);
 
 /// The second array behind the first; the second's bases grow by the number of the first's records.  Data or records
-/// beyond 2^32: std::length_error.  Domain: as compacted(); a base that then passes 2^32 begins anew at 0.
+/// beyond 2^32: std::length_error.  Domain: as compacted().  A base that passes 2^32 wraps around.
 /// Law: array.concatenate, array.changes_on_samples
 Bundle concatenated(const Bundle& first, const Bundle& second);
 

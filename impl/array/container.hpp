@@ -17,7 +17,7 @@ Bytes written(const Bundle& bundle, std::uint32_t version = newest_version);
 /// Law: array.files, array.malformed_files
 Bundle read(std::span<const std::uint8_t> file);
 
-/// Whether bytes begin with the name of such a file.
+/// Whether the bytes begin with MMARRAYS, as such a file does.
 /// Law: array.malformed_files
 bool is_container(std::span<const std::uint8_t> file) noexcept;
 

@@ -25,8 +25,9 @@ namespace detail {
 constexpr bool may_move(Vertex x, std::uint32_t N) noexcept { return N > 1 && x.i <= N && x.j <= N - x.i; }
 }  // namespace detail
 
-/// The vertex from which the value of x is read: an odd vertex of a flagged edge goes to its even neighbour away from
-/// the edge's middle, the middle of level 1 to w, u, v on edges w-u, u-v, v-w.  With k = N-i-j:
+/// The vertex from which the value of x is read.  An odd vertex of a flagged edge snaps to the even neighbour that is
+/// farther from the edge's middle.  At level 1 the odd vertex is the middle; it snaps to w, u, v on the edges w-u, u-v,
+/// v-w.  With k = N-i-j:
 ///   v = 0: i+1 if k < N/2, else i-1     w = 0: (i-1, j+1) if i < N/2, else (i+1, j-1)     u = 0: j+1 if j >= N/2, else j-1
 /// Domain: level in 0..16, more is 16; a vertex outside the triangle stays.
 /// Source: BaryFile's rule; Color and Attribute Micromaps, figure 3.
@@ -65,8 +66,8 @@ constexpr std::uint32_t mean_rgba8(std::uint32_t x, std::uint32_t y) noexcept {
 }
 
 /// Writes the means into a map of level n: each odd vertex on a flagged edge gets the mean of its even neighbours'
-/// values.  values[index_of(x)] is the value of vertex x.  N/2 values an edge.
-/// Domain: level in 0..16, more is 16; values has all that index_of may give.
+/// values.  values[index_of(x)] is the value of vertex x.  N/2 values change for each flagged edge.
+/// Domain: level in 0..16, more is 16; index_of(x) < values.size() for each vertex x.
 /// Test: impl_attribute_decimation_test
 template <class IndexOf>
 void decimate_by_means(std::span<std::uint32_t> values, Level level, EdgeFlags flags, IndexOf index_of) {
@@ -84,9 +85,9 @@ struct VertexWeights {
   std::array<float, 3> weights;
 };
 
-/// The vertices to interpolate between at a point, and their weights, once the flagged edges' odd vertices have
-/// snapped.  The three vertices are those of a micro-triangle that contains the point, exactly, for the very floats u
-/// and v; each weight is within 2^-24 of the exact one.
+/// The three vertices and weights that interpolate a point, after the odd vertices of flagged edges have snapped.  The
+/// three vertices are those of a micro-triangle that contains the point, exactly, for the very floats u and v; each
+/// weight is within 2^-24 of the exact one.
 /// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  A point outside the triangle
 /// gets the micro-triangle next to it, and a weight below 0.  level in 0..16, more is 16.
 /// Source: ours: docs/ATTRIBUTE.md, "Decimation"; spec::attribute::decimated_place.

@@ -1,4 +1,5 @@
-// A hit's micro-triangle, the indices of its three vertices, the hit's weights there, and RGBA8 values in between.
+// A hit's micro-triangle, the indices of its three vertices, the hit's weights, and the RGBA8 value that they
+// interpolate.
 //
 // Each comes once for a single point, inline, and once for spans, in SIMD chosen at run time; both give the same bits.
 // IEEE arithmetic must be rounded to nearest without contraction (-ffp-contract=off for the inline ones).

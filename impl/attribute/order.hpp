@@ -93,8 +93,8 @@ constexpr std::uint32_t u_major_index(std::uint32_t i, std::uint32_t j, Level le
 /// vertex, (i, j) its place there and x the number on the curve at level m-1 of the lower micro-triangle of square
 /// (i/2, j/2):
 ///   V(m-1) + 3 (x + floor(j/2)) / 2 + e,  e = 0 where i is even, 1 where i and j are odd, 2 where j is even
-/// Of the micro-triangles before x, (x + floor(j/2)) / 2 stand upright: the excess of upright ones over half is the sum
-/// of the digits' low bits b0 = iu XOR row, each with the sign of its node, which is row - iu = iv in all.
+/// (x + floor(j/2)) / 2 of the micro-triangles before x are upright: there are iv = row - iu more upright than turned
+/// ones, the sum of the digits' low bits b0 = iu XOR row, each with the sign of its node.
 /// Domain: a vertex of the level; level in 0..16, more is 16.
 /// Source: Color and Attribute Micromaps, 3.1 (Bird); the closed form is ours.
 /// Law: attribute.order_is_walk, attribute.bird_all_levels
@@ -135,9 +135,9 @@ inline Vertex u_major_vertex(std::uint32_t index, Level level) noexcept {
   return {N - r, r - c};
 }
 
-/// The vertex of an index in the hierarchical order.  The root of the index gives the first level m that has the
-/// vertex.  Then upright micro-triangle number k of level m-1 is found on the curve, digit by digit; subtrees come in
-/// pairs of S^2.
+/// The vertex of an index in the hierarchical order.  The first level m that has the vertex follows from V(m-1) <=
+/// index < V(m).  Then upright micro-triangle number k of level m-1 is found on the curve, digit by digit: two
+/// neighbouring subtrees hold S^2 upright ones.
 /// Domain: index in [0, V(level)); level in 0..16, more is 16.
 /// Law: attribute.order_inverse
 constexpr Vertex bird_vertex(std::uint32_t index, Level level) noexcept {

@@ -58,10 +58,11 @@ struct PlanRequest {
 /// Law: attribute.plan_graded, attribute.plan_keeps_error
 std::vector<TrianglePlan> plan(const PlanRequest& request);
 
-/// Distinct byte strings, numbered as they first come: maps that are stored once, colours of a palette.
+/// Distinct byte strings, numbered in the order of their first use: for maps that are stored once, or colours of a
+/// palette.
 class Shared {
  public:
-  /// The number of these bytes.
+  /// The number of this byte string; a new one gets the next number.
   /// Test: scene_attribute_plan_test
   std::uint32_t add(std::span<const std::uint8_t> bytes);
   std::size_t size() const { return size_; }

@@ -8,8 +8,8 @@
 //            order.  A reference to a tile is its number, in 16 bits if all of the node's are below 2^16 (a narrow
 //            node), else in 32 bits.  A reference to a node that begins at word a is 2 a + 1 if it is wide, 2 a if
 //            narrow.
-//   flat     maps that would take more as tiles and nodes, as they are
-//   records  8 bytes a map: level, kind, and place; up to level 2, or if all states are one, the states themselves
+//   flat     maps that are smaller unchanged than as tiles and nodes
+//   records  8 bytes a map: level, kind, and place; instead of a place the states, up to level 2 or if all are equal
 #pragma once
 
 #include <cstdint>
@@ -56,7 +56,7 @@ class Dag {
 
   /// Adds a map, and returns its number: 0, 1, ...  Stored words do not move or change.  The same maps in the same
   /// order give the same words.
-  ///   bits() grows by 64 + 64 ceil(4^n b / 64) at most, by 64 alone up to level 2 and for a map that is there.
+  ///   bits() grows by 64 + 64 ceil(4^n b / 64) at most; by 64 only, up to level 2 or if the graph has the map already.
   /// Domain: n in 0..12 and a map of ceil(4^n b / 8) bytes, or std::invalid_argument is thrown; bits after the last
   /// state may be anything.  std::length_error if an array would pass 2^31 words.
   /// Law: dag.equals_spec, dag.append, dag.bound

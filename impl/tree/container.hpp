@@ -51,11 +51,11 @@ struct Contents {
 
 /// The map of a container; write(level, format, map) gives back the very bytes.
 /// Domain: any bytes; throws BadContainer for bytes that write() cannot have written.  Memory: the input and the map of
-/// its level, 4 MiB at most; the map only if the input has all that it announces.
+/// its level, 4 MiB at most.  The map is allocated only if all announced bytes are there.
 /// Law: tree.round_trip, tree.canonical, tree.malformed
 Contents read(std::span<const std::uint8_t> bytes);
 
-/// The same, but nothing instead of a BadContainer, which is faster for many bad inputs.
+/// As read(), but returns nothing where read() throws BadContainer: faster if many inputs are bad.
 /// Law: tree.canonical, tree.malformed
 std::optional<Contents> try_read(std::span<const std::uint8_t> bytes);
 

@@ -23,9 +23,9 @@ namespace mmverify::impl::tree {
 /// A map in a form that finds a state in one to four steps, in about the size of the paper's sequences.
 class Tree {
  public:
-  /// The form of a map, with the fewest steps that fit 18/17 of the paper's stream (the bits of its two sequences) and
-  /// the header.  Of these it is the shallowest that takes at most 1/32 more than the smallest.  If none fits, it is
-  /// the smallest of all.  Equal maps give equal forms.
+  /// The form of a map.  A form fits if it takes at most 18/17 of the paper's stream (the bits of its two sequences)
+  /// and the header.  Of the forms that fit, those with the fewest steps count; of these the shallowest is chosen that
+  /// takes at most 1/32 more than the smallest.  If none fits, the smallest of all is.  Equal maps give equal forms.
   /// Domain: n in 0..12 and a map of its size, or std::invalid_argument is thrown.
   /// Law: tree.round_trip, tree.on_samples
   static Tree encode(Level n, Format b, std::span<const std::uint8_t> map);
