@@ -100,7 +100,7 @@ void print(const Comparison& comparison, const GateOptions& options) {
 /// Names both processors if they differ: ratios carry over from machine to machine only roughly.
 void name_processors(const Comparison& comparison, const gate::Figures& result) {
   if (!comparison.other_processor.empty())
-    say(stdout, "gate: speeds of two processors: the baseline's {}, the result's {}\n",
+    say(stdout, "gate: speeds were measured on two processors: the baseline's {}, the result's {}\n",
         printable(comparison.other_processor), printable(result.processor));
 }
 
@@ -161,7 +161,7 @@ int bless(const GateOptions& options, const gate::Figures& result) {
   }
   OutputFile(options.baseline).commit(to_json(gate::baseline_of(result)));
   name_faults(result);
-  say(stdout, "gate: {} is what {} says: {} groups of figures\n", printable(options.baseline),
+  say(stdout, "gate: {} now has the figures of {}: {} groups\n", printable(options.baseline),
       printable(options.result), grouped(result.groups.size()));
   return ExitCode::complete;
 }
@@ -206,7 +206,7 @@ Action add_gate(CLI::App& program) {
       "is\n"
       "better than the baseline is red, too, until it is blessed. Speeds are compared as the ratios that one "
       "run\n"
-      "took itself, never as times; one that is better is only said.");
+      "took itself, never as times; a better speed is reported, and is not red.");
   auto options = std::make_shared<GateOptions>();
   command->add_option("--baseline", options->baseline, "what --bless wrote, or an earlier result")
       ->type_name("FILE")

@@ -97,10 +97,10 @@ std::string listed(const Settings& settings) {
 void refuse_others(const char* whose, const std::string& schema, const Settings& settings,
                    const Figures& result) {
   if (schema != result.schema)
-    throw NoResult(fmt::format("a result of {}, {} is of {}", result.schema, whose, schema));
+    throw NoResult(fmt::format("the result's schema is {}, {} is {}", result.schema, whose, schema));
   if (settings != result.settings)
-    throw NoResult(fmt::format("runs of other settings: {} {}; the result's {}", whose, listed(settings),
-                               listed(result.settings)));
+    throw NoResult(fmt::format("the runs have different settings: {} {}; the result's {}", whose,
+                               listed(settings), listed(result.settings)));
 }
 
 }  // namespace
