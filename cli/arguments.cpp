@@ -168,7 +168,7 @@ std::vector<SubjectPtr> of_library(const std::string& name, double timeout_secon
   const auto [file, kind] = std::filesystem::exists(name, error) ? PluginName{name, {}} : plugin_name(name);
   if (!std::filesystem::exists(file, error)) throw EnvironmentError(fmt::format("{}: no such file", file));
   if (!std::filesystem::is_regular_file(file, error))
-    throw EnvironmentError(fmt::format("{}: a shared library is a file, and that is none", file));
+    throw EnvironmentError(fmt::format("{}: not a file; name a shared library", file));
   try {
     dock::Options options;
     options.timeout_seconds = timeout_seconds;

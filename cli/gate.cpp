@@ -125,7 +125,8 @@ nlohmann::ordered_json old_baseline(const std::string& path) {
     why = error.what();
   }
   throw UsageError(fmt::format(
-      "--baseline {}: no baseline, and not overwritten ({}); remove it, or name another file", path, why));
+      "--baseline {}: not a baseline ({}), so it is not overwritten; remove it, or name another file", path,
+      why));
 }
 
 /// Refuses a run in which no law judged anything: it cannot serve as a baseline.
@@ -148,7 +149,8 @@ void refuse_nothing_judged(const std::string& path, const gate::Figures& result)
 int bless(const GateOptions& options, const gate::Figures& result) {
   std::error_code none;
   if (std::filesystem::equivalent(options.baseline, options.result, none))
-    throw UsageError(fmt::format("--baseline {}: the result itself", options.baseline));
+    throw UsageError(
+        fmt::format("--baseline {}: this is the result itself; name another file", options.baseline));
   std::optional<nlohmann::ordered_json> old;
   if (std::filesystem::is_regular_file(options.baseline, none) &&
       std::filesystem::file_size(options.baseline, none) != 0)

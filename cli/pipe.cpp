@@ -60,8 +60,8 @@ Level one_level(const PipeOptions& options) {
                                  options.rays() ? "rays" : "cases of the index"));
   if (options.level.empty()) throw UsageError("--level is required; write --level N");
   if (!options.levels.empty() || !options.laws.empty() || options.cases != 0)
-    throw UsageError(
-        fmt::format("{}: one law and one level; leave --levels, --law and --cases out", options.topic));
+    throw UsageError(fmt::format(
+        "{}: the pipe judges one law at one --level; leave --levels, --law and --cases out", options.topic));
   if (options.rays() && options.interiors_only())
     throw UsageError("--cells interior: write --distance 0.25 for rays inside micro-triangles");
   if (options.corners() && options.interiors_only())
@@ -227,10 +227,10 @@ Action add_gen(CLI::App& program) {
                    "whole numbers; 0: on edges and vertices, too")
       ->check(finite_within(0, traverse::most_distance));
   return [options, command] {
-    if (!options->rays() && options->distance != 0) throw UsageError("--distance: for gen rays");
+    if (!options->rays() && options->distance != 0) throw UsageError("--distance: only for gen rays");
     if (asking_topic(*options) == nullptr && command->count("--seed") != 0)
-      throw UsageError(
-          fmt::format("gen {}: all cells of a level, none drawn; leave --seed out", options->topic));
+      throw UsageError(fmt::format("gen {}: it writes all cells of a level and draws none; leave --seed out",
+                                   options->topic));
     return generate(*options);
   };
 }

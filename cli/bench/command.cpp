@@ -232,11 +232,12 @@ int run_bench(const BenchOptions& options) {
   const auto only = [&](const char* name) {
     return topics.size() == 1 && topics.front()->name == std::string(name);
   };
-  const std::string for_textures = "--textures: for " + names_of_topics(true, " and ");
+  const std::string for_textures = "--textures: only for " + names_of_topics(true, " and ");
   const bool other_bench = options.sweep || !(options.subject + options.scene).empty();
   if (options.maps != 0 && (other_bench || std::none_of(topics.begin(), topics.end(),
                                                         [](const BenchTopic* t) { return t->makes_maps; })))
-    throw UsageError("--maps: for bench vq and bench bake, of generated maps and textures; leave it out");
+    throw UsageError(
+        "--maps: only for bench vq and bench bake with generated maps and textures; leave it out");
   const proofs::InterruptGuard guard;
   if (!options.subject.empty() && only("bake")) return run_baker_bench(options);
   if (options.memory != 0 && (options.scene.empty() || !only("dag")))
@@ -253,7 +254,8 @@ int run_bench(const BenchOptions& options) {
   if (!options.subject.empty() || options.sweep) {
     const char* const option = options.sweep ? "--sweep" : "--subject";
     if (topics.front()->name != std::string("index") || options.topics.size() > 1)
-      throw UsageError(fmt::format("{}: for bench index{}", option, options.sweep ? "" : " and bench bake"));
+      throw UsageError(
+          fmt::format("{}: only for bench index{}", option, options.sweep ? "" : " and bench bake"));
     if (!options.textures.empty()) throw UsageError(for_textures);
     return options.sweep ? run_sweep_bench(options) : run_subject_bench(options);
   }

@@ -116,7 +116,7 @@ void check_given(const CLI::App& command, const RenderOptions& options) {
                            "--heat", "--repeat", "--memory"})
     if (command.count(name) != 0 && views)
       throw UsageError(
-          fmt::format("--attributes, {}: views of attributes have the texture's opacity, and no such option; "
+          fmt::format("--attributes, {}: its views take opacity from the texture, and have no such option; "
                       "leave it out",
                       name));
   if (command.count("--colour-level") != 0 && options.colours.empty() && options.blend.empty())

@@ -295,14 +295,14 @@ int attributes(const SceneOptions& options) {
     throw UsageError(
         "--attributes: it measures and writes --json, --plot, --files and --pictures; leave the others out");
   if (options.plan.size() > most_plans)
-    throw UsageError(fmt::format("--plan: {} errors, and each is a plan of every triangle; {} at most",
+    throw UsageError(fmt::format("--plan: {} errors; at most {}, because each one plans every triangle",
                                  grouped(options.plan.size()), most_plans));
   if (options.astc && options.bc7)
-    throw UsageError("--astc, --bc7: textures are compressed in one of them at a time");
+    throw UsageError("--astc and --bc7: give one of them; textures are compressed in one format at a time");
   if ((options.astc || options.bc7) && options.packed_error != 0)
-    throw UsageError(fmt::format(
-        "{}: errors are measured of lossless maps, and held against their bytes; leave --packed-error out",
-        options.astc ? "--astc" : "--bc7"));
+    throw UsageError(
+        fmt::format("{}: it compares sizes at the errors of lossless maps; leave --packed-error out",
+                    options.astc ? "--astc" : "--bc7"));
   return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
                            options.files, options.codes, options.quiet, options.threads,
                            options.packed || options.packed_error != 0 || options.astc || options.bc7,
@@ -312,11 +312,12 @@ int attributes(const SceneOptions& options) {
 
 int scene(const SceneOptions& options) {
   if (options.attributes) return attributes(options);
-  if (options.codes || !options.pictures.empty()) throw UsageError("--codes, --pictures: for --attributes");
+  if (options.codes || !options.pictures.empty())
+    throw UsageError("--codes, --pictures: only with --attributes; give that, too");
   if (options.packed || options.packed_error != 0 || options.astc || options.bc7 || options.time ||
       options.mips || !options.plan.empty() || !options.files.empty())
     throw UsageError(
-        "--packed, --packed-error, --astc, --bc7, --time, --mips, --plan, --files: for --attributes");
+        "--packed, --packed-error, --astc, --bc7, --time, --mips, --plan, --files: only with --attributes");
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
   check_options(options);
