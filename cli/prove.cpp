@@ -157,8 +157,7 @@ int prove(const ProveOptions& options) {
     throw UsageError(fmt::format("--json and --junit name the same file, {}; name two", options.json));
   for (const std::string& other : {options.json, options.junit})
     if (same_file(options.journal, other))
-      throw UsageError(
-          fmt::format("--journal: {} is the file of another output; name one of its own", options.journal));
+      throw UsageError(fmt::format("--journal: {} belongs to another output; name another", options.journal));
   if ((!options.devices.empty() || options.entry) &&
       std::none_of(options.subjects.begin(), options.subjects.end(), is_shader))
     throw UsageError("--device, --entry: no --subject is a shader; leave them out");

@@ -339,8 +339,7 @@ Action add_render(CLI::App& program) {
   auto options = std::make_shared<RenderOptions>();
   command->add_option("file", options->file, "the scene; without it the suite's own, a plant and a fence")
       ->type_name("FILE.gltf|FILE.glb");
-  command->add_option("--level", options->level, "level of every map; 6 where not given")
-      ->type_name("N|A..B");
+  command->add_option("--level", options->level, "level of maps; 6 where not given")->type_name("N|A..B");
   command
       ->add_option(
           "--method", options->methods,

@@ -55,7 +55,7 @@ struct Contents {
 /// Law: tree.round_trip, tree.canonical, tree.malformed
 Contents read(std::span<const std::uint8_t> bytes);
 
-/// As read(), but returns nothing where read() throws BadContainer: faster if many inputs are bad.
+/// Like read(), but returns nothing where read() throws BadContainer: faster if many inputs are bad.
 /// Law: tree.canonical, tree.malformed
 std::optional<Contents> try_read(std::span<const std::uint8_t> bytes);
 
