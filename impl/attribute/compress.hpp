@@ -79,7 +79,7 @@ class PackedMaps {
   const PackedShape& shape() const noexcept { return shape_; }
 
   /// The codes of one map.  Domain: map < maps, out.size() = values x channels, or std::invalid_argument.
-  /// Test: impl_attribute_compress_test
+  /// Law: attribute.packed_round_trip, attribute.packed_within_error
   void map(std::uint32_t map, std::span<std::uint8_t> out) const;
   /// The codes of all maps, in order.
   /// Law: attribute.packed_round_trip, attribute.packed_within_error

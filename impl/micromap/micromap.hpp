@@ -99,7 +99,7 @@ constexpr unsigned width(Encoding e) noexcept {
 constexpr bool is_signed(Encoding e) noexcept { return e == Encoding::i16 || e == Encoding::i32; }
 
 /// The number of plain indices: 2^w - 4 for an unsigned encoding of w bits, 2^(w-1) for a signed one.
-/// Test: impl_micromap_test
+/// Law: micromap.special_indices, micromap.special_indices_32
 constexpr std::uint64_t index_limit(Encoding e) noexcept {
   return is_signed(e) ? std::uint64_t{1} << (width(e) - 1) : (std::uint64_t{1} << width(e)) - 4;
 }

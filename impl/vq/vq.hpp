@@ -96,7 +96,6 @@ struct Proved4 {
 Proved4 encode_proved(const Map4& map);
 
 /// The number of vectors with O and T in one 2x2 window, overlapping ones included: continuous alpha has none.
-/// Test: impl_vq4_encode_test
 std::uint32_t discontinuous_vectors(const Map2& map);
 std::uint32_t discontinuous_vectors(const Map4& map);
 
