@@ -91,7 +91,7 @@ std::vector<double> parse_numbers(const std::string& text) {
 proofs::bake::BakeSubjectPtr parse_baker(const std::string& text, double timeout_seconds) {
   for (const SubjectPtr& subject : parse_subject(text, timeout_seconds))
     if (auto baker = std::dynamic_pointer_cast<const bake::BakeSubject>(subject)) return baker;
-  throw UsageError(fmt::format("--subject {}: it has no baker", text));
+  throw UsageError(fmt::format("--subject {}: not a baker; it exports no entry point `bake`", text));
 }
 
 namespace {
@@ -168,7 +168,7 @@ std::vector<SubjectPtr> of_library(const std::string& name, double timeout_secon
   const auto [file, kind] = std::filesystem::exists(name, error) ? PluginName{name, {}} : plugin_name(name);
   if (!std::filesystem::exists(file, error)) throw EnvironmentError(fmt::format("{}: no such file", file));
   if (!std::filesystem::is_regular_file(file, error))
-    throw EnvironmentError(fmt::format("{}: a shared library is a file, and that is none", file));
+    throw EnvironmentError(fmt::format("{}: not a file; name a shared library", file));
   try {
     dock::Options options;
     options.timeout_seconds = timeout_seconds;
@@ -187,7 +187,8 @@ std::vector<SubjectPtr> subjects_of(const dock::LibraryPtr& library, const std::
   std::vector<SubjectPtr> chosen;
   for (const PluginSubject& offered : plugin_subjects(library))
     if (kind.empty() || kind == offered.kind) chosen.push_back(offered.subject);
-  if (chosen.empty()) throw UsageError(fmt::format("{}: it has no entry point of {}", library->path(), kind));
+  if (chosen.empty())
+    throw UsageError(fmt::format("{}: it exports no entry point of topic {}", library->path(), kind));
   if (runs_on != nullptr && library->description().max_level == 0)
     for (const SubjectPtr& subject : chosen)
       if (subject->topic() == "index" || subject->topic() == "tree" || subject->topic() == "dag" ||

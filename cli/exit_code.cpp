@@ -27,8 +27,9 @@ void refuse_nothing(const Report& report) {
   // An empty shard: the laws do apply, in other shards.
   if (std::any_of(results.begin(), results.end(), [](const Result& r) { return r.share.has_value(); }))
     throw UsageError(
-        "nothing was run: this shard has 0 cases; its file can be merged, and fewer shards have some each");
-  throw UsageError("nothing was run: no law asked for applies to its subject");
+        "nothing was run: this shard has 0 cases; merge takes its file, and with fewer shards each has "
+        "cases");
+  throw UsageError("nothing was run: none of these laws applies to its subject");
 }
 
 }  // namespace mmverify::cli

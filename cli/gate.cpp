@@ -100,7 +100,7 @@ void print(const Comparison& comparison, const GateOptions& options) {
 /// Names both processors if they differ: ratios carry over from machine to machine only roughly.
 void name_processors(const Comparison& comparison, const gate::Figures& result) {
   if (!comparison.other_processor.empty())
-    say(stdout, "gate: speeds of two processors: the baseline's {}, the result's {}\n",
+    say(stdout, "gate: speeds were measured on two processors: the baseline's {}, the result's {}\n",
         printable(comparison.other_processor), printable(result.processor));
 }
 
@@ -125,7 +125,8 @@ nlohmann::ordered_json old_baseline(const std::string& path) {
     why = error.what();
   }
   throw UsageError(fmt::format(
-      "--baseline {}: no baseline, and not overwritten ({}); remove it, or name another file", path, why));
+      "--baseline {}: not a baseline ({}), so it is not overwritten; remove it, or name another file", path,
+      why));
 }
 
 /// Refuses a run in which no law judged anything: it cannot serve as a baseline.
@@ -148,7 +149,8 @@ void refuse_nothing_judged(const std::string& path, const gate::Figures& result)
 int bless(const GateOptions& options, const gate::Figures& result) {
   std::error_code none;
   if (std::filesystem::equivalent(options.baseline, options.result, none))
-    throw UsageError(fmt::format("--baseline {}: the result itself", options.baseline));
+    throw UsageError(
+        fmt::format("--baseline {}: this is the result itself; name another file", options.baseline));
   std::optional<nlohmann::ordered_json> old;
   if (std::filesystem::is_regular_file(options.baseline, none) &&
       std::filesystem::file_size(options.baseline, none) != 0)
@@ -161,7 +163,7 @@ int bless(const GateOptions& options, const gate::Figures& result) {
   }
   OutputFile(options.baseline).commit(to_json(gate::baseline_of(result)));
   name_faults(result);
-  say(stdout, "gate: {} is what {} says: {} groups of figures\n", printable(options.baseline),
+  say(stdout, "gate: {} now has the figures of {}: {} groups\n", printable(options.baseline),
       printable(options.result), grouped(result.groups.size()));
   return ExitCode::complete;
 }
@@ -206,7 +208,7 @@ Action add_gate(CLI::App& program) {
       "is\n"
       "better than the baseline is red, too, until it is blessed. Speeds are compared as the ratios that one "
       "run\n"
-      "took itself, never as times; one that is better is only said.");
+      "took itself, never as times; a better speed is reported, and is not red.");
   auto options = std::make_shared<GateOptions>();
   command->add_option("--baseline", options->baseline, "what --bless wrote, or an earlier result")
       ->type_name("FILE")

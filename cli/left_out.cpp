@@ -54,7 +54,7 @@ void refuse_levels(const Names& names, const std::vector<Job>& jobs, const Repor
       return r.verdict == Verdict::not_applicable && r.at_once.empty() &&
              (r.level == left.front() || r.level == left.back()) && (subject.empty() || r.subject == subject);
     });
-    throw UsageError(fmt::format("--levels {}: {} {} not judged{}{}; ask for levels that it has",
+    throw UsageError(fmt::format("--levels {}: {} {} not judged{}{}; choose levels at which the law runs",
                                  *names.levels, left.size() == 1 ? "level" : "levels",
                                  ranges(left) + (left.size() == 1 ? " was" : " were"),
                                  subject.empty() ? "" : " of " + subject,
@@ -94,7 +94,7 @@ void refuse_names(const Names& names, const std::vector<Job>& jobs, const Report
   for (const std::string& name : names.subjects) {
     const auto job =
         std::find_if(jobs.begin(), jobs.end(), [&](const Job& j) { return is_of(name, j.subject->name()); });
-    if (job == jobs.end()) refuse(name, "none of these laws asks it");
+    if (job == jobs.end()) refuse(name, "none of these laws calls an entry point of it");
     if (job->subject->absent().empty())
       refuse(name, why_nothing(report, [&](const Result& r) { return is_of(name, r.subject); }));
   }

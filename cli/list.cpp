@@ -63,7 +63,8 @@ void print_law(const Law& law) {
   if (!law.long_only) fast += fmt::format(", about {} s", law.fast_seconds);
   say(stdout, "  method: {}; fast tier: {}; long tier: {}{}\n", to_string(law.method), fast, levels,
       levels_text(law, law.long_run));
-  if (!law.companion.empty()) say(stdout, "  beside it, on subjects of floats: {}\n", law.companion);
+  if (!law.companion.empty())
+    say(stdout, "  runs as well, on subjects that take floats: {}\n", law.companion);
   if (law.id == "index.floats")
     say(stdout,
         "  of a function in C, C++, GLSL, HLSL, LLVM's bitcode or SPIR-V, levels 0..16: prove index.floats "

@@ -39,8 +39,8 @@ void check_program(const ShardRun& shard) {
   for (const auto& [name, value] : program_identity())
     if (std::find(shard.identity.begin(), shard.identity.end(), std::pair(name, value)) ==
         shard.identity.end())
-      throw EnvironmentError(
-          fmt::format("{}: made by a program of another {}; merge with that one", shard.file, name));
+      throw EnvironmentError(fmt::format(
+          "{}: another build of mmverify made it: its {} differs; merge with that build", shard.file, name));
 }
 
 /// All shards must have run on the same device and driver, since a verdict holds for one of each.
@@ -81,7 +81,7 @@ auto of_shards_as_written(const std::optional<std::string>& changed, Compare com
   const auto blame = [&](const std::string& what) {
     return changed && !what.starts_with(*changed + ": ")
                ? fmt::format(
-                     "{}: seal: not that of what the file says, so it was changed; take the file that "
+                     "{}: its seal does not fit its contents, so it was edited; take the file that "
                      "mmverify wrote",
                      *changed)
                : what;
@@ -101,7 +101,7 @@ int merge(const MergeOptions& options) {
   std::error_code none;
   for (const std::string& path : options.shards) {
     if (std::filesystem::equivalent(path, options.out, none))
-      throw UsageError(fmt::format("-o {}: one of the shards", options.out));
+      throw UsageError(fmt::format("-o {}: this is one of the shards; name another file", options.out));
     shards.push_back(read_shard(path));
     check_program(shards.back());
     places.push_back(read_runs_on(path));

@@ -60,8 +60,8 @@ Level one_level(const PipeOptions& options) {
                                  options.rays() ? "rays" : "cases of the index"));
   if (options.level.empty()) throw UsageError("--level is required; write --level N");
   if (!options.levels.empty() || !options.laws.empty() || options.cases != 0)
-    throw UsageError(
-        fmt::format("{}: one law and one level; leave --levels, --law and --cases out", options.topic));
+    throw UsageError(fmt::format(
+        "{}: the pipe judges one law at one --level; leave --levels, --law and --cases out", options.topic));
   if (options.rays() && options.interiors_only())
     throw UsageError("--cells interior: write --distance 0.25 for rays inside micro-triangles");
   if (options.corners() && options.interiors_only())
@@ -112,11 +112,11 @@ void add_common(CLI::App& command, PipeOptions& options) {
   command
       .add_option("--levels", options.levels, "tree, bake: levels A..B, both included; 0..2 where not given")
       ->type_name("A..B");
-  command.add_option("--law", options.laws, "tree, bake: one of the laws that ask; may be given again")
+  command.add_option("--law", options.laws, "tree, bake: only the cases of this law; may be given again")
       ->type_name("LAW");
-  command.add_option("--cases", options.cases, "tree, bake: of each law that draws them, at least so many")
+  command.add_option("--cases", options.cases, "tree, bake: draw at least so many cases of each sampled law")
       ->check(whole_within(1, std::uint64_t{1} << 40));
-  command.add_option("--seed", options.seed, "tree, bake, maps: of the samples")->check(fits_64_bits);
+  command.add_option("--seed", options.seed, "tree, bake, maps: seed of the samples")->check(fits_64_bits);
 }
 
 int generate(const PipeOptions& options) {
@@ -157,7 +157,7 @@ int check(const PipeOptions& options, const std::string& junit_file, bool quiet)
     one_level(options);
   }
   if (same_file(options.json, junit_file))
-    throw UsageError(fmt::format("--json and --junit: one file for both, {}", options.json));
+    throw UsageError(fmt::format("--json and --junit name the same file, {}; name two", options.json));
   std::optional<OutputFile> json, junit;
   if (!options.json.empty() && options.json != "-") json.emplace(options.json);
   if (!junit_file.empty()) junit.emplace(junit_file);
@@ -191,10 +191,11 @@ void add_maps(CLI::App& command, CheckMapsOptions& options) {
   command
       .add_option("--indices", options.raw.indices, "its indices; triangle t has record t where not given")
       ->type_name("FILE");
-  command.add_option("--index-type", options.raw.index_type, "of the indices")
+  command.add_option("--index-type", options.raw.index_type, "type of the indices")
       ->check(CLI::IsMember({"u8", "u16", "u32", "i16", "i32"}));
   command.add_option("--base-triangle", options.raw.base_triangle, "added to indices that are not special");
-  command.add_option("--primitive", options.raw.primitive, "whose triangles it is of")
+  command
+      .add_option("--primitive", options.raw.primitive, "the primitive whose triangles the array belongs to")
       ->type_name("MESH/PRIMITIVE");
   command.add_option("--states", options.states, "maps: 2 where they were forced to 2-state")
       ->check(CLI::IsMember({2, 4}));
@@ -226,10 +227,10 @@ Action add_gen(CLI::App& program) {
                    "whole numbers; 0: on edges and vertices, too")
       ->check(finite_within(0, traverse::most_distance));
   return [options, command] {
-    if (!options->rays() && options->distance != 0) throw UsageError("--distance: for gen rays");
+    if (!options->rays() && options->distance != 0) throw UsageError("--distance: only for gen rays");
     if (asking_topic(*options) == nullptr && command->count("--seed") != 0)
-      throw UsageError(
-          fmt::format("gen {}: all cells of a level, none drawn; leave --seed out", options->topic));
+      throw UsageError(fmt::format("gen {}: it writes all cells of a level and draws none; leave --seed out",
+                                   options->topic));
     return generate(*options);
   };
 }

@@ -88,9 +88,9 @@ void announce_companions(const std::vector<Job>& jobs, TextReport& text) {
   for (const Job& job : jobs) {
     if (job.brought_by == nullptr || !job.unfit.empty()) continue;
     const std::string line = fmt::format(
-        "{} runs beside {}, as {}'s cases are few numbers to a subject of floats; --no-companions leaves it "
-        "out",
-        job.law->id, job.brought_by->id, job.brought_by->id);
+        "{} runs as well, because the cases of {} exercise only a few distinct floats; "
+        "--no-companions leaves it out",
+        job.law->id, job.brought_by->id);
     if (std::find(said.begin(), said.end(), line) == said.end()) said.push_back(line);
   }
   for (const std::string& line : said) text.note(line);
@@ -107,7 +107,8 @@ void name_left_out_companions(Request request, const std::vector<Job>& jobs, Tex
       said.push_back(job.law->id);
   if (!said.empty())
     text.note(
-        fmt::format("left out by --no-companions: {}, which would ask other floats", fmt::join(said, ", ")));
+        fmt::format("left out by --no-companions: {}; the verdict then covers only a few distinct floats",
+                    fmt::join(said, ", ")));
 }
 
 /// The job of proving index.floats of a source, the only law for sources.
@@ -116,7 +117,7 @@ Job job_of_source(const ProveOptions& options) {
     throw UsageError(
         "--source: index.floats is proved of a source, and nothing else; write mmverify prove index.floats");
   if (!options.subjects.empty())
-    throw UsageError("--source and --subject: one of them; a source is a subject");
+    throw UsageError("--source and --subject: give one of them; the source is the subject that is judged");
   if (options.dialect == "published")
     throw UsageError("--dialect published: a source's index is proved to be the exact one; leave it out");
   SourceOptions of{*options.source, "index_of", options.flags};
@@ -150,13 +151,13 @@ int replay_of_source(const Job& job, const std::string& text) {
 
 int prove(const ProveOptions& options) {
   if (!options.source && (options.function || options.one_case || !options.flags.empty()))
-    throw UsageError("--function, --flag, --case: of a --source; name one, or leave them out");
-  if (options.junit == "-") throw UsageError("--junit -: standard output is for --json; name a file");
+    throw UsageError("--function, --flag and --case belong to --source: give that, too, or leave them out");
+  if (options.junit == "-") throw UsageError("--junit -: only --json can go to standard output; name a file");
   if (same_file(options.json, options.junit))
-    throw UsageError(fmt::format("--json and --junit: one file for both, {}", options.json));
+    throw UsageError(fmt::format("--json and --junit name the same file, {}; name two", options.json));
   for (const std::string& other : {options.json, options.junit})
     if (same_file(options.journal, other))
-      throw UsageError(fmt::format("--journal: {} is another output's file", options.journal));
+      throw UsageError(fmt::format("--journal: {} belongs to another output; name another", options.journal));
   if ((!options.devices.empty() || options.entry) &&
       std::none_of(options.subjects.begin(), options.subjects.end(), is_shader))
     throw UsageError("--device, --entry: no --subject is a shader; leave them out");
@@ -227,7 +228,7 @@ Action add_prove(CLI::App& program) {
   command->add_option("law", options->laws, "laws or topics")->type_name("LAW|TOPIC");
   command->add_option("--levels", options->levels, "levels A..B, both included; the tier's where not given")
       ->type_name("A..B");
-  command->add_option("--subject", options->subjects, "who is judged; may be given again")
+  command->add_option("--subject", options->subjects, "the subject to judge; may be given again")
       ->type_name("NAME|FILE.so|SHADER")
       ->allow_extra_args(false);
   command
@@ -248,14 +249,14 @@ Action add_prove(CLI::App& program) {
       ->type_name("ULPS")
       ->check(whole_within(0, 1 << 20));
   command->add_flag("--no-companions", options->no_companions,
-                    "run no law on floats beside one whose cases are few numbers to a subject of floats");
-  command->add_option("--errors", options->errors, "counterexamples kept of each result")
+                    "leave out the laws on floats that run with a law whose cases exercise few floats");
+  command->add_option("--errors", options->errors, "how many counterexamples each result keeps")
       ->check(whole_within(1, 10'000));
   command
       ->add_option("--cases", options->cases,
                    "draw at least so many cases of each sampled law of bakers, over its four lowest levels")
       ->check(whole_within(1, 10'000'000));
-  command->add_option("--seed", options->seed, "of every sample")->check(fits_64_bits);
+  command->add_option("--seed", options->seed, "seed of every sample")->check(fits_64_bits);
   command
       ->add_option("--timeout", options->timeout,
                    "seconds that a library may take for a batch; 10 where not given, 60 of a shader")

@@ -89,7 +89,7 @@ MutantResult mutant(const Json& j) {
 ShardRun shard_run(const Json& j) {
   if (j.value("schema", "") != "mmverify.result/1")
     throw std::runtime_error("not a result of mmverify prove");
-  if (!j.contains("shard")) throw std::runtime_error("no shard: written without --shard");
+  if (!j.contains("shard")) throw std::runtime_error("not a shard: it was written without --shard");
   ShardRun run;
   const Json& shard = j.at("shard");
   shard.at("number").get_to(run.shard.number);

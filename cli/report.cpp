@@ -38,7 +38,7 @@ int report(const ReportOptions& options) {
   std::error_code none;
   for (const std::string& path : options.results)
     if (std::filesystem::equivalent(path, options.out, none))
-      throw UsageError(fmt::format("-o {}: one of the results", options.out));
+      throw UsageError(fmt::format("-o {}: this is one of the results; name another file", options.out));
   const std::string_view page = mmverify::report::page();
   if (page.empty())
     throw EnvironmentError(

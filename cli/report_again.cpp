@@ -120,7 +120,7 @@ void ask(const Json& result, Asked& asked, std::size_t& pictures, Json& one) {
   const SubjectPtr subject = find_subject(name);
   const auto why = [&one](const std::string& words) { one["why"] = words; };
   if (law == nullptr) return why("this program has no law of that name");
-  if (name == "standard input") return why("they came on a pipe, and are gone");
+  if (name == "standard input") return why("its answers came on a pipe and were not kept");
   if (subject == nullptr) return why("the subject is not built in, and no library is started for a page");
   if (level_text.is_null()) return why("it is about many levels at once");
   const Level level = level_text.get<Level>();

@@ -39,7 +39,7 @@ std::unique_ptr<Journal> open_journal(const std::string& path, Identity identity
   identity.emplace_back("shard", shard ? fmt::format("{}/{}", shard->number, shard->of) : "none");
   auto journal = std::make_unique<Journal>(path, std::move(identity));
   if (journal->dropped() != 0)
-    say(stderr, "{}: {} of its bytes are no whole line; what they were about is done again\n", path,
+    say(stderr, "{}: {} of its bytes are in damaged lines; the work that these record is done again\n", path,
         journal->dropped());
   return journal;
 }

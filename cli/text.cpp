@@ -107,12 +107,14 @@ void TextReport::line(const std::vector<Result>& results) {
     say(out_, "           domain: {}; {}{}; digest {:016x}\n", first.domain, first.method,
         first.dialect.empty() ? "" : "; dialect: " + first.dialect, first.digest);
   if (declined != 0)
-    say(out_, "           declined: {} of these cases, which it does not claim to support\n",
+    say(out_,
+        "           declined: {} of these cases, which the subject says it does not support: not judged\n",
         grouped(declined));
   if (allowed != 0)
-    say(out_, "           allowed: {} of these answers, which {} does not give\n", grouped(allowed),
-        first.dialect == "published" ? "the published code" : "exact arithmetic");
-  if (resumed != 0) say(out_, "           resumed: {} of these cases by the journal\n", grouped(resumed));
+    say(out_, "           allowed: {} of these answers, which differ from {} but count as right\n",
+        grouped(allowed), first.dialect == "published" ? "the published code" : "exact arithmetic");
+  if (resumed != 0)
+    say(out_, "           resumed: {} of these cases, taken from the journal\n", grouped(resumed));
   for (const Result& r : results)
     if (by_level_ && r.share)
       say(out_, "           share: units {} to {} of {}\n", grouped(r.share->from), grouped(r.share->to),
@@ -138,7 +140,7 @@ void TextReport::say_breaks(const Result& r) const {
   if (r.verdict == Verdict::broken && r.breaks.empty()) say(out_, "  {}\n", r.reason);
   for (std::size_t k = 0; k < std::min(shown, r.breaks.size()); ++k) say(out_, "  {}\n", r.breaks[k]);
   if (!r.breaks.empty())
-    say(out_, "  level {}: not answered: {} of {} cases; the others are judged\n", r.level,
+    say(out_, "  level {}: no answer to {} of {} cases; the others are judged\n", r.level,
         grouped(r.breaks.size()), grouped(r.cases_run()));
 }
 

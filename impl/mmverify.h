@@ -25,33 +25,41 @@ enum { MMVERIFY_FORMAT_2_STATE = 1, MMVERIFY_FORMAT_4_STATE = 2 };
 const char* mmverify_error(void);
 
 /* index[k]: the micro-triangle that contains the barycentrics (u[k], v[k]) of the second and third vertex.
- * Source: Vulkan, VK_EXT_opacity_micromap, "Reference Code"; exact for all finite floats in the triangle. */
+ * Source: Vulkan, VK_EXT_opacity_micromap, "Reference Code"; exact for all finite floats in the triangle.
+ * Law: index.equals_reference, index.exact_on_floats */
 int mmverify_index(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
 
-/* corners[6 k ..]: i0 j0 i1 j1 i2 j2 of index[k] < 4^level, in units of 1/2^level along u and v: the corners
- * that the children 0, 2 and 3 touch. */
+/* corners[6 k .. 6 k + 5]: the corners i0 j0 i1 j1 i2 j2 of micro-triangle index[k] < 4^level, in units of 1/2^level
+ * along u and v. Corner 0, 1, 2 is the one that child 0, 2, 3 touches.
+ * Law: index.corners, index.corner_order */
 int mmverify_corners(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
-/* The two functions above in row order.  Source: Color and Attribute Micromaps, figure 4. */
+/* The two functions above in row order.  Source: Color and Attribute Micromaps, figure 4.
+ * Law: index.row_order, index.row_corners */
 int mmverify_row_index(uint32_t level, const float* u, const float* v, uint32_t* index, size_t count);
 int mmverify_row_corners(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count);
 
-/* Packs `count` states, a byte each, to ceil(count b / 8) bytes; and unpacks them. */
+/* Packs `count` states, a byte each, to ceil(count b / 8) bytes, and unpacks them.
+ * Law: micromap.packing */
 int mmverify_pack(uint32_t format, const uint8_t* states, size_t count, uint8_t* map);
 int mmverify_unpack(uint32_t format, const uint8_t* map, size_t count, uint8_t* states);
 
-/* The 2-state map of a 4-state map: T and UT become T, O and UO become O; and a 2-state map as a 4-state map. */
+/* Force-2: the 2-state map of a 4-state map; T and UT become T, O and UO become O. Widen: a 2-state map as a 4-state
+ * map.
+ * Law: micromap.force2 */
 int mmverify_force2(uint32_t level, const uint8_t* four_state, uint8_t* two_state);
 int mmverify_widen(uint32_t level, const uint8_t* two_state, uint8_t* four_state);
 
-/* The map of level + 1, each child with its parent's state; and the map of level - 1, a parent T or O if all its
- * children are, else unknown (docs/MICROMAP.md). */
+/* Up: the map of level + 1, in which each child has its parent's state. Down: the map of level - 1. There a 4-state
+ * parent is T or O if all its children are, else unknown; a 2-state parent is O if two of them are (docs/MICROMAP.md).
+ * Law: micromap.up, micromap.down */
 int mmverify_map_up(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* above);
 int mmverify_map_down(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* below);
 
 /* The code of a map: the tree's bits, then from the next whole byte on its leaves' states.  Returns the size of the
  * code, or 0 on failure; the code is written if `capacity` is at least its size.
- * Source: Succinct Opacity Micromaps, Algorithms 1 and 2. */
+ * Source: Succinct Opacity Micromaps, Algorithms 1 and 2.
+ * Law: tree.equals_spec */
 size_t mmverify_tree_encode(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* code,
                             size_t capacity);
 
@@ -64,7 +72,8 @@ int mmverify_tree_lookup(const mmverify_tree* tree, const uint32_t* index, uint8
 int mmverify_tree_decode(const mmverify_tree* tree, uint8_t* map);
 
 /* Square maps: a byte a region, T 0, C 1, O 2, region (x, y) at x + 16 y or x + 32 y, y from the bottom; blocks
- * of VQ2 have 32 bytes, of VQ4 64 (docs/VQ.md).  All bytes are a block; an encoder takes every map. */
+ * of VQ2 have 32 bytes, of VQ4 64 (docs/VQ.md).  All bytes are a block; an encoder takes every map.
+ * Law: vq2.region_is_map, vq4.region_is_map, vq2.conservative */
 int mmverify_vq2_decode(const uint8_t* block, uint8_t* map);
 int mmverify_vq4_decode(const uint8_t* block, uint8_t* map);
 int mmverify_vq2_region(const uint8_t* block, const uint32_t* x, const uint32_t* y, uint8_t* state,
@@ -110,7 +119,8 @@ mmverify_baker* mmverify_baker_new(const mmverify_texture* mips, size_t count,
 void mmverify_baker_free(mmverify_baker* baker);
 /* The 4-state map of the triangle with these texture coordinates, u and v of three vertices: O if alpha is opaque
  * on all of a closed micro-triangle in each mip, T if it is transparent on all of it in each mip; else unknown, UO or
- * UT by alpha at the centroid.  Exact. */
+ * UT by alpha at the centroid.  Exact.
+ * Law: bake.conservative, bake.tight */
 int mmverify_bake(const mmverify_baker* baker, const float* uv, uint32_t level, uint8_t* map);
 
 #ifdef __cplusplus

@@ -32,7 +32,7 @@ class Outputs {
  public:
   explicit Outputs(const BenchOptions& options) : options_(options) {
     if (same_file(options.json, options.plot))
-      throw UsageError(fmt::format("--json and --plot: one file for both, {}", options.json));
+      throw UsageError(fmt::format("--json and --plot name the same file, {}; name two", options.json));
     if (!options.json.empty() && options.json != "-") file_.emplace(options.json);
     if (!options.plot.empty()) picture_.emplace(options.plot);
   }
@@ -43,7 +43,7 @@ class Outputs {
     if (!json_.empty()) say(out, "\n");
     print_result(out, result);
     json_ += (json_.empty() ? "" : ",\n") + result_json(result);
-    if (picture_ && !result.drawn) throw UsageError("--plot: these figures are not drawn");
+    if (picture_ && !result.drawn) throw UsageError("--plot: these figures have no drawing; leave it out");
     if (picture_) script_ = plot_script(*result.drawn);
   }
 
@@ -64,7 +64,7 @@ class Outputs {
 /// Runs a bench that belongs to no topic; its figures have no picture.
 template <class Bench>
 int run_table(const BenchOptions& options, Bench bench) {
-  if (!options.plot.empty()) throw UsageError("--plot: these figures are not drawn");
+  if (!options.plot.empty()) throw UsageError("--plot: these figures have no drawing; leave it out");
   Outputs outputs(options);
   const bench::Result result = bench();
   stop_if_asked();
@@ -84,7 +84,8 @@ proofs::Levels levels_or(const BenchOptions& options, const proofs::Levels& othe
 /// Measures the cost of judging a library, and that of calling it.
 int run_subject_bench(const BenchOptions& options) {
   const proofs::Levels levels = levels_or(options, {10, 10});
-  if (levels.first != levels.last) throw UsageError(fmt::format("--levels {}: one level", options.levels));
+  if (levels.first != levels.last)
+    throw UsageError(fmt::format("--levels {}: --subject measures one level; write N", options.levels));
   return run_table(options,
                    [&] { return bench::subject_tables(subject_figures(options.subject, levels.first)); });
 }
@@ -132,7 +133,8 @@ int run_scene_dag_bench(const BenchOptions& options) {
     stop_if_asked();
     if (figures.maps == 0) throw UsageError(options.scene + ": nothing to bake");
     if (figures.rows.empty())
-      throw UsageError(fmt::format("{}: no map of more than one state at these levels", options.scene));
+      throw UsageError(
+          fmt::format("{}: every map of these levels is uniform; try other --levels", options.scene));
     outputs.print(bench::scene_dag_tables(figures, dag));
   } catch (const mmverify::scene::BadScene& error) {
     throw EnvironmentError(error.what());
@@ -162,9 +164,9 @@ int run_sweep_bench(const BenchOptions& options) {
 
 /// Measures lookups on a device. It is not among the topics, which run without a device.
 int run_shader_bench(const BenchOptions& options) {
-  if (options.topics.size() > 1) throw UsageError("bench shaders: by itself");
+  if (options.topics.size() > 1) throw UsageError("bench shaders runs alone; leave the other topics out");
   if (!options.subject.empty() || !options.scene.empty() || !options.textures.empty() || options.sweep)
-    throw UsageError("bench shaders: takes --levels, --device, --seed and --json");
+    throw UsageError("bench shaders takes only --levels, --device, --seed and --json");
   const proofs::Levels levels = levels_or(options, {4, 12}, 12);
   return run_table(options, [&] { return bench::shader_tables(shader_figures(options, levels)); });
 }
@@ -178,7 +180,8 @@ std::vector<proofs::Levels> checked_levels(const BenchOptions& options, const Ch
   for (const BenchTopic* topic : topics)
     levels.push_back(topic->levels ? levels_or(options, *topic->levels, topic->highest) : proofs::Levels{});
   if (topics.size() == 1 && !topics.front()->levels && !options.levels.empty())
-    throw UsageError(fmt::format("--levels: blocks of topic {} have none", topics.front()->name));
+    throw UsageError(
+        fmt::format("--levels: the blocks of topic {} have no levels; leave it out", topics.front()->name));
   for (const BenchTopic* topic : topics)
     if (options.index.samples > topic->most_samples)
       throw UsageError(fmt::format("--samples {}: bench {} does {} lookups at most", options.index.samples,
@@ -189,7 +192,7 @@ std::vector<proofs::Levels> checked_levels(const BenchOptions& options, const Ch
 /// Runs the given topics.
 int run_topics(const BenchOptions& options, const ChosenTopics& topics) {
   const std::vector<proofs::Levels> levels = checked_levels(options, topics);
-  if (topics.size() > 1 && !options.plot.empty()) throw UsageError("--plot: of one topic");
+  if (topics.size() > 1 && !options.plot.empty()) throw UsageError("--plot draws one topic; name one");
   Outputs outputs(options);
   for (std::size_t k = 0; k < topics.size(); ++k) outputs.print(measured(*topics[k], options, levels[k]));
   return outputs.commit(topics.size() > 1);
@@ -210,7 +213,7 @@ std::string names_of_topics(bool with_textures, const char* last) {
 int run_bench(const BenchOptions& options) {
   const bool of_shaders =
       std::find(options.topics.begin(), options.topics.end(), "shaders") != options.topics.end();
-  if (options.device != 0 && !of_shaders) throw UsageError("--device: for bench shaders");
+  if (options.device != 0 && !of_shaders) throw UsageError("--device: only bench shaders takes it");
   if (of_shaders) {
     const proofs::InterruptGuard guard;
     return run_shader_bench(options);
@@ -229,28 +232,30 @@ int run_bench(const BenchOptions& options) {
   const auto only = [&](const char* name) {
     return topics.size() == 1 && topics.front()->name == std::string(name);
   };
-  const std::string for_textures = "--textures: for " + names_of_topics(true, " and ");
+  const std::string for_textures = "--textures: only for " + names_of_topics(true, " and ");
   const bool other_bench = options.sweep || !(options.subject + options.scene).empty();
   if (options.maps != 0 && (other_bench || std::none_of(topics.begin(), topics.end(),
                                                         [](const BenchTopic* t) { return t->makes_maps; })))
-    throw UsageError("--maps: for bench vq and bench bake, of generated maps and textures; leave it out");
+    throw UsageError(
+        "--maps: only for bench vq and bench bake with generated maps and textures; leave it out");
   const proofs::InterruptGuard guard;
   if (!options.subject.empty() && only("bake")) return run_baker_bench(options);
   if (options.memory != 0 && (options.scene.empty() || !only("dag")))
-    throw UsageError("--memory: for bench dag --scene");
+    throw UsageError("--memory: only bench dag --scene takes it");
   if (!options.scene.empty()) {
     if (only("dag")) {
       if (!options.subject.empty() || options.sweep)
         throw UsageError("bench dag --scene: takes --levels, --memory, --samples, --seed, --json and --plot");
       return run_scene_dag_bench(options);
     }
-    if (!only("bake")) throw UsageError("--scene: for bench bake and bench dag");
+    if (!only("bake")) throw UsageError("--scene: only bench bake and bench dag take it");
     return run_scene_bench(options);
   }
   if (!options.subject.empty() || options.sweep) {
     const char* const option = options.sweep ? "--sweep" : "--subject";
     if (topics.front()->name != std::string("index") || options.topics.size() > 1)
-      throw UsageError(fmt::format("{}: for bench index{}", option, options.sweep ? "" : " and bench bake"));
+      throw UsageError(
+          fmt::format("{}: only for bench index{}", option, options.sweep ? "" : " and bench bake"));
     if (!options.textures.empty()) throw UsageError(for_textures);
     return options.sweep ? run_sweep_bench(options) : run_subject_bench(options);
   }
@@ -303,11 +308,13 @@ Action add_bench(CLI::App& program) {
       ->excludes(textures);
   command->add_flag("--sweep", options->sweep,
                     "measure sweeps of index.equals_reference instead, level by level");
-  command->add_option("--threads", options->threads, "of a sweep; as many as the machine has where not given")
+  command
+      ->add_option("--threads", options->threads,
+                   "threads of a sweep; as many as the machine has where not given")
       ->check(whole_within(1, 1024));
   command->add_option("--device", options->device, "shaders: the Vulkan device, by number; 0 where not given")
       ->check(whole_within(0, 9999));
-  command->add_option("--seed", options->index.seed, "of the points")->check(fits_64_bits);
+  command->add_option("--seed", options->index.seed, "seed of the points")->check(fits_64_bits);
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--plot", options->plot, "draw them, with gnuplot")->type_name("FILE.svg");
   command->add_flag("--quiet", options->quiet, "no progress on stderr");

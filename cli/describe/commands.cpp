@@ -66,7 +66,7 @@ Action add_completion(CLI::App& program) {
   auto* command =
       program.add_subcommand("completion", "a script that completes this command line in a shell");
   auto shell = std::make_shared<std::string>();
-  command->add_option("shell", *shell, "whose: source <(mmverify completion bash)")
+  command->add_option("shell", *shell, "the shell, as in: source <(mmverify completion bash)")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   return [&program, shell] {

@@ -102,8 +102,8 @@ void check_files(const RenderOptions& options) {
   for (std::size_t a = 0; a < files.size(); ++a)
     for (std::size_t b = a + 1; b < files.size(); ++b)
       if (files[b].second != "-" && same_file(files[a].second, files[b].second))
-        throw UsageError(
-            fmt::format("{} and {}: one file for both, {}", files[a].first, files[b].first, files[b].second));
+        throw UsageError(fmt::format("{} and {} name the same file, {}; name two", files[a].first,
+                                     files[b].first, files[b].second));
 }
 
 /// Refuses options that would have no effect, or a misleading one.
@@ -111,16 +111,17 @@ void check_given(const CLI::App& command, const RenderOptions& options) {
   const bool views = !options.attributes.empty();
   for (const char* name : {"--shading", "--rays", "--pictures"})
     if (command.count(name) != 0 && !views)
-      throw UsageError(fmt::format("{}: of the views of --attributes A..B; give that, too", name));
+      throw UsageError(fmt::format("{} belongs to --attributes A..B; give that, too", name));
   for (const char* name : {"--level", "--method", "--blend", "--colours", "--colour-level", "--output",
                            "--heat", "--repeat", "--memory"})
     if (command.count(name) != 0 && views)
       throw UsageError(
-          fmt::format("--attributes, {}: views of attributes have the texture's opacity, and no such option; "
+          fmt::format("--attributes, {}: its views take opacity from the texture, and have no such option; "
                       "leave it out",
                       name));
   if (command.count("--colour-level") != 0 && options.colours.empty() && options.blend.empty())
-    throw UsageError("--colour-level: of the maps that --colours or --blend draws from; name one of them");
+    throw UsageError(
+        "--colour-level is the level of the maps of --colours or --blend; give one of these, too");
   if (command.count("--cameras") != 0)
     for (const char* other :
          {"--camera", "--blend", "--colours", "--colour-level", "--output", "--heat", "--repeat"})
@@ -338,7 +339,7 @@ Action add_render(CLI::App& program) {
   auto options = std::make_shared<RenderOptions>();
   command->add_option("file", options->file, "the scene; without it the suite's own, a plant and a fence")
       ->type_name("FILE.gltf|FILE.glb");
-  command->add_option("--level", options->level, "of every map; 6 where not given")->type_name("N|A..B");
+  command->add_option("--level", options->level, "level of maps; 6 where not given")->type_name("N|A..B");
   command
       ->add_option(
           "--method", options->methods,
@@ -355,7 +356,7 @@ Action add_render(CLI::App& program) {
           "--colours", options->colours,
           "draw base colours from attribute micromaps, of faces or vertices; --blend without it: faces")
       ->type_name("faces|vertices");
-  command->add_option("--colour-level", options->colour_level, "of these maps; 3 where not given")
+  command->add_option("--colour-level", options->colour_level, "level of these maps; 3 where not given")
       ->check(whole_within(0, 8));
   command
       ->add_option("--attributes", options->attributes,
@@ -363,7 +364,7 @@ Action add_render(CLI::App& program) {
       ->type_name("N|A..B");
   command->add_option("--shading", options->shading, "of these views: lit, or base colours as they are")
       ->type_name("lit|unlit");
-  command->add_option("--rays", options->rays, "along each side of a pixel of these views; 1 where not given")
+  command->add_option("--rays", options->rays, "rays along each side of a pixel; 1 where not given")
       ->check(whole_within(1, 8));
   command
       ->add_option("--pictures", options->pictures,
@@ -376,7 +377,7 @@ Action add_render(CLI::App& program) {
                    "write how often each pixel called an any-hit shader, method by method")
       ->type_name("FILE.png");
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
-  command->add_option("--size", options->size, "of the picture in pixels; 640x480 where not given")
+  command->add_option("--size", options->size, "size of the picture in pixels; 640x480 where not given")
       ->type_name("WIDTHxHEIGHT");
   command
       ->add_option("--camera", options->camera,
@@ -387,7 +388,7 @@ Action add_render(CLI::App& program) {
                    "law traverse.same_image on the scene: so many cameras of a random path, each of which "
                    "looks at a triangle with micromaps")
       ->check(whole_within(1, 10'000));
-  command->add_option("--seed", options->seed, "of the random path")->check(fits_64_bits);
+  command->add_option("--seed", options->seed, "seed of the random path")->check(fits_64_bits);
   command->add_flag("--no-shadows", options->no_shadows, "primary rays alone");
   command
       ->add_option("--repeat", options->repeats,

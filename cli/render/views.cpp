@@ -73,8 +73,9 @@ void check_size(const ViewArguments& arguments) {
   const std::uint64_t rays = arguments.rays;
   if (rays * arguments.width > 16384 || rays * arguments.height > 16384 ||
       rays * rays * arguments.width * arguments.height > most_rays)
-    throw UsageError(fmt::format("--size {}x{}, --rays {}: a side has up to 16384 rays, and a view 2^26",
-                                 arguments.width, arguments.height, rays));
+    throw UsageError(
+        fmt::format("--size {}x{}, --rays {}: too many rays; at most 16384 along a side and 2^26 in a view",
+                    arguments.width, arguments.height, rays));
 }
 
 }  // namespace

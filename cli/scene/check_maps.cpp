@@ -156,7 +156,7 @@ int check_maps(const CheckMapsOptions& options) {
   if (options.json == "-" && options.junit == "-")
     throw UsageError("--json and --junit: one standard output for both");
   if (same_file(options.json, options.junit) && options.json != "-")
-    throw UsageError(fmt::format("--json and --junit: one file for both, {}", options.json));
+    throw UsageError(fmt::format("--json and --junit name the same file, {}; name two", options.json));
   const proofs::InterruptGuard guard;
   std::optional<OutputFile> json, junit;
   if (!options.json.empty() && options.json != "-") json.emplace(options.json);

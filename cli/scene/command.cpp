@@ -208,8 +208,8 @@ void check_options(const SceneOptions& options) {
   for (std::size_t a = 0; a < files.size(); ++a)
     for (std::size_t b = a + 1; b < files.size(); ++b)
       if (files[b].second != "-" && same_file(files[a].second, files[b].second))
-        throw UsageError(
-            fmt::format("{} and {}: one file for both, {}", files[a].first, files[b].first, files[b].second));
+        throw UsageError(fmt::format("{} and {} name the same file, {}; name two", files[a].first,
+                                     files[b].first, files[b].second));
   if (options.replay.empty() != options.at.empty())
     throw UsageError("--replay LAW and --case LEVEL@CASE go together");
   if (!options.subject.empty() && (options.states != 4 || !(options.glb + options.sizes).empty()))
@@ -275,7 +275,7 @@ int judged(const proofs::scene::Data& data, const proofs::bake::BakeSubjectPtr& 
   say(output.text(), "\nlaws on the maps of {}\n", baker->name());
   if (laws.jobs.empty())
     throw UsageError(
-        fmt::format("--subject {}: it declares nothing that this scene asks for", baker->name()));
+        fmt::format("--subject {}: its declared support covers no triangle of this scene", baker->name()));
   const Report report = ran(laws.jobs, options, output.text(), "all");
   const SubjectFigures figures{baker->name(), maps.totals()};
   print_subject(output.text(), figures);
@@ -295,14 +295,14 @@ int attributes(const SceneOptions& options) {
     throw UsageError(
         "--attributes: it measures and writes --json, --plot, --files and --pictures; leave the others out");
   if (options.plan.size() > most_plans)
-    throw UsageError(fmt::format("--plan: {} errors, and each is a plan of every triangle; {} at most",
+    throw UsageError(fmt::format("--plan: {} errors; at most {}, because each one plans every triangle",
                                  grouped(options.plan.size()), most_plans));
   if (options.astc && options.bc7)
-    throw UsageError("--astc, --bc7: textures are compressed in one of them at a time");
+    throw UsageError("--astc and --bc7: give one of them; textures are compressed in one format at a time");
   if ((options.astc || options.bc7) && options.packed_error != 0)
-    throw UsageError(fmt::format(
-        "{}: errors are measured of lossless maps, and held against their bytes; leave --packed-error out",
-        options.astc ? "--astc" : "--bc7"));
+    throw UsageError(
+        fmt::format("{}: it compares sizes at the errors of lossless maps; leave --packed-error out",
+                    options.astc ? "--astc" : "--bc7"));
   return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
                            options.files, options.codes, options.quiet, options.threads,
                            options.packed || options.packed_error != 0 || options.astc || options.bc7,
@@ -312,11 +312,12 @@ int attributes(const SceneOptions& options) {
 
 int scene(const SceneOptions& options) {
   if (options.attributes) return attributes(options);
-  if (options.codes || !options.pictures.empty()) throw UsageError("--codes, --pictures: for --attributes");
+  if (options.codes || !options.pictures.empty())
+    throw UsageError("--codes, --pictures: only with --attributes; give that, too");
   if (options.packed || options.packed_error != 0 || options.astc || options.bc7 || options.time ||
       options.mips || !options.plan.empty() || !options.files.empty())
     throw UsageError(
-        "--packed, --packed-error, --astc, --bc7, --time, --mips, --plan, --files: for --attributes");
+        "--packed, --packed-error, --astc, --bc7, --time, --mips, --plan, --files: only with --attributes");
   if (!options.plot.empty() && options.sizes.empty())
     throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
   check_options(options);
@@ -380,7 +381,7 @@ Action add_scene(CLI::App& program) {
   command
       ->add_option(
           "--level", options->level,
-          "of every triangle; auto: each its highest useful one; of --attributes also A..B, auto: 0..5")
+          "level of every triangle; auto: its highest useful one; with --attributes also A..B, auto: 0..5")
       ->type_name("N|auto");
   command
       ->add_option("--level-limit", options->level_limit, "the finest level that the device takes; of auto")
@@ -450,7 +451,7 @@ Action add_scene(CLI::App& program) {
       ->add_option("--journal", options->journal,
                    "keep what the laws have done here; the same command goes on from it")
       ->type_name("FILE");
-  command->add_option("--seed", options->seed, "of every sample")->check(fits_64_bits);
+  command->add_option("--seed", options->seed, "seed of every sample")->check(fits_64_bits);
   command
       ->add_option("--threads", options->threads,
                    "worker threads; as many as the machine has where not given")

@@ -66,23 +66,24 @@ void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Leve
          fmt::format("{} primitives, {} triangles: {}", count[0], grouped(count[1]), sentence(reason)));
   if (baked.unique > plan.triangles.size())
     line(out, "left out",
-         fmt::format("{} UV-duplicates of other triangles{}", grouped(baked.unique - plan.triangles.size()),
+         fmt::format("{} triangles that share the map of another one with the same UVs{}",
+                     grouped(baked.unique - plan.triangles.size()),
                      baked.reordered == 0
                          ? ""
-                         : fmt::format("; {} triangles are rotated or mirrored ones: their map is reordered",
+                         : fmt::format("; for {} triangles, rotated or mirrored ones, the map is reordered",
                                        grouped(baked.reordered))));
   if (baked.lines + baked.points != 0)
     line(out, "note",
-         fmt::format("{} distinct triangles see a line of the texture, {} a point", baked.lines,
-                     baked.points));
+         fmt::format("the UVs of {} distinct triangles lie on a line, of {} at a point: they cover no area",
+                     baked.lines, baked.points));
   if (baked.limited != 0)
     line(out, "left out",
-         fmt::format("levels above {} of {} distinct triangles, whose texture would bear more: the limit",
-                     baked.limit, baked.limited));
+         fmt::format(
+             "levels above {} of {} distinct triangles, by --level-limit; their texture has more detail",
+             baked.limit, baked.limited));
   if (levels.lowered != 0)
     line(out, "left out",
-         fmt::format("levels of {} distinct triangles, lowered to fit the memory budget",
-                     grouped(levels.lowered)));
+         fmt::format("levels of {} distinct triangles, lowered to fit --memory", grouped(levels.lowered)));
 }
 
 void print_figures(std::FILE* out, const SceneFigures& f) {
@@ -93,7 +94,7 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
                    f.made.bake_seconds,
                    static_cast<double>(counts.micro_triangles) / f.made.bake_seconds / 1e6));
   line(out, "work",
-       fmt::format("{:.1f} % not settled by a parent, {} by exact numbers",
+       fmt::format("{:.1f} % of micro-triangles judged one by one, {} of them in exact arithmetic",
                    100 * share(counts.leaves, counts.micro_triangles), grouped(counts.exact)));
   micromap::StateCounts states{};
   std::uint64_t uniform = 0, two_state = 0;
@@ -108,7 +109,7 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
            100 * share(states[1], counts.micro_triangles), 100 * share(states[2], counts.micro_triangles),
            100 * share(states[3], counts.micro_triangles)));
   line(out, "uniform",
-       fmt::format("{} of {} distinct triangles: special indices, no map; {} more need 2 states only",
+       fmt::format("{} of {} distinct triangles get a special index, no map; {} more need only 2 states",
                    grouped(uniform), grouped(f.made.baked.triangles.size()), grouped(two_state)));
   if (f.sizes.any_hit.area > 0)
     line(out, "any-hit",
@@ -116,7 +117,7 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
                      100 * f.sizes.any_hit.known(), 100 * f.sizes.any_hit.transparent,
                      100 * f.sizes.any_hit.opaque));
   else
-    line(out, "any-hit", "no area is placed that could be counted");
+    line(out, "any-hit", "not counted: no alpha-tested triangle is placed in the scene");
   say(out, "\nsizes\n");
   const Footprint& s = f.sizes.footprint;
   line(out, "array",
@@ -174,11 +175,13 @@ void print_subject(std::FILE* out, const SubjectFigures& f) {
   };
   say(out, "\n{} on this scene\n", f.name);
   line(out, "asked",
-       fmt::format("{} distinct triangles: {} outside what it declares, {} declined", grouped(t.triangles),
-                   grouped(t.outside), grouped(t.declined)));
-  line(out, "baked", fmt::format("{} micro-triangles of the rest", grouped(t.micro_triangles)));
-  line(out, "wrong", counted(t.wrong_known) + ": T or O where they should not be");
-  line(out, "needless", counted(t.needless_unknown) + ": unknown where all is T, or all O");
+       fmt::format("{} distinct triangles: {} not asked, beyond what it declares; {} asked and declined",
+                   grouped(t.triangles), grouped(t.outside), grouped(t.declined)));
+  line(out, "baked", fmt::format("{} micro-triangles of the other triangles", grouped(t.micro_triangles)));
+  line(out, "wrong",
+       counted(t.wrong_known) + ": T or O, though alpha is not transparent or opaque on all of it");
+  line(out, "needless",
+       counted(t.needless_unknown) + ": unknown, though alpha is transparent or opaque on all of it");
   line(out, "time",
        fmt::format(
            "{:.1f} ns a micro-triangle, question and answer included; ours {:.1f} ns; {:.1f} times ours",

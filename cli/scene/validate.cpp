@@ -94,7 +94,7 @@ Judged judged(const ValidateOptions& options) try {
 int run_validate(const ValidateOptions& options) {
   std::error_code none;
   if (std::filesystem::equivalent(options.file, options.json, none))
-    throw UsageError(fmt::format("--json {}: the file that is judged", options.json));
+    throw UsageError(fmt::format("--json {}: this is the file that is judged; name another", options.json));
   std::optional<OutputFile> json;
   if (!options.json.empty() && options.json != "-") json.emplace(options.json);
   const Judged found = judged(options);

@@ -41,7 +41,8 @@ bool is_baseline(const Json& file) {
 Baseline baseline_of(const Json& file) {
   if (!is_baseline(file)) return baseline_of(figures_of(file));
   Baseline baseline;
-  if (!file.contains("of") || !file.at("of").is_string()) throw NoResult("of: no schema");
+  if (!file.contains("of") || !file.at("of").is_string())
+    throw NoResult("of: the result's schema should stand here");
   baseline.schema = file.at("of").get<std::string>();
   if (file.contains("processor") && file.at("processor").is_string())
     baseline.processor = file.at("processor").get<std::string>();
@@ -51,7 +52,7 @@ Baseline baseline_of(const Json& file) {
   for (const auto& [group, members] : groups.items())
     for (const auto& [name, value] : object_in(groups, group).items())
       baseline.groups[group][name] = value_of(value);
-  if (baseline.groups.empty()) throw NoResult("figures: there are none");
+  if (baseline.groups.empty()) throw NoResult("figures: it has none");
   return baseline;
 }
 

@@ -9,7 +9,7 @@
 namespace mmverify::gate {
 namespace {
 
-/// The verdict's rank, higher is better; a text that is no verdict ranks below all.
+/// The rank of a verdict; a better verdict has a higher rank.  An unknown word ranks below all.
 int rank(const Value& verdict) { return rank_of_verdict(unquoted(verdict.text)).value_or(-1); }
 
 Change toward(bool better) { return better ? Change::better : Change::worse; }
@@ -97,10 +97,10 @@ std::string listed(const Settings& settings) {
 void refuse_others(const char* whose, const std::string& schema, const Settings& settings,
                    const Figures& result) {
   if (schema != result.schema)
-    throw NoResult(fmt::format("a result of {}, {} is of {}", result.schema, whose, schema));
+    throw NoResult(fmt::format("the result's schema is {}, {} is {}", result.schema, whose, schema));
   if (settings != result.settings)
-    throw NoResult(fmt::format("runs of other settings: {} {}; the result's {}", whose, listed(settings),
-                               listed(result.settings)));
+    throw NoResult(fmt::format("the runs have different settings: {} {}; the result's {}", whose,
+                               listed(settings), listed(result.settings)));
 }
 
 }  // namespace

@@ -172,7 +172,7 @@ class Walk {
 
 std::string schema_in(const Json& j) {
   if (!j.is_object() || !j.contains("schema") || !j.at("schema").is_string())
-    throw NoResult("no result of mmverify: it names no schema");
+    throw NoResult("not a result of mmverify: it has no member \"schema\"");
   return j.at("schema").get<std::string>();
 }
 
@@ -181,9 +181,10 @@ void add(const Json& run, Figures& figures, std::set<std::string>& topics) {
   if (schema != "mmverify.result/1" && schema != "mmverify.bench/1")
     throw NoResult(
         fmt::format("schema {}: neither mmverify.result/1 nor mmverify.bench/1", text_of(run.at("schema"))));
-  if (!figures.schema.empty() && figures.schema != schema) throw NoResult("runs of several schemas");
+  if (!figures.schema.empty() && figures.schema != schema)
+    throw NoResult("runs of several schemas in one file");
   if (!figures.schema.empty() && schema == "mmverify.result/1")
-    throw NoResult("several runs in one file: one at a time");
+    throw NoResult("several runs in one file; write each run to a file of its own");
   figures.schema = schema;
   if (run.contains("shard"))
     throw NoResult("one shard of a run; put the shards together with mmverify merge first");

@@ -47,6 +47,7 @@ constexpr const Requirements& requirements(Api api) noexcept {
 }
 
 /// Whether an API takes indices of this encoding.
+/// Test: impl_array_test
 constexpr bool takes(Api api, Encoding e) noexcept {
   if (micromap::is_signed(e)) return requirements(api).signed_indices;
   return e != Encoding::u8 || requirements(api).bits_8;
@@ -63,6 +64,7 @@ struct Target {
 /// The target of a code: a special index's state; none for -5 in a cluster; else record code + base, outside unless it
 /// is less than `records`.  A negative code below the special ones is outside, with record = code.
 /// Domain: code < 2^width.
+/// Law: array.codes, array.codes_on_samples
 constexpr Target target(std::uint32_t code, Encoding e, bool cluster, std::uint32_t base,
                         std::uint32_t records) noexcept {
   if (const auto state = micromap::special_state(code, e)) return {Target::Kind::special, *state};

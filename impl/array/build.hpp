@@ -26,15 +26,16 @@ struct Built {
   std::optional<std::vector<UsageCount>> geometry_counts;  ///< if the API takes them
 };
 
-/// Builds a geometry's maps, in their order, behind an array in which each map of `before` has a record of its own.
-///   With `share`, a map takes the first equal record from base on.  With bound > 0, a 4-state map without an equal
-///   joins the first record of this build and of its level that admits it.  T and O give way to unknown states, T
-///   beside O becomes UO, UT beside UO cannot be joined, and no triangle may differ from its map in more than `bound`
-///   micro-triangles.
+/// Appends a geometry's maps, in their order, to an array that has one record for each map of `before`.
+///   With `share`, a map takes the first equal record, from record `base` on.  With bound > 0, a 4-state map without an
+///   equal record joins the first record of its level that this build has made and that admits it.  In the joined
+///   record an unknown state replaces a known one, and T beside O becomes UO; UT beside UO cannot be joined.  No
+///   triangle's record may differ from its map in more than `bound` micro-triangles.
 /// Time: linear in the bytes if bound = 0.  Else each map is compared with each record of its level, mostly by the
 /// first words alone.
 /// Domain: maps as PackedMap has them, levels up to 12, base at most before.size(), an encoding that the API takes; else
 /// std::invalid_argument.  An index that the encoding cannot hold: std::length_error, naming the triangle.
+/// Law: array.resolves, array.shares, array.merging, array.on_samples
 Built build(std::span<const PackedMap> before, std::span<const PackedMap> maps, const BuildOptions& options);
 
 }  // namespace mmverify::impl::array

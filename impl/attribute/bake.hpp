@@ -47,7 +47,8 @@ using RgbaView = RgbaViewOf<std::uint8_t>;
 using RgbaView16 = RgbaViewOf<std::uint16_t>;
 using RgbaViewFloat = RgbaViewOf<float>;
 
-/// The meaning of codes, by which they are averaged.  Alpha is linear in all of them.  Floats have `linear` alone.
+/// The meaning of codes, which decides how they are averaged.  Alpha is linear under each meaning.  Floats have
+/// `linear` only.
 enum class Meaning : std::uint8_t {
   linear,            ///< the code's number; of sRGB codes, the paper's own reading
   srgb,              ///< RGB on the sRGB curve, averaged in linear light; of 8 bits alone
@@ -81,8 +82,8 @@ class Source;
 }
 
 /// A texture, or one mip level of it, made ready for any number of triangles.  Many threads may use one at once.
-/// Channel: std::uint8_t, std::uint16_t or float.  Float texels may be any finite numbers side by side, of any sign and
-/// exponent, below 2^-126 as well.  A mean of 0 is +0; a mean that rounds to 0 keeps its sign.
+/// Channel: std::uint8_t, std::uint16_t or float.  Float texels may be any finite numbers, subnormal ones too.  A mean
+/// of 0 is +0; a mean that rounds to 0 keeps its sign.
 template <class Channel>
 class AttributeBakerOf {
  public:
@@ -96,15 +97,17 @@ class AttributeBakerOf {
   AttributeBakerOf& operator=(AttributeBakerOf&&) noexcept;
 
   /// Writes micro-triangle k of the curve (impl/index/index.hpp) to out[k].
-  /// Domain: coordinates finite and below 2^20 in size, in any order, on a line or in a point as well; a triangle over
-  /// at most 2^24 texels, and 2^15 along an axis; level in 0..max_attribute_level; out.size() = 4^level.
-  /// Memory: 16 bytes a texel of the triangle's box; 32 with sRGB, 16 bits or floats.  If the box has more than 2^16
-  /// texels and lies in the picture, as much for the whole texture, kept from then on (not for floats).
+  /// Domain: finite coordinates below 2^20 in size, in either orientation; a triangle may be a segment or a point; it
+  /// covers at most 2^24 texels, and 2^15 along an axis; level in 0..max_attribute_level; out.size() = 4^level.
+  /// Memory: 16 bytes a texel of the triangle's box; 32 with sRGB, 16 bits or floats.  A box of more than 2^16 texels
+  /// that lies in the picture takes as much for the whole texture, once; the baker keeps it (not for floats).
   /// Errors: std::invalid_argument outside the domain; nothing is written.
+  /// Law: attribute.bake_face, attribute.bake_on_floats, attribute.bake_texels16, attribute.bake_texel_floats
   AttributeCounts faces(const BaseTriangle& uv, std::uint32_t level, std::span<RgbaOf<Channel>> out) const;
 
   /// Writes micro-vertex (i, j) to out[r (r + 1) / 2 + j], r = i + j: row order, rows from the first vertex.
   /// Domain, errors: as faces(), but for any number of texels; out.size() = (2^level + 1)(2^level + 2) / 2.
+  /// Law: attribute.bake_vertex, attribute.bake_on_floats, attribute.bake_texels16, attribute.bake_texel_floats
   AttributeCounts vertices(const BaseTriangle& uv, std::uint32_t level, std::span<RgbaOf<Channel>> out) const;
 
  private:

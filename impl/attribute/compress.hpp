@@ -1,4 +1,4 @@
-// Packed attribute micromaps: lossless, or within an error that each value keeps.  Any one value can be read alone.
+// Packed attribute micromaps: lossless, or with a bound on each value's error.  Any value can be read alone.
 //
 // Each level is stored as its differences from a prediction by the level below, in blocks of up to 48 numbers with one
 // width a channel.  The bytes, and which are canonical: spec/attribute/compress.hpp, docs/ATTRIBUTE_COMPRESSION.md.
@@ -52,10 +52,11 @@ class BadPacked : public std::runtime_error {
 
 /// The packed maps of codes, where channel c of value x of map m is codes[(m values + x) channels + c].  Their size:
 ///   M R C + 4 ceil(B/8) + ceil(B C / 2) + ceil(bits / 8)   for M maps, R roots, C channels, B blocks
-/// With errors all 0 they unpack to the codes, else to codes that are off by `error` at most.  Noise takes 9/8 of the
-/// plain bytes, and the widths; for such maps the plain bytes are shorter.
+/// If all errors are 0 they unpack to the codes, else to codes that are off by `error` at most.  Noise takes 9/8 of the
+/// plain bytes, plus the widths: such maps are smaller plain.
 /// Time: O(codes).  Errors: std::invalid_argument for another number of codes, a shape out of its domain, or residuals
 /// of 2^32 bits and more.
+/// Law: attribute.packed_round_trip, attribute.packed_within_error, attribute.packed_size
 std::vector<std::uint8_t> pack(const PackedShape& shape, std::span<const std::uint8_t> codes);
 
 namespace detail {
@@ -66,9 +67,10 @@ class PackedLayout;
 class PackedMaps {
  public:
   /// Accepts what pack() writes and nothing else: pack(shape, codes()) gives back the very bytes.
-  /// The bytes must outlive it.  Memory: a byte a block of one map, 4 a vertex of it; during the check a map's
-  /// residuals.
+  /// The bytes must outlive it.  Memory: for one map, a byte for each block and 4 for each vertex; during the check its
+  /// residuals, too.
   /// Errors: BadPacked, with the first byte that is wrong; std::invalid_argument as plain_bytes().
+  /// Law: attribute.packed_canonical
   PackedMaps(const PackedShape& shape, std::span<const std::uint8_t> bytes);
   ~PackedMaps();
   PackedMaps(PackedMaps&&) noexcept;
@@ -77,13 +79,17 @@ class PackedMaps {
   const PackedShape& shape() const noexcept { return shape_; }
 
   /// The codes of one map.  Domain: map < maps, out.size() = values x channels, or std::invalid_argument.
+  /// Law: attribute.packed_round_trip, attribute.packed_within_error
   void map(std::uint32_t map, std::span<std::uint8_t> out) const;
   /// The codes of all maps, in order.
+  /// Law: attribute.packed_round_trip, attribute.packed_within_error
   std::vector<std::uint8_t> codes() const;
 
-  /// One value, a code a channel and 0 beyond.  It reads one block a level, and up to 7 blocks' widths.
-  /// A value of a lower level of faces is within half a code of the mean of its four children, errors apart.
+  /// One value: a code for each channel, 0 for channels that are not there.  It reads one block for each level, and the
+  /// widths of up to 7 blocks.  A value of a lower level of faces is within half a code of the mean of its four
+  /// children, errors apart.
   /// Domain: map < maps, level <= the shape's level, index < values of that level; else some value.
+  /// Law: attribute.packed_random_access
   std::array<std::uint8_t, 4> value(std::uint32_t map, std::uint32_t level,
                                     std::uint32_t index) const noexcept;
   std::array<std::uint8_t, 4> value(std::uint32_t map, std::uint32_t index) const noexcept {
@@ -96,10 +102,12 @@ class PackedMaps {
   std::span<const std::uint8_t> bytes_;
 };
 
-/// The order-0 entropy, in bits, below which no coder can go that knows only each channel's frequencies of residuals:
+/// The order-0 entropy in bits: the least size for a coder that knows only how often each residual occurs in each
+/// channel:
 ///   sum over channels of -sum over residuals r of count(r) log2(count(r) / all), and the same of the roots
 /// The frequencies themselves are not counted.  pack() may take fewer bits, for its widths follow the place.
 /// Domain, errors: as pack().
+/// Test: impl_attribute_compress_test
 double residual_entropy(const PackedShape& shape, std::span<const std::uint8_t> codes);
 
 }  // namespace mmverify::impl::attribute

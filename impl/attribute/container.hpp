@@ -77,15 +77,17 @@ class BadAttributeFile : public std::runtime_error {
 
 inline constexpr std::size_t attribute_header = 44;
 
-/// The bytes of a file.  Packed maps with errors unpack to other codes: read_attributes() gives those.
+/// The bytes of a file.  Packed maps with errors lose something: read_attributes() gives other codes.
 /// Errors: std::invalid_argument for members that do not go together, with the reason that read_attributes() would
 /// give.
+/// Test: impl_attribute_container_test
 std::vector<std::uint8_t> write_attributes(const AttributeMaps& maps);
 
-/// The maps of a file, of which write_attributes() gives back the very bytes.
-/// Domain: any bytes.  Memory: the codes, at most some 100 times the input, taken only once all announced bytes are
+/// The maps of a file; write_attributes() of these maps gives the same bytes.
+/// Domain: any bytes.  Memory: the codes, about 100 times the input at most, allocated only if all announced bytes are
 /// there.
 /// Errors: BadAttributeFile for bytes that write_attributes() does not write.
+/// Test: impl_attribute_container_test
 AttributeMaps read_attributes(std::span<const std::uint8_t> bytes);
 
 }  // namespace mmverify::impl::attribute

@@ -25,11 +25,13 @@ namespace detail {
 constexpr bool may_move(Vertex x, std::uint32_t N) noexcept { return N > 1 && x.i <= N && x.j <= N - x.i; }
 }  // namespace detail
 
-/// The vertex from which the value of x is read: an odd vertex of a flagged edge goes to its even neighbour away from
-/// the edge's middle, the middle of level 1 to w, u, v on edges w-u, u-v, v-w.  With k = N-i-j:
+/// The vertex from which the value of x is read.  An odd vertex of a flagged edge snaps to the even neighbour that is
+/// farther from the edge's middle.  At level 1 the odd vertex is the middle; it snaps to w, u, v on the edges w-u, u-v,
+/// v-w.  With k = N-i-j:
 ///   v = 0: i+1 if k < N/2, else i-1     w = 0: (i-1, j+1) if i < N/2, else (i+1, j-1)     u = 0: j+1 if j >= N/2, else j-1
 /// Domain: level in 0..16, more is 16; a vertex outside the triangle stays.
 /// Source: BaryFile's rule; Color and Attribute Micromaps, figure 3.
+/// Law: attribute.decimation_watertight, attribute.decimation_on_samples
 constexpr Vertex snapped(Vertex x, Level level, EdgeFlags flags) noexcept {
   const std::uint32_t N = std::uint32_t{1} << std::min(level, max_level), middle = N / 2;
   if (!detail::may_move(x, N)) return x;
@@ -44,6 +46,7 @@ constexpr Vertex snapped(Vertex x, Level level, EdgeFlags flags) noexcept {
 
 /// The two vertices whose mean is the value of x where edges are decimated by means: an odd vertex's neighbours on its
 /// flagged edge, else x twice.  Domain: as snapped.
+/// Law: attribute.decimation_means
 constexpr std::array<Vertex, 2> averaged(Vertex x, Level level, EdgeFlags flags) noexcept {
   const std::uint32_t N = std::uint32_t{1} << std::min(level, max_level);
   if (!detail::may_move(x, N)) return {x, x};
@@ -57,13 +60,15 @@ constexpr std::array<Vertex, 2> averaged(Vertex x, Level level, EdgeFlags flags)
 
 /// The mean of two RGBA8 values, halves up in each of the four codes, which are the bytes of a word in any order:
 /// (x + y + 1) / 2.  It is within half a code of the exact mean.
+/// Law: attribute.decimation_half_a_code
 constexpr std::uint32_t mean_rgba8(std::uint32_t x, std::uint32_t y) noexcept {
   return (x | y) - ((x ^ y) >> 1 & 0x7f7f7f7f);  // x + y = 2 (x | y) - (x ^ y), byte by byte
 }
 
 /// Writes the means into a map of level n: each odd vertex on a flagged edge gets the mean of its even neighbours'
-/// values.  values[index_of(x)] is the value of vertex x.  N/2 values an edge.
-/// Domain: level in 0..16, more is 16; values has all that index_of may give.
+/// values.  values[index_of(x)] is the value of vertex x.  N/2 values change for each flagged edge.
+/// Domain: level in 0..16, more is 16; index_of(x) < values.size() for each vertex x.
+/// Test: impl_attribute_decimation_test
 template <class IndexOf>
 void decimate_by_means(std::span<std::uint32_t> values, Level level, EdgeFlags flags, IndexOf index_of) {
   const std::uint32_t N = std::uint32_t{1} << std::min(level, max_level);
@@ -80,12 +85,13 @@ struct VertexWeights {
   std::array<float, 3> weights;
 };
 
-/// The vertices to interpolate between at a point, and their weights, once the flagged edges' odd vertices have
-/// snapped.  The three vertices are those of a micro-triangle that contains the point, exactly, for the very floats u
-/// and v; each weight is within 2^-24 of the exact one.
+/// The three vertices and weights that interpolate a point, after the odd vertices of flagged edges have snapped.  The
+/// three vertices are those of a micro-triangle that contains the point, exactly, for the very floats u and v; each
+/// weight is within 2^-24 of the exact one.
 /// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  A point outside the triangle
 /// gets the micro-triangle next to it, and a weight below 0.  level in 0..16, more is 16.
 /// Source: ours: docs/ATTRIBUTE.md, "Decimation"; spec::attribute::decimated_place.
+/// Law: attribute.decimation_lookup, attribute.decimation_lookup_on_floats
 VertexWeights decimated_lookup(float u, float v, Level level, EdgeFlags flags) noexcept;
 
 }  // namespace mmverify::impl::attribute

@@ -1,4 +1,5 @@
-// A hit's micro-triangle, the indices of its three vertices, the hit's weights there, and RGBA8 values in between.
+// A hit's micro-triangle, the indices of its three vertices, the hit's weights, and the RGBA8 value that they
+// interpolate.
 //
 // Each comes once for a single point, inline, and once for spans, in SIMD chosen at run time; both give the same bits.
 // IEEE arithmetic must be rounded to nearest without contraction (-ffp-contract=off for the inline ones).
@@ -30,6 +31,7 @@ struct Located {
 /// 2^-24 at any level: fu and fv are exact, a and 1-fu round once, the differences twice.  Beyond the hypotenuse fu
 /// becomes a: the point goes along u to the edge.
 /// Source: Color and Attribute Micromaps, 4.1; VK_EXT_opacity_micromap, appendix "Reference Code"; the weights are ours.
+/// Law: attribute.weights_on_floats, attribute.triplets_on_floats
 inline Located locate(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
   const index::detail::Located p = index::detail::locate(u, v, n);
@@ -46,12 +48,14 @@ inline Located locate(float u, float v, Level level) noexcept {
 }
 
 /// Indices of the three vertices around (u, v): triplet(order, locate(u, v, level).at, level).
+/// Law: attribute.triplets_on_floats
 inline std::array<std::uint32_t, 3> triplet(VertexOrder order, float u, float v, Level level) noexcept {
   return triplet(order, locate(u, v, level).at, level);
 }
 
 /// An RGBA8 value between those of three vertices, channel by channel: floor(w0 c0 + w1 c1 + w2 c2 + 1/2).
 /// Units: a value is r | g << 8 | b << 16 | a << 24.  Domain: weights of `locate`.  The sum is off by less than 2^-13.
+/// Law: attribute.interpolates_rgba8
 inline std::uint32_t mixed_rgba8(const Weights& w, std::uint32_t c0, std::uint32_t c1,
                                  std::uint32_t c2) noexcept {
   std::uint32_t out = 0;
@@ -68,6 +72,7 @@ inline std::uint32_t mixed_rgba8(const Weights& w, std::uint32_t c0, std::uint32
 /// The RGBA8 value at (u, v) of a vertex map.
 /// Domain: map has V(level) values in the order; u, v and level as in `locate`.
 /// Source: Color and Attribute Micromaps, 4.1, steps 1 to 5.
+/// Law: attribute.interpolates_rgba8
 inline std::uint32_t interpolated_rgba8(VertexOrder order, std::span<const std::uint32_t> map, float u,
                                         float v, Level level) noexcept {
   const Located p = locate(u, v, level);
@@ -83,12 +88,14 @@ struct WeightSpans {
 /// The triplets, and the weights, of the points (u[k], v[k]).
 /// Domain: any length, any alignment; all spans have one length, or std::invalid_argument is thrown and nothing is
 /// written.  No span of out may overlap another.
+/// Law: attribute.triplets_on_floats, attribute.weights_on_floats
 void triplets(VertexOrder order, std::span<const float> u, std::span<const float> v, Level level,
               const TripletSpans& out);
 void weights(std::span<const float> u, std::span<const float> v, Level level, const WeightSpans& out);
 
 /// The values of many points: out[k] = interpolated_rgba8(order, map, u[k], v[k], level).
 /// Domain: as above; map has V(level) values, or std::invalid_argument is thrown.
+/// Law: attribute.interpolates_rgba8
 void interpolated_rgba8(VertexOrder order, std::span<const std::uint32_t> map, std::span<const float> u,
                         std::span<const float> v, Level level, std::span<std::uint32_t> out);
 

@@ -34,15 +34,18 @@ enum class Rounding : std::uint32_t {
 /// Domain: any length, any alignment; four children a parent, or std::invalid_argument is thrown and nothing is written.
 /// parents must not overlap children, but may begin where these do.
 /// Source: Color and Attribute Micromaps, 4.4, which names no rounding.
+/// Law: attribute.face_mip_is_mean, attribute.mip_rounding, attribute.mip_on_samples
 void face_mip(std::span<const std::uint32_t> children, Rounding rounding, std::span<std::uint32_t> parents);
 
 /// The number of values of the levels below m, and the place of level m in a chain stored from the coarsest level up:
 /// (4^m - 1) / 3.  Domain: m in 0..31.
+/// Law: attribute.face_mip_counts
 constexpr std::uint64_t face_chain_size(Level m) noexcept { return ((std::uint64_t{1} << (2 * m)) - 1) / 3; }
 
 /// The same for vertices, if the levels below m are stored one by one: ((4^m - 1)/3 + 3 (2^m - 1) + 2m) / 2.  The Bird
 /// order stores no levels beside the map: level m is the first (M+1)(M+2)/2 values of every finer one, M = 2^m.
 /// Domain: m in 0..30.
+/// Law: attribute.face_mip_counts
 constexpr std::uint64_t vertex_chain_size(Level m) noexcept {
   const std::uint64_t M = std::uint64_t{1} << m;
   return (face_chain_size(m) + 3 * (M - 1) + 2 * m) / 2;
@@ -52,6 +55,7 @@ constexpr std::uint64_t vertex_chain_size(Level m) noexcept {
 /// (i 2^(n-m), j 2^(n-m)), where (i, j) is the vertex.  No mip of vertices is stored.
 /// Domain: m <= n <= 16, k a vertex of level m.
 /// Source: Color and Attribute Micromaps, 4.4.1.
+/// Law: attribute.vertex_mip_is_prefix
 inline std::uint32_t vertex_mip_source(VertexOrder order, std::uint32_t k, Level m, Level n) noexcept {
   if (order == VertexOrder::bird) return k;
   const Vertex x = vertex_at(order, k, m);
@@ -68,6 +72,7 @@ enum class ChainOf : std::uint32_t {
 /// begins at face_chain_size(m).
 /// Domain: level in 0..12, 4^level values in base; exact_sums has no halves_up; std::invalid_argument otherwise, and nothing
 /// is written.  chain must not overlap base.
+/// Law: attribute.face_mip_is_mean, attribute.mip_chain_error
 void face_chain(Level level, std::span<const std::uint32_t> base, Rounding rounding, ChainOf of,
                 std::span<std::uint32_t> chain);
 
@@ -87,6 +92,7 @@ inline std::int64_t bits_of(double x) noexcept { return std::bit_cast<std::int64
 /// Domain: every bit pattern; NaN and areas below 0 count as 0.  A cone of area 0 gives `level`.  level in 0..16, more
 /// is 16.
 /// Source: Color and Attribute Micromaps, 4.4.2; docs/ERRATA.md for its readings.
+/// Law: attribute.lod_level
 inline Level lod_level(float cone, float triangle, Level level) noexcept {
   const Level n = std::min(level, max_level);
   const double c = detail::area(cone), t = detail::area(triangle);
@@ -104,10 +110,12 @@ struct Lod {
 /// lod_level, and blend = 1/2 log2(triangle / (4^m cone)) within 2^-24; 0 at the last level, and if the cone is no
 /// smaller than the triangle.
 /// Domain: as lod_level; areas finite.  Source: Color and Attribute Micromaps, 4.4.2, step 3.
+/// Law: attribute.lod_blend
 Lod lod(float cone, float triangle, Level level) noexcept;
 
 /// The levels of many pairs: out[k] = lod_level(cone[k], triangle[k], level).
 /// Domain: three spans of one length, or std::invalid_argument is thrown and nothing is written.
+/// Law: attribute.lod_level
 void lod_level(std::span<const float> cone, std::span<const float> triangle, Level level,
                std::span<Level> out);
 

@@ -75,6 +75,7 @@ constexpr MicroTriangle curve_square(std::uint32_t b0, std::uint32_t b1) noexcep
 
 /// Index of a vertex in rows counted from the w-corner: r(r+1)/2 + j, r = i+j; the level does not enter.
 /// Domain: a vertex of a level in 0..16.  Source: Color and Attribute Micromaps, 3.1 and figure 4.
+/// Law: attribute.order_is_walk, attribute.w_minor_all_levels
 constexpr std::uint32_t w_minor_index(std::uint32_t i, std::uint32_t j) noexcept {
   return detail::triangular(i + j) + j;
 }
@@ -82,6 +83,7 @@ constexpr std::uint32_t w_minor_index(std::uint32_t i, std::uint32_t j) noexcept
 /// Index of a vertex in columns counted from the edge w-v: i(N+2) - i(i+1)/2 + j = V(n) - 1 - (r(r+1)/2 + r - j),
 /// r = N-i.  Domain: a vertex of the level; level in 0..16, more is 16.
 /// Source: Color and Attribute Micromaps, 3.1 (U-major); the closed form is ours.
+/// Law: attribute.order_is_walk, attribute.u_major_all_levels
 constexpr std::uint32_t u_major_index(std::uint32_t i, std::uint32_t j, Level level) noexcept {
   const std::uint32_t r = (std::uint32_t{1} << std::min(level, max_level)) - i;
   return vertex_count(level) - 1 - detail::triangular(r) - r + j;
@@ -91,10 +93,11 @@ constexpr std::uint32_t u_major_index(std::uint32_t i, std::uint32_t j, Level le
 /// vertex, (i, j) its place there and x the number on the curve at level m-1 of the lower micro-triangle of square
 /// (i/2, j/2):
 ///   V(m-1) + 3 (x + floor(j/2)) / 2 + e,  e = 0 where i is even, 1 where i and j are odd, 2 where j is even
-/// Of the micro-triangles before x, (x + floor(j/2)) / 2 stand upright: the excess of upright ones over half is the sum
-/// of the digits' low bits b0 = iu XOR row, each with the sign of its node, which is row - iu = iv in all.
+/// (x + floor(j/2)) / 2 of the micro-triangles before x are upright: there are iv = row - iu more upright than turned
+/// ones, the sum of the digits' low bits b0 = iu XOR row, each with the sign of its node.
 /// Domain: a vertex of the level; level in 0..16, more is 16.
 /// Source: Color and Attribute Micromaps, 3.1 (Bird); the closed form is ours.
+/// Law: attribute.order_is_walk, attribute.bird_all_levels
 constexpr std::uint32_t bird_index(std::uint32_t i, std::uint32_t j, Level level) noexcept {
   const std::uint32_t N = std::uint32_t{1} << std::min(level, max_level);
   // At the corner w, where i | j is 0, N keeps the shift below 32 bits.
@@ -109,6 +112,7 @@ constexpr std::uint32_t bird_index(std::uint32_t i, std::uint32_t j, Level level
 
 /// Index of a vertex in an order.  Domain: a vertex of the level; level in 0..16, more is 16.  Elsewhere the result is
 /// some number.
+/// Law: attribute.order_is_walk, attribute.order_bijective, attribute.vertices_on_samples
 constexpr std::uint32_t vertex_index(VertexOrder order, std::uint32_t i, std::uint32_t j,
                                      Level level) noexcept {
   return order == VertexOrder::w_minor   ? w_minor_index(i, j)
@@ -117,22 +121,25 @@ constexpr std::uint32_t vertex_index(VertexOrder order, std::uint32_t i, std::ui
 }
 
 /// The vertex of an index in W-minor rows.  Domain: index in [0, V(16)).
+/// Law: attribute.order_inverse
 inline Vertex w_minor_vertex(std::uint32_t index) noexcept {
   const std::uint32_t r = detail::triangular_root(index), j = index - detail::triangular(r);
   return {r - j, j};
 }
 
 /// The vertex of an index in U-major columns.  Domain: index in [0, V(level)); level in 0..16, more is 16.
+/// Law: attribute.order_inverse
 inline Vertex u_major_vertex(std::uint32_t index, Level level) noexcept {
   const std::uint32_t N = std::uint32_t{1} << std::min(level, max_level), y = vertex_count(level) - 1 - index;
   const std::uint32_t r = detail::triangular_root(y), c = y - detail::triangular(r);
   return {N - r, r - c};
 }
 
-/// The vertex of an index in the hierarchical order.  The root of the index gives the first level m that has the
-/// vertex.  Then upright micro-triangle number k of level m-1 is found on the curve, digit by digit; subtrees come in
-/// pairs of S^2.
+/// The vertex of an index in the hierarchical order.  The first level m that has the vertex follows from V(m-1) <=
+/// index < V(m).  Then upright micro-triangle number k of level m-1 is found on the curve, digit by digit: two
+/// neighbouring subtrees hold S^2 upright ones.
 /// Domain: index in [0, V(level)); level in 0..16, more is 16.
+/// Law: attribute.order_inverse
 constexpr Vertex bird_vertex(std::uint32_t index, Level level) noexcept {
   const Level n = std::min(level, max_level);
   const std::uint32_t N = std::uint32_t{1} << n;
@@ -160,6 +167,7 @@ constexpr Vertex bird_vertex(std::uint32_t index, Level level) noexcept {
 
 /// The vertex of an index in an order.  Domain: index in [0, V(level)); level in 0..16, more is 16.  Elsewhere the
 /// result is some vertex or none.
+/// Law: attribute.order_inverse, attribute.vertices_on_samples
 inline Vertex vertex_at(VertexOrder order, std::uint32_t index, Level level) noexcept {
   return order == VertexOrder::w_minor   ? w_minor_vertex(index)
          : order == VertexOrder::u_major ? u_major_vertex(index, level)
@@ -174,12 +182,14 @@ struct VertexSpans {
 /// The same for spans: out[k] = vertex_index(order, i[k], j[k], level), and back.
 /// Domain: any length, any alignment; all spans have one length, or std::invalid_argument is thrown and nothing is
 /// written.  No span written may overlap another.
+/// Law: attribute.order_is_walk, attribute.order_inverse, attribute.vertices_on_samples
 void vertex_index(VertexOrder order, std::span<const std::uint32_t> i, std::span<const std::uint32_t> j,
                   Level level, std::span<std::uint32_t> out);
 void vertex_at(VertexOrder order, std::span<const std::uint32_t> index, Level level, const VertexSpans& out);
 
 /// Converts indices: out[k] = vertex_index(to, vertex_at(from, index[k], level), level).  Domain: as above; out may be
 /// index itself.
+/// Law: attribute.convert
 void convert(VertexOrder from, VertexOrder to, std::span<const std::uint32_t> index, Level level,
              std::span<std::uint32_t> out);
 
@@ -191,6 +201,7 @@ void convert(VertexOrder from, VertexOrder to, std::span<const std::uint32_t> in
 /// 4^n - (N-iu)^2 + 2 iv + upper.
 /// Domain: a micro-triangle of the level; level in 0..16, more is 16.  Elsewhere the result is some number.
 /// Source: VK_EXT_opacity_micromap, appendix "Reference Code"; Color and Attribute Micromaps, figure 4 and 3.1.
+/// Law: attribute.face_orders, attribute.faces_on_samples
 constexpr std::uint32_t face_index(FaceOrder order, const MicroTriangle& t, Level level) noexcept {
   const Level n = std::min(level, max_level);
   const std::uint32_t up = t.upper ? 1 : 0, row = t.iu + t.iv + up, left = (std::uint32_t{1} << n) - t.iu;
@@ -203,6 +214,7 @@ constexpr std::uint32_t face_index(FaceOrder order, const MicroTriangle& t, Leve
 
 /// The micro-triangle of an index.  Domain: index in [0, 4^level), level in 0..16, more is 16.  Elsewhere the result is
 /// some micro-triangle or none.
+/// Law: attribute.face_orders, attribute.faces_on_samples
 inline MicroTriangle face_at(FaceOrder order, std::uint32_t index, Level level) noexcept {
   const Level n = std::min(level, max_level);
   if (order == FaceOrder::curve) {
@@ -225,11 +237,13 @@ struct FaceSpans {
 };
 
 /// The same for spans, with `upper` 0 or 1.  Domain: as the spans of vertices.
+/// Law: attribute.face_orders, attribute.faces_on_samples
 void face_index(FaceOrder order, std::span<const std::uint32_t> iu, std::span<const std::uint32_t> iv,
                 std::span<const std::uint32_t> upper, Level level, std::span<std::uint32_t> out);
 void face_at(FaceOrder order, std::span<const std::uint32_t> index, Level level, const FaceSpans& out);
 
 /// Converts indices; out may be index itself.
+/// Law: attribute.convert_faces
 void convert(FaceOrder from, FaceOrder to, std::span<const std::uint32_t> index, Level level,
              std::span<std::uint32_t> out);
 
@@ -239,6 +253,7 @@ void convert(FaceOrder from, FaceOrder to, std::span<const std::uint32_t> index,
 
 /// Corners of a micro-triangle: the base, and one step along u and along v from there, +1 or, in an upper one, -1:
 ///   lower (iu, iv) (iu+1, iv) (iu, iv+1);  upper (iu+1, iv+1) (iu, iv+1) (iu+1, iv)
+/// Law: attribute.triangle_vertices
 constexpr std::array<Vertex, 3> corners_of(const MicroTriangle& t) noexcept {
   const std::uint32_t up = t.upper ? 1 : 0, i = t.iu + up, j = t.iv + up;
   return {Vertex{i, j}, Vertex{i + 1 - 2 * up, j}, Vertex{i, j + 1 - 2 * up}};
@@ -246,6 +261,7 @@ constexpr std::array<Vertex, 3> corners_of(const MicroTriangle& t) noexcept {
 
 /// Indices of a micro-triangle's corners, in that order.  Domain: a micro-triangle of the level; level in 0..16, more
 /// is 16.
+/// Law: attribute.triangle_vertices, attribute.faces_on_samples
 constexpr std::array<std::uint32_t, 3> triplet(VertexOrder order, const MicroTriangle& t,
                                                Level level) noexcept {
   const auto c = corners_of(t);
@@ -254,6 +270,7 @@ constexpr std::array<std::uint32_t, 3> triplet(VertexOrder order, const MicroTri
 }
 
 /// The micro-triangle of a triplet, from its first two indices alone.  Domain: the triplet of a micro-triangle.
+/// Law: attribute.triangle_vertices
 inline MicroTriangle triangle_of(VertexOrder order, const std::array<std::uint32_t, 3>& index,
                                  Level level) noexcept {
   const Vertex a = vertex_at(order, index[0], level), b = vertex_at(order, index[1], level);
@@ -267,6 +284,7 @@ struct TripletSpans {
 
 /// The vertices of faces, both by index: triplet(vertices, face_at(faces, face[k], level), level); and the faces, from
 /// the first two indices of each triplet.  Domain: as the spans of vertices.
+/// Law: attribute.triangle_vertices, attribute.faces_on_samples
 void triplets(FaceOrder faces, VertexOrder vertices, std::span<const std::uint32_t> face, Level level,
               const TripletSpans& out);
 void faces_of(FaceOrder faces, VertexOrder vertices, std::span<const std::uint32_t> x0,

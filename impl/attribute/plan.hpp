@@ -26,6 +26,7 @@ using Neighbours = std::array<std::int32_t, 3>;
 
 /// The neighbour across an edge is the other triangle with the same two vertices; none if no other, or more than one,
 /// has them.  Domain: three vertices a triangle; any numbers.
+/// Test: impl_attribute_bake_test
 std::vector<Neighbours> neighbours_of(std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// The plan of one triangle.
@@ -54,12 +55,15 @@ struct PlanRequest {
 /// Time: a call of keeps for each level tried, and one for each change around a triangle.
 /// Errors: std::invalid_argument for a neighbour that is no triangle, or whose neighbours lack this one; a level
 /// above max_attribute_level; no `keeps`.
+/// Law: attribute.plan_graded, attribute.plan_keeps_error
 std::vector<TrianglePlan> plan(const PlanRequest& request);
 
-/// Distinct byte strings, numbered as they first come: maps that are stored once, colours of a palette.
+/// Distinct byte strings, numbered in the order of their first use: for maps that are stored once, or colours of a
+/// palette.
 class Shared {
  public:
-  /// The number of these bytes.
+  /// The number of this byte string; a new one gets the next number.
+  /// Test: scene_attribute_plan_test
   std::uint32_t add(std::span<const std::uint8_t> bytes);
   std::size_t size() const { return size_; }
   std::size_t bytes() const { return bytes_; }  ///< of all distinct strings

@@ -34,10 +34,12 @@ struct Box {
 };
 
 /// The smallest box that contains every texel with alpha >= cutoff; none if there is no such texel.
+/// Test: impl_bake_test
 std::optional<Box> opaque_box(const AlphaView& texture, Cutoff cutoff);
 
 /// The box cut out, as a texture of its own: beyond its edge its edge texels are sampled, not the texels around it.
 /// Domain: the box lies in the texture and is not empty.
+/// Test: impl_bake_test
 constexpr AlphaView cropped(const AlphaView& texture, const Box& box) {
   return {texture.texels + box.x + box.y * texture.pitch, box.width, box.height, texture.pitch};
 }

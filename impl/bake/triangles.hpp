@@ -7,9 +7,9 @@
 //   BLEND   opaque alpha >= 1,      transparent alpha <= 0,     rather opaque alpha >= 1/2
 //   alpha = sampled texture x factors, sampled bilinearly or nearest
 //
-// Source: spec/bake/state.hpp, micro_state.  How: a contour runs only through cells between four texels that differ,
-// which bits find.  Where it may meet an edge of a micro-triangle, error-bounded floats decide if they can, else whole
-// numbers wide enough to be exact.  A parent that meets no such cell is not cut further.  2-state maps:
+// Source: spec/bake/state.hpp, micro_state.  How: a contour runs only through cells whose four texels differ; bitmaps
+// find these cells.  Where a contour may meet an edge of a micro-triangle, floats with an error bound decide, or else
+// whole numbers wide enough to be exact.  A node that meets no such cell is not subdivided.  2-state maps:
 // impl/micromap/micromap.hpp, force2.
 #pragma once
 
@@ -79,24 +79,28 @@ class MipBaker;
 class TriangleBaker {
  public:
   /// Mip levels come in the order in which they are sampled, the largest first.
-  /// Time and memory: two bits and a bit more a texel, twice that with BLEND, once.  The texels must outlive the baker.
-  /// Errors: std::invalid_argument, naming it, for no mip level; a texture without texels, with more than 16384 a side,
-  /// or larger than memory can be; a texel, border, cutoff, factor or margin that is not finite; a border that no texel
-  /// can store; a factor or margin below 0; a margin of 2^20 or more.
+  /// Time and memory: a little more than two bits for each texel, twice that with BLEND, spent once.  The texels must
+  /// outlive the baker.
+  /// Errors: std::invalid_argument, which names the fault: no mip level; a texture without texels, with more than 16384
+  /// a side, or larger than memory can be; a texel, border, cutoff, factor or margin that is not finite; a border that
+  /// no texel can store; a factor or margin below 0; a margin of 2^20 or more.
+  /// Test: impl_bake_errors_test
   TriangleBaker(std::span<const Texels> mips, const AlphaMode& mode, const Sampling& sampling = {});
   /// A baker for 8 bits, MASK, bilinear.
+  /// Test: impl_bake_triangles_test
   TriangleBaker(const AlphaView& texture, Cutoff cutoff, const Addressing& addressing = {});
   ~TriangleBaker();
   TriangleBaker(TriangleBaker&&) noexcept;
   TriangleBaker& operator=(TriangleBaker&&) noexcept;
 
   /// Bakes the 4-state map, packed (impl/micromap/micromap.hpp), in the order of impl/index/index.hpp.
-  /// Domain: coordinates finite and below 2^20 in size, in any order, on a line or in a point as well; level in
-  /// 0..max_bake_level; map.size() = ceil(4^level / 4).
-  /// Time: that of the micro-triangles that meet texels of both sides.  One of these takes at worst the time of the
-  /// texture's texels and of the repeats that its edges cross before they close.  Texels, or rows, that addressing
-  /// makes equal are taken once, however far they go.
+  /// Domain: finite coordinates below 2^20 in size, in either orientation; a triangle may be a segment or a point;
+  /// level in 0..max_bake_level; map.size() = ceil(4^level / 4).
+  /// Time: linear in the micro-triangles that meet both opaque and other texels.  At worst one of these visits each
+  /// texel of the texture, and each repeat that its edges cross before their texels repeat.  Texels and rows that
+  /// addressing makes equal are visited once, however far they go.
   /// Errors: std::invalid_argument outside the domain; nothing is written.
+  /// Law: bake.conservative, bake.tight, bake.unknown_side, bake.equals_spec
   BakeCounts bake(const BaseTriangle& uv, std::uint32_t level, std::span<std::uint8_t> map) const;
 
  private:

@@ -13,7 +13,7 @@ struct Binary {
   int e = 0;
 };
 
-/// m 2^e with an odd m.  Domain: any m and e whose product is small enough for its use.
+/// m 2^e with an odd m.  Domain: |m| < 2^63; e + 62 fits int.
 inline Binary normal(std::int64_t m, int e) noexcept {
   if (m == 0) return {};
   const int zeros = std::countr_zero(static_cast<std::uint64_t>(m));

@@ -20,9 +20,11 @@ class Binary16 {
   constexpr Binary16() = default;
 
   /// round(k): exact up to 2048, infinity from 65520.
+  /// Test: impl_binary16_test
   constexpr explicit Binary16(std::uint32_t k) : Binary16(static_cast<double>(k)) {}
 
   /// round(x), in one step from either format.  A template, so that a plain int takes the constructor above.
+  /// Test: impl_binary16_test
   template <class F>
   requires std::same_as<F, float> || std::same_as<F, double>
   constexpr explicit Binary16(F x) : bits_(rounded(static_cast<double>(x))) {}
@@ -63,6 +65,7 @@ class Binary16 {
   }
 
   /// floor(q) for q >= 0.  Negative numbers and NaN give 0, infinity the greatest word.
+  /// Test: impl_binary16_test
   friend constexpr std::uint32_t whole(const Binary16& q) {
     const double x = static_cast<double>(q);
     if (!(x > 0)) return 0;

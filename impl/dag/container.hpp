@@ -12,7 +12,8 @@
 //   24  zero, 32 bits
 //   28  CRC-32C of bytes 0..28 and of all that follows byte 32
 //   32  records, tiles, flat, nodes, as impl/dag/dag.hpp has them
-// Bytes are a container if adding the maps that they mean gives these very bytes, so maps have one container.
+// Bytes are a container only if adding its maps to an empty graph gives the same bytes.  So a sequence of maps has one
+// container.
 #pragma once
 
 #include <cstddef>
@@ -44,8 +45,9 @@ std::vector<std::uint8_t> save(const Dag& dag);
 
 /// The graph of a container, to which maps can be added as to the saved one: save(load(bytes)) == bytes.
 /// Domain: any bytes; throws BadContainer for bytes that save() cannot have written.  Time and memory are proportional
-/// to the bytes unless somebody made hashes collide on purpose.  But a further record of a flat map takes as much time
-/// as adding the map, if tiles or nodes were added since.
+/// to the bytes unless somebody made hashes collide on purpose.  A second record of a flat map takes as long as adding
+/// the map, if tiles or nodes were added in between.
+/// Law: dag.canonical, dag.malformed, dag.malformed_on_samples
 Dag load(std::span<const std::uint8_t> bytes);
 
 }  // namespace mmverify::impl::dag

@@ -8,8 +8,8 @@
 //            order.  A reference to a tile is its number, in 16 bits if all of the node's are below 2^16 (a narrow
 //            node), else in 32 bits.  A reference to a node that begins at word a is 2 a + 1 if it is wide, 2 a if
 //            narrow.
-//   flat     maps that would take more as tiles and nodes, as they are
-//   records  8 bytes a map: level, kind, and place; up to level 2, or if all states are one, the states themselves
+//   flat     maps that are smaller unchanged than as tiles and nodes
+//   records  8 bytes a map: level, kind, and place; instead of a place the states, up to level 2 or if all are equal
 #pragma once
 
 #include <cstdint>
@@ -56,9 +56,10 @@ class Dag {
 
   /// Adds a map, and returns its number: 0, 1, ...  Stored words do not move or change.  The same maps in the same
   /// order give the same words.
-  ///   bits() grows by 64 + 64 ceil(4^n b / 64) at most, by 64 alone up to level 2 and for a map that is there.
+  ///   bits() grows by 64 + 64 ceil(4^n b / 64) at most; by 64 only, up to level 2 or if the graph has the map already.
   /// Domain: n in 0..12 and a map of ceil(4^n b / 8) bytes, or std::invalid_argument is thrown; bits after the last
   /// state may be anything.  std::length_error if an array would pass 2^31 words.
+  /// Law: dag.equals_spec, dag.append, dag.bound
   std::uint32_t add(Level n, std::span<const std::uint8_t> map);
 
   std::uint32_t maps() const noexcept { return static_cast<std::uint32_t>(records_.size()); }
@@ -68,22 +69,27 @@ class Dag {
 
   /// The state of a micro-triangle.  It reads a record; in a node two words for each 4 bits of the index; in a tile one
   /// word for the last 6 bits.  Domain: map < maps(); the low 2 level bits of the index count.
+  /// Law: dag.lookup_is_decode, dag.on_samples
   std::uint8_t at(std::uint32_t map, std::uint64_t index) const noexcept;
 
   /// The state at barycentrics (u, v): at(map, index::from_barycentrics(u, v, level(map))).
   /// Domain: every bit pattern, as there; map < maps().
+  /// Law: dag.point_is_index
   std::uint8_t at_point(std::uint32_t map, float u, float v) const noexcept;
 
   /// state[k] = at(map[k], index[k]).
   /// Domain: spans of one length and map[k] < maps(), or std::invalid_argument is thrown and nothing is written; no overlap.
+  /// Law: dag.lookup_is_decode, dag.on_samples
   void lookup(std::span<const std::uint32_t> map, std::span<const std::uint32_t> index,
               std::span<std::uint8_t> state) const;
 
   /// The map again, padding bits zero.
   /// Domain: map < maps() and bytes of its level's size, or std::invalid_argument is thrown.
+  /// Law: dag.round_trip, dag.on_samples
   void decode(std::uint32_t map, std::span<std::uint8_t> bytes) const;
 
   /// The size of all four arrays in bits, which is all that lookups need.  The tables for adding are not counted.
+  /// Law: dag.bound
   std::uint64_t bits() const noexcept;
 
   // The arrays, to copy to the place of lookups.

@@ -189,6 +189,7 @@ inline Located locate(float u, float v, Level n) noexcept {
 /// Domain: every bit pattern.  u and v are clamped to [0,1] one by one; NaN counts as 0.  level in 0..16, more is 16.
 /// Result in [0, 4^level): exactly the rational evaluation of the reference for every pair of finite floats.
 /// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
+/// Law: index.equals_reference, index.floats
 inline std::uint32_t from_barycentrics(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
   const detail::Found p = detail::find(u, v, n);
@@ -198,6 +199,7 @@ inline std::uint32_t from_barycentrics(float u, float v, Level level) noexcept {
 /// The indices of many points: out[k] = from_barycentrics(u[k], v[k], level), bit for bit.
 /// Domain: any length, any alignment; the three spans have one length, or std::invalid_argument is thrown and
 /// nothing is written.  out must not overlap u or v.
+/// Law: index.equals_reference, index.floats, index.exact_on_floats
 void from_barycentrics(std::span<const float> u, std::span<const float> v, Level level,
                        std::span<std::uint32_t> out);
 
@@ -209,6 +211,7 @@ void from_barycentrics(std::span<const float> u, std::span<const float> v, Level
 /// along u.
 /// Domain: level in 0..16, more is 16; index is masked to its low 2 level bits.  Coordinates in [0, N].
 /// Source: Succinct Opacity Micromaps, Algorithm 4, inverted; the closed form is ours.
+/// Law: index.corners, index.corner_order
 constexpr Corners corners(std::uint32_t index, Level level) noexcept {
   const Level n = std::min(level, max_level);
   const std::uint32_t low = (std::uint32_t{1} << n) - 1;
@@ -224,6 +227,7 @@ constexpr Corners corners(std::uint32_t index, Level level) noexcept {
 /// The corners of many micro-triangles: corner c of out at k is corners(index[k], level)[c].
 /// Domain: any length, any alignment; all seven spans have one length, or std::invalid_argument is thrown and
 /// nothing is written.  No span of out may overlap another or index.
+/// Law: index.corners, index.corner_order, index.on_samples
 void corners(std::span<const std::uint32_t> index, Level level, const CornerSpans& out);
 
 /// The index in row order, rows counted from the w-corner: row^2 + col + (dia - (N-1-row)), where
@@ -232,6 +236,7 @@ void corners(std::span<const std::uint32_t> index, Level level, const CornerSpan
 /// Result in [0, 4^level), exact for every pair of finite floats in the triangle.  Outside it the formula is taken of
 /// the clamped numbers; the result stays in the range because dia >= N-1-row even there.
 /// Source: Color and Attribute Micromaps, figure 4, wminor_uv2triangle_index.
+/// Law: index.row_order, index.row_floats
 inline std::uint32_t w_minor(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
   const detail::Found p = detail::find(u, v, n);
@@ -243,12 +248,14 @@ inline std::uint32_t w_minor(float u, float v, Level level) noexcept {
 /// The indices of many points: out[k] = w_minor(u[k], v[k], level), bit for bit.
 /// Domain: any length, any alignment; the three spans have one length, or std::invalid_argument is thrown and
 /// nothing is written.  out must not overlap u or v.
+/// Law: index.row_order, index.row_floats, index.row_exact_on_floats
 void w_minor(std::span<const float> u, std::span<const float> v, Level level, std::span<std::uint32_t> out);
 
 /// The row of an index of row order: the greatest row with row^2 <= index.  Domain: every index.
 /// A binary64 root is safe where the source's binary32 root is not.  Below 2^32 the index is exact, and the root of k^2
 /// - 1 is more than 1/(2k) >= 2^-17 below k, while binary64 numbers there are at most 2^-37 apart.
 /// Source: Color and Attribute Micromaps, figure 4.
+/// Law: index.row_corners
 inline std::uint32_t w_minor_row(std::uint32_t index) noexcept {
   return static_cast<std::uint32_t>(std::sqrt(static_cast<double>(index)));
 }
@@ -258,6 +265,7 @@ inline std::uint32_t w_minor_row(std::uint32_t index) noexcept {
 ///   (row-c, c), (row-c+1-odd, c+odd), (row-c-odd, c+1)
 /// Domain: every index; the level does not enter, as row order only appends rows.  Coordinates in [0, 2^16].
 /// Source: Color and Attribute Micromaps, figure 4, wminor_uv2vertex_index.
+/// Law: index.row_corners
 inline Corners w_minor_corners(std::uint32_t index) noexcept {
   const std::uint32_t row = w_minor_row(index), col = index - row * row;
   const std::uint32_t c = col / 2, odd = col % 2, i = row - c;
@@ -267,6 +275,7 @@ inline Corners w_minor_corners(std::uint32_t index) noexcept {
 /// The corners of many micro-triangles: corner c of out at k is w_minor_corners(index[k])[c].
 /// Domain: any length, any alignment; all seven spans have one length, or std::invalid_argument is thrown and
 /// nothing is written.  No span of out may overlap another or index.
+/// Law: index.row_corners, index.on_samples
 void w_minor_corners(std::span<const std::uint32_t> index, const CornerSpans& out);
 
 }  // namespace mmverify::impl::index

@@ -41,6 +41,7 @@ constexpr Word wide_curve(const Square<Word>& q) noexcept {
 /// floats; at levels 0..16 that of from_barycentrics.  The whole parts and the carry are exact for the reasons given at
 /// detail::cut and detail::reach_one.
 /// Source: VK_EXT_opacity_micromap, appendix "Reference Code"; the words' width is ours.
+/// Law: index.wide_equals_reference, index.impl_wide_is_wide, index.wide_exact_on_floats
 inline std::uint64_t from_barycentrics_wide(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_wide_level);
   const detail::Found p = detail::find(u, v, n);

@@ -59,15 +59,19 @@ struct Options {
 /// Domain: base_triangle at most the number of records, maps as PackedMap has them, else std::invalid_argument.  An
 /// index that the encoding cannot hold, or data beyond 2^32 bytes: std::length_error, naming the triangle.  After an
 /// error the array is as before.
+/// Law: micromap.build, micromap.build_on_samples
 Geometry append(Array& array, std::span<const PackedMap> maps, const Options& options);
 
 /// The usage counts of an array's records: ordered by level, then format, none of them zero.
+/// Law: micromap.build, micromap.build_on_samples
 std::vector<UsageCount> usage_counts(std::span<const Record> records);
 
 /// Records as bytes: 8 each, little-endian, tightly packed.
+/// Law: micromap.build, micromap.build_on_samples
 Bytes record_buffer(std::span<const Record> records);
 
 /// The record at a byte.  Domain: at + 8 <= bytes.
+/// Law: micromap.validate
 Record record_at(std::span<const std::uint8_t> bytes, std::uint64_t at) noexcept;
 
 }  // namespace mmverify::impl::micromap

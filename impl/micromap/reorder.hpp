@@ -15,6 +15,7 @@ using VertexOrder = std::array<std::uint8_t, 3>;
 /// Domain: order a permutation of 0, 1, 2; level in 0..16; both spans packed_bytes(4^level, f) long and apart; else
 /// std::invalid_argument.
 /// Source: the curve's children and their corners, VK_KHR_opacity_micromap, "Reference Code"; see impl/index/index.hpp.
+/// Test: scene_bake_test
 void reorder(std::span<const std::uint8_t> map, Level level, Format f, const VertexOrder& order,
              std::span<std::uint8_t> out);
 

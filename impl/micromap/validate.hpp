@@ -57,6 +57,7 @@ struct Violation {
 /// records or indices are missing, or an index names no record, counts that depend on them are not judged.
 /// Domain: any input; nothing is read outside the spans, whatever the counts, strides and offsets.  Time: O(n log n) in
 /// the given bytes.
+/// Law: micromap.validate
 std::vector<Violation> validate(const Input& in);
 
 /// A list of violations, some of which are only counted.
@@ -74,6 +75,7 @@ class ArrayValidator {
  public:
   /// Judges the members of the array, not those of a geometry.
   /// Time: O(n log n).  Memory: 16 bytes a record, of which 8 are kept.
+  /// Test: impl_micromap_validate_test
   ArrayValidator(const Input& array, std::size_t most);
   ~ArrayValidator();
   ArrayValidator(const ArrayValidator&) = delete;
@@ -83,6 +85,7 @@ class ArrayValidator {
 
   /// The violations of a geometry that refers to the array; the array's members of `geometry` are ignored.
   /// Time: O(t + c log c) for t triangles with indices and c usage counts, whatever the number of records.
+  /// Test: impl_micromap_validate_test
   Violations geometry(const Input& geometry) const;
 
  private:
@@ -92,6 +95,7 @@ class ArrayValidator {
 
 /// The violation in one line: the rule's id and the specifications that have it, the place, the fault:
 /// "index.encoding (EXT): indices are u8".
+/// Test: impl_micromap_validate_test
 std::string describe(const Violation& violation);
 
 }  // namespace mmverify::impl::micromap

@@ -19,9 +19,11 @@ enum class Operation : std::uint8_t {
 };
 
 /// The code nearest to x / 255, exactly, for x up to 255 * 255.
+/// Law: traverse.blend
 constexpr std::uint32_t divided_by_255(std::uint32_t x) noexcept { return (x + 128 + ((x + 128) >> 8)) >> 8; }
 
 /// One code of the payload after a hit; alpha is the value's, used by `over` alone.  Domain: codes.
+/// Law: traverse.blend
 constexpr std::uint32_t blend(Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t alpha) noexcept {
   switch (o) {
     case Operation::max:
@@ -39,6 +41,7 @@ constexpr std::uint32_t blend(Operation o, std::uint32_t p, std::uint32_t v, std
 }
 
 /// The payload after a hit, code by code.  Words hold R, G, B, A from the lowest byte on.  Domain: every word.
+/// Law: traverse.blend, traverse.blend_on_samples
 constexpr std::uint32_t blend(Operation o, std::uint32_t payload, std::uint32_t value) noexcept {
   std::uint32_t out = 0;
   for (unsigned shift = 0; shift < 32; shift += 8)
@@ -48,6 +51,7 @@ constexpr std::uint32_t blend(Operation o, std::uint32_t payload, std::uint32_t 
 
 /// Many payloads after a hit each: out[k] of payload[k] and value[k].
 /// Errors: spans of other sizes than out's are std::invalid_argument, and nothing is written.
+/// Law: traverse.blend, traverse.blend_on_samples
 void blend(Operation o, std::span<const std::uint32_t> payload, std::span<const std::uint32_t> value,
            std::span<std::uint32_t> out);
 
@@ -61,6 +65,7 @@ struct Hit {
 /// The payload after all hits before the closest accepted one.  Blending waits until that hit is known: else a hit
 /// behind it, met before it, would count, and the result would depend on the order of traversal.
 /// Domain: hits in any order.  Source: Color and Attribute Micromaps, 4.3; docs/TRAVERSE.md.
+/// Law: traverse.blend_before_closest, traverse.blend_many_on_samples
 std::uint32_t blended(Operation o, std::uint32_t payload, std::span<const Hit> hits) noexcept;
 
 }  // namespace mmverify::impl::traverse

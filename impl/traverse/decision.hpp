@@ -33,6 +33,7 @@ enum class Outcome : std::uint8_t {
 /// instance disables it; the 2-state override; the instance's force flags; the ray's; culling.
 /// Domain: every word; if undefined() has a reason, some outcome.  Other bits are ignored.
 /// Source: Vulkan, Ray Opacity Culling and Ray Opacity Micromap; DXR, Opacity micromaps and TraceRay.
+/// Law: traverse.decision
 constexpr Outcome decide(std::uint32_t candidate, std::uint32_t instance, std::uint32_t ray) noexcept {
   const std::uint32_t consulted = candidate >> 2 & ~(instance >> 5) & 1, side = candidate & 1;
   const std::uint32_t known = (~(candidate >> 1) | instance >> 4 | ray >> 10) & 1;
@@ -46,6 +47,7 @@ constexpr Outcome decide(std::uint32_t candidate, std::uint32_t instance, std::u
 
 /// The outcomes of many candidates: out[k] of candidate[k], instance[k] and ray[k].
 /// Errors: spans of other sizes than out's are std::invalid_argument, and nothing is written.
+/// Law: traverse.decision
 void decide(std::span<const std::uint32_t> candidate, std::span<const std::uint32_t> instance,
             std::span<const std::uint32_t> ray, std::span<Outcome> out);
 
@@ -60,6 +62,7 @@ inline constexpr std::uint32_t undefined_not_enabled = 4;
 /// The set of reasons; 0 if the outcome is defined.  `enabled`: the pipeline's flag, the execution mode
 /// OpacityMicromapIdKHR, or the RayQuery's flag is set; true for ray queries of VK_EXT_opacity_micromap.
 /// Source: VUID-RuntimeSpirv-OpTraceRayKHR-06893; VkGeometryInstanceFlagBitsKHR; SPV_KHR_opacity_micromap, 3.2.5; DXR.
+/// Law: traverse.undefined_is_named
 constexpr std::uint32_t undefined(bool enabled, std::uint32_t candidate, std::uint32_t instance,
                                   std::uint32_t ray) noexcept {
   const std::uint32_t exclusive = ray & (ray_opaque | ray_no_opaque | ray_cull_opaque | ray_cull_no_opaque);

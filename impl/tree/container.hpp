@@ -39,6 +39,7 @@ class BadContainer : public std::runtime_error {
 inline constexpr std::size_t container_header = 16;
 
 /// The container of a map.  Domain: n in 0..12 and a map of its size, or std::invalid_argument is thrown.
+/// Law: tree.round_trip, tree.sizes
 std::vector<std::uint8_t> write(Level n, Format b, std::span<const std::uint8_t> map);
 
 /// The contents of a container: a packed map.
@@ -50,10 +51,12 @@ struct Contents {
 
 /// The map of a container; write(level, format, map) gives back the very bytes.
 /// Domain: any bytes; throws BadContainer for bytes that write() cannot have written.  Memory: the input and the map of
-/// its level, 4 MiB at most; the map only if the input has all that it announces.
+/// its level, 4 MiB at most.  The map is allocated only if all announced bytes are there.
+/// Law: tree.round_trip, tree.canonical, tree.malformed
 Contents read(std::span<const std::uint8_t> bytes);
 
-/// The same, but nothing instead of a BadContainer, which is faster for many bad inputs.
+/// Like read(), but returns nothing where read() throws BadContainer: faster if many inputs are bad.
+/// Law: tree.canonical, tree.malformed
 std::optional<Contents> try_read(std::span<const std::uint8_t> bytes);
 
 }  // namespace mmverify::impl::tree

@@ -32,6 +32,7 @@ struct Stream {
 /// is linear in the tree.
 /// Source: Succinct Opacity Micromaps, Algorithms 1 and 2, with the children pushed from the last to the first, so that
 /// child 0 comes first.
+/// Law: tree.equals_spec
 Stream encode_stream(Level n, Format b, std::span<const std::uint8_t> map);
 
 /// Writes the map of a stream; padding bits are zero.
@@ -39,6 +40,7 @@ Stream encode_stream(Level n, Format b, std::span<const std::uint8_t> map);
 /// 1 and 3 i + 1 for one i, a sequence of another length, a padding bit that is set, a tree that ends early or late or
 /// goes below level n, four sibling leaves of one state.
 /// Domain: n in 0..12 and a map of its size, or std::invalid_argument is thrown; any stream.
+/// Law: tree.round_trip, tree.canonical, tree.malformed
 bool decode_stream(Level n, Format b, const Stream& s, std::span<std::uint8_t> map);
 
 /// One state, straight from the two sequences: Algorithm 3, a bit at a time, as it is printed.
@@ -47,6 +49,7 @@ bool decode_stream(Level n, Format b, const Stream& s, std::span<std::uint8_t> m
 /// Domain: n in 0..12, index < 4^n (its low 2n bits count); any stream.  If the stream ends before the leaf, or goes
 /// below level n, the answer is 0; nothing beyond its vectors is read.
 /// Source: Succinct Opacity Micromaps, Algorithm 3.
+/// Law: tree.lookup_is_decode, tree.on_samples
 std::uint8_t lookup_stream(Level n, Format b, const Stream& s, std::uint64_t index);
 
 }  // namespace mmverify::impl::tree

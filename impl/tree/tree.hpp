@@ -23,10 +23,11 @@ namespace mmverify::impl::tree {
 /// A map in a form that finds a state in one to four steps, in about the size of the paper's sequences.
 class Tree {
  public:
-  /// The form of a map, with the fewest steps that fit 18/17 of the paper's stream (the bits of its two sequences) and
-  /// the header.  Of these it is the shallowest that takes at most 1/32 more than the smallest.  If none fits, it is
-  /// the smallest of all.  Equal maps give equal forms.
+  /// The form of a map.  A form fits if it takes at most 18/17 of the paper's stream (the bits of its two sequences)
+  /// and the header.  Of the forms that fit, those with the fewest steps count; of these the shallowest is chosen that
+  /// takes at most 1/32 more than the smallest.  If none fits, the smallest of all is.  Equal maps give equal forms.
   /// Domain: n in 0..12 and a map of its size, or std::invalid_argument is thrown.
+  /// Law: tree.round_trip, tree.on_samples
   static Tree encode(Level n, Format b, std::span<const std::uint8_t> map);
 
   /// The depths k, where a form's nodes begin, and m, where its blocks do.
@@ -36,20 +37,25 @@ class Tree {
 
   /// The form with these depths, whatever memory it takes, for tests of each of them.
   /// Domain: as above, and top <= block < max(n, 1), or std::invalid_argument is thrown.
+  /// Law: tree.round_trip, tree.on_samples
   static Tree encode(Level n, Format b, std::span<const std::uint8_t> map, Depths depths);
 
   /// The state of a micro-triangle.  Domain: index < 4^level; its low 2 level bits count.
+  /// Law: tree.lookup_is_decode, tree.on_samples
   std::uint8_t operator[](std::uint64_t index) const noexcept;
 
   /// state[k] = (*this)[index[k]].  Domain: spans of one length, or std::invalid_argument is thrown and
   /// nothing is written; no overlap.
+  /// Law: tree.lookup_is_decode, tree.on_samples
   void lookup(std::span<const std::uint32_t> index, std::span<std::uint8_t> state) const;
 
   /// The state at barycentrics (u, v): (*this)[index::from_barycentrics(u, v, level())].
   /// Domain: every bit pattern, as there.
+  /// Law: tree.point_is_index, tree.point_exact_on_floats
   std::uint8_t at(float u, float v) const noexcept;
 
   /// Writes the map, padding bits zero.  Domain: a map of the level's size, or std::invalid_argument is thrown.
+  /// Law: tree.round_trip, tree.on_samples
   void decode(std::span<std::uint8_t> map) const;
 
   /// The size of the form in bits, header and counts included, without this handle, a pointer.
@@ -69,6 +75,7 @@ class Tree {
 /// Looks up states in many trees, in any order: state[k] = (*trees[which[k]])[index[k]].
 /// Domain: which, index and state of one length, and which[k] < trees.size(), or std::invalid_argument is
 /// thrown and nothing is written; index[k] < 4^level of its tree (its low bits count); no overlap.
+/// Law: tree.lookup_is_decode
 void lookup(std::span<const Tree* const> trees, std::span<const std::uint32_t> which,
             std::span<const std::uint32_t> index, std::span<std::uint8_t> state);
 

@@ -1,6 +1,7 @@
-// VQ2 and VQ4: maps of 16x16 regions in 256 bits and of 32x32 in 512, decoded at random or whole.  The encoders are
-// those of the paper, for VQ2 one with the fewest substitutions that the format allows, for VQ4 one with few and a
-// bound.  Axes, codes and the order of the bits are those of spec/vq/block.hpp: x from the left, y from the bottom.
+// VQ2 and VQ4: maps of 16x16 regions in 256 bits and of 32x32 in 512, decoded at random or whole.  The encoders: those
+// of the paper; for VQ2 one with the fewest substitutions that the format allows; for VQ4 one with few, and one with a
+// lower bound on them.  Axes, codes and the order of the bits are those of spec/vq/block.hpp: x from the left, y from
+// the bottom.
 //
 // Source: Compressed Opacity Maps, 4, 4.1 and 5.1, tables 1 and 2, figures 4 and 11.
 #pragma once
@@ -19,6 +20,7 @@ using Block2 = std::array<std::uint8_t, 32>;
 using Block4 = std::array<std::uint8_t, 64>;
 
 /// The state of region (x, y) of a block.  Domain: every block; x and y below 16, or 32 for VQ4 (low bits count).
+/// Law: vq2.region_is_map, vq4.region_is_map, vq2.no_other_bit, vq4.no_other_bit
 State region(const Block2& block, std::uint32_t x, std::uint32_t y) noexcept;
 State region(const Block4& block, std::uint32_t x, std::uint32_t y) noexcept;
 
@@ -26,18 +28,20 @@ State region(const Block4& block, std::uint32_t x, std::uint32_t y) noexcept;
 /// (0,1), (1,0), each in the order of the barycentrics w, u, v.
 enum class Half : std::uint8_t { lower, upper };
 
-/// The state of a hit with these barycentrics: that of the region of (u, v), or (1-u, 1-v) in the upper triangle, times
-/// the regions a side, rounded down.  Exact; the far edges belong to the last region.
+/// The state of a hit with these barycentrics: that of region (floor(s u), floor(s v)) with s regions along a side; in
+/// the upper triangle 1-u and 1-v take the place of u and v.  Exact; the far edges belong to the last region.
 /// Domain: u, v >= 0 and u + v <= 1; beyond them, and for NaN, some region's.
+/// Test: impl_vq_hit_test
 State state_at(const Block2& block, Half half, float u, float v) noexcept;
 State state_at(const Block4& block, Half half, float u, float v) noexcept;
 
 /// The map of a block.
+/// Law: vq2.region_is_map, vq4.region_is_map, vq2.on_random_blocks, vq4.on_random_blocks
 Map2 decode(const Block2& block) noexcept;
 Map4 decode(const Block4& block) noexcept;
 
 // The encoders.  All substitute C for some O and T, and nothing else: every other region stays the same.  If O and T
-// meet in an aligned 2x2 of regions, a code has the one or the other or neither.
+// meet in an aligned 2x2 of regions, a code has one of them or neither.
 // Domain: every map of T, C and O.
 
 /// A block of VQ2, and its loss.
@@ -54,24 +58,30 @@ struct Encoded4 {
 
 /// Algorithms 1 and 2 as they are printed, over all 512 transforms.  impl/vq/two/paper.cpp and impl/vq/four/paper.cpp
 /// list the points that the print leaves open.
+/// Law: vq2.conservative, vq4.conservative
 Encoded2 encode_paper(const Map2& map);
 Encoded4 encode_paper(const Map4& map);
 
 /// Algorithm 1 read kindly.  As printed it sorts vectors by their sums of C, the highest first, and then takes the
 /// lowest; here the highest, the frequent ones, are taken first (among equal scores still the last of the sorted list).
+/// Law: vq2.conservative
 Encoded2 encode_paper_highest_first(const Map2& map);
 
 /// Algorithm 2 read kindly: the partition that stays all C takes none of the 13 entries, as index 1 is all C.
+/// Law: vq4.conservative
 Encoded4 encode_paper_free_c(const Map4& map);
 
 /// The block with the fewest substitutions over all transforms and codebooks.  Exact: every choice of the three shared
 /// vectors is tried, or cannot be better by a bound on the gain of two more.
+/// Law: vq2.optimum, vq2.conservative
 Encoded2 encode_optimal(const Map2& map);
 
 /// The effort of an encoder of VQ4; more is never worse.
 enum class Effort : std::uint8_t { fast, balanced, thorough };
 
-/// A block without substitutions if the map fits, whatever the effort; else with few, at most those of less effort.
+/// A block without substitutions if the map fits, whatever the effort.  Else one with few, and never more than with
+/// less effort.
+/// Law: vq4.conservative, vq4.lossless_when_it_fits, vq4.effort
 Encoded4 encode(const Map4& map, Effort effort = Effort::balanced);
 
 /// A block, and a bound on the best one.
@@ -82,6 +92,7 @@ struct Proved4 {
 
 /// A block of more than thorough effort, with a bound for every choice of transforms.  On continuous maps the two are
 /// most often equal, and the block then is the best possible.  A tenth of a second a map; for noise, a minute.
+/// Law: vq4.bound
 Proved4 encode_proved(const Map4& map);
 
 /// The number of vectors with O and T in one 2x2 window, overlapping ones included: continuous alpha has none.

@@ -160,9 +160,10 @@ void Journal::read(const std::string& text) {
     const auto json = checked(text.substr(at, end - at));
     if (at == 0) {
       if (!json || json->value("schema", "") != schema)
-        throw BadJournal(fmt::format("{}: line 1 is not the first line of a journal", path_));
+        throw BadJournal(
+            fmt::format("{}: not a journal: its first line is not that of one; name another file", path_));
       if (const std::string what = difference(identity_of(*json), as_written(identity_)); !what.empty())
-        throw BadJournal(fmt::format("{}: the journal of another run ({})", path_, what));
+        throw BadJournal(fmt::format("{}: the journal of another run ({}); name another file", path_, what));
     } else {
       try {
         if (!json) throw BadJournal("a damaged line");
@@ -174,7 +175,8 @@ void Journal::read(const std::string& text) {
   }
   // A first line that was cut short is a prefix of ours; anything else is somebody's file.
   if (at == 0 && !line_of(text_of(to_json(identity_))).starts_with(text))
-    throw BadJournal(fmt::format("{}: not a journal, or the journal of another run", path_));
+    throw BadJournal(
+        fmt::format("{}: not a journal, or the journal of another run; name another file", path_));
   size_ = at;
   dropped_ += text.size() - at;
 }

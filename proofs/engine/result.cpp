@@ -52,14 +52,15 @@ void settle(Result& r, bool sample) {
     r.verdict = Verdict::refuted;
   } else if (r.cases_run() == 0) {
     r.verdict = Verdict::not_applicable;
-    r.reason = "it has no case here";
+    r.reason = "the law has no case for this subject at this level";
   } else if (2 * declined > r.cases_run()) {
     r.verdict = Verdict::not_applicable;
     r.reason =
         declined == r.cases_run()
-            ? std::string("it supports none of the cases")
-            : fmt::format("it declined {} of {} cases, more than half: let it declare what it supports",
-                          declined, r.cases_run());
+            ? std::string("the subject supports none of the cases")
+            : fmt::format(
+                  "the subject declined {} of {} cases, more than half; it should declare what it supports",
+                  declined, r.cases_run());
   } else {
     r.verdict = sample || declined != 0 || r.allowed() != 0 ? Verdict::checked : Verdict::proved;
   }

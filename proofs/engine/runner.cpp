@@ -96,7 +96,7 @@ Result cut_short(const Law& law, const Subject& subject, Level level, const Run&
 /// The result of a law that cannot be divided and that another shard runs.
 Result of_another_shard(const Law& law, const Subject& subject, Level level, const Run& run) {
   if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, run, *why);
-  Result r = not_applicable(law, subject, level, run, "run whole by another shard");
+  Result r = not_applicable(law, subject, level, run, "another shard runs all of it");
   r.cases_expected = law.cases(level, run);
   r.share = Share{0, 0, 1};
   return r;

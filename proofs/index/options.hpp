@@ -5,7 +5,7 @@
 
 namespace mmverify::proofs::index {
 
-/// Leaves out the cells on lines, for a subject that promises nothing there.
+/// Runs no cell that lies on a grid line: for a subject that promises nothing about points there.
 inline constexpr Option interiors_only{"those inside micro-triangles only", true};
 
 /// Fixed point instead of rationals, in laws that have both.

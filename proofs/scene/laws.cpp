@@ -33,8 +33,10 @@ void append_all(std::vector<Law>& all, std::vector<Law> some) {
 void add_formats(SceneLaws& all, const Data& data) {
   bool two = false, four = false;
   for (const auto& record : data.arrays.array.records) (record.format == 1 ? two : four) = true;
-  if (!two) all.left_out.push_back({"2-state", "no map is without unknowns and not uniform"});
-  if (!four) all.left_out.push_back({"4-state", "no map has both an unknown and another state"});
+  if (!two)
+    all.left_out.push_back({"2-state", "not tested: every map that is stored has unknown micro-triangles"});
+  if (!four)
+    all.left_out.push_back({"4-state", "not tested: no map that is stored has unknown micro-triangles"});
 }
 
 /// A hash of everything that the laws read.
@@ -94,7 +96,8 @@ SceneLaws scene_laws(const Data& data, const BakeSample& sample, const std::stri
     if (absent.size() == finest + 1)
       all.left_out.push_back({law.id, *law.unfit(*subject, law.topic == "vq" ? 4 : 0)});
     else if (law.topic == "bake" || law.topic == "tree")
-      all.left_out.push_back({fmt::format("{}, {}", law.id, levels_text(absent)), "they do not occur"});
+      all.left_out.push_back({fmt::format("{}, {}", law.id, levels_text(absent)),
+                              "not tested: the scene has no map of these levels"});
   }
   add_formats(all, data);
   return all;

@@ -27,8 +27,8 @@ Levels levels(const Plan& plan, const LevelRequest& request) {
   unsigned finest = finest_level;
   while (size > request.memory) {
     if (finest == 0)
-      throw std::invalid_argument("not a byte for each of the " + std::to_string(plan.triangles.size()) +
-                                  " distinct triangles");
+      throw std::invalid_argument("less than a byte for each of the " +
+                                  std::to_string(plan.triangles.size()) + " distinct triangles");
     size -= count[finest] * (bytes(finest) - bytes(finest - 1));
     count[finest - 1] += count[finest];
     --finest;

@@ -34,7 +34,7 @@ void validate_lists(const Json& json, Report& report) {
     report.add("used.listed", "/extensionsUsed", "it is used at " + use + ", and not listed");
   if (report.newest() && lists(json, "extensionsRequired", report.extension()))
     report.add("required.unlisted", "/extensionsRequired",
-               "it is listed; without it, geometry and material still say all");
+               "it is listed, though the file renders the same without it");
 }
 
 template <class Open>

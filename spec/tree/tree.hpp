@@ -1,11 +1,11 @@
 // The succinct tree of a micromap: Algorithms 1, 2 and 3 as printed, over plain sequences of bits.
 //
-// The print leaves points open, which are read so here:
+// The print leaves these points open; this file reads them as follows:
 //   child order   Algorithm 2's stack is given the children last to first, so that child 0 comes off first.
 //                 Algorithm 3 fits no other order: bitscan passes over `child` subtrees to reach that child.
 //   child digits  the children of a node are the digits 0..3 of the index, most significant digit at
 //                 the root: the curve nests.
-//   level n       its nodes are leaves and have their 0 in the tree like all others.
+//   level n       its nodes are leaves; each has its 0 in the tree, as all other leaves have.
 //   bitscan       returns t and d, as its caller takes them; its count of subtrees to pass ends at 0.
 //   turns         the loops of Algorithms 2 and 3 are iterated templates, one turn each, so that a prover can
 //                 be given the same turns.

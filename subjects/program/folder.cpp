@@ -55,7 +55,7 @@ Folder::Folder(const std::string& kind) {
   const fs::path home = fs::temp_directory_path(none);
   if (none)
     throw std::runtime_error(
-        "there is no folder for temporary files: TMPDIR, or /tmp where it is not set, is none; set it to "
+        "no folder for temporary files: TMPDIR, or /tmp if it is not set, is not a folder; set TMPDIR to "
         "one");
   const std::string begins = "mmverify-" + kind + "-";
   sweep(begins);

@@ -126,7 +126,7 @@ TEST(AttributeBaker, that_declines_what_it_does_not_declare_says_how_many) {
   EXPECT_THAT(some.out, HasSubstr("declined: 4,536 of these cases"));
   const Outcome all = judge("declines_all", "attribute.bake_vertex --levels 0");
   EXPECT_EQ(all.exit_code, 2) << all.out << all.err;
-  EXPECT_THAT(all.out, HasSubstr("it supports none of the cases"));
+  EXPECT_THAT(all.out, HasSubstr("the subject supports none of the cases"));
 }
 
 TEST(AttributeBaker, may_have_vertices_alone) {
@@ -139,7 +139,7 @@ TEST(AttributeBaker, may_have_vertices_alone) {
 
 TEST(AttributeBaker, of_what_cannot_be_is_not_loaded) {
   expect_complaint(judge("tolerance_above_16", "attribute"), 4,
-                   "of its attribute_support tolerance is above 16");
+                   "its attribute_support: tolerance is above 16");
 }
 
 TEST(AttributeBaker, built_before_there_were_bakers_it_has_none) {

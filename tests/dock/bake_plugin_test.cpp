@@ -115,10 +115,10 @@ TEST(BakeSubject, cases_on_which_it_crashes_are_counted_and_the_others_judged) {
     EXPECT_EQ(o.exit_code, 1) << o.err;
     EXPECT_THAT(o.out, HasSubstr("broken     bake.conservative"));
     // One texture, five pairs of addressing, six triangles.
-    EXPECT_THAT(o.out, HasSubstr("level 1: not answered: 30 of 63,350 cases; the others are judged"));
+    EXPECT_THAT(o.out, HasSubstr("level 1: no answer to 30 of 63,350 cases; the others are judged"));
     EXPECT_THAT(o.out, std::string(levels) == "0..1"
                            ? HasSubstr("proved     bake.conservative")
-                           : HasSubstr("level 2: not answered: 30 of 63,350 cases; the others are judged"));
+                           : HasSubstr("level 2: no answer to 30 of 63,350 cases; the others are judged"));
     const std::string named = o.out.substr(o.out.find("  crashed (signal 6"), 300);
     EXPECT_EQ(first.empty() ? named : first, named) << threads;
     first = named;
@@ -167,7 +167,7 @@ TEST(DeclaredBaker, that_says_nothing_and_declines_most_is_not_called_checked) {
   const Outcome o = judge_bake("bake_declares_says_nothing", "bake.conservative --levels 0");
   EXPECT_EQ(o.exit_code, 2) << o.out << "nothing was judged";
   EXPECT_THAT(o.out, HasSubstr("n/a        bake.conservative"));
-  EXPECT_THAT(o.out, HasSubstr("of 63350 cases, more than half: let it declare what it supports"));
+  EXPECT_THAT(o.out, HasSubstr("of 63350 cases, more than half; it should declare what it supports"));
 }
 
 TEST(DeclaredBaker, is_held_to_its_own_rules) {
@@ -190,7 +190,7 @@ TEST(DeclaredBaker, is_held_to_its_own_rules) {
 
 TEST(DeclaredBaker, of_what_cannot_be_is_not_loaded) {
   expect_complaint(judge_bake("bake_declares_upside_down", "bake"), 4,
-                   "of its bake_support uv_min is not below uv_max");
+                   "its bake_support: uv_min is not below uv_max");
 }
 
 TEST(BakeSubject, built_before_there_were_bakers_it_has_none) {

@@ -251,7 +251,7 @@ TEST(Gate, WhatIsNoBaseline) {
     });
   };
   EXPECT_EQ(baseline("{}", R"({"g": {"f": 1}})"), "no complaint");
-  EXPECT_THAT(baseline("{}", "{}"), HasSubstr("figures: there are none"));
+  EXPECT_THAT(baseline("{}", "{}"), HasSubstr("figures: it has none"));
   EXPECT_THAT(baseline("[]", R"({"g": {"f": 1}})"), HasSubstr("settings: no object"));
   EXPECT_THAT(baseline("{}", R"({"g": 1})"), HasSubstr("g: no object"));
   for (const char* figures : {R"({"g": {"f": [1]}})", R"({"g": {"f": {}}})"})

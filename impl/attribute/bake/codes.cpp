@@ -63,8 +63,7 @@ RgbaOf<Channel> encoded_normal(const std::array<double, 4>& means, const std::ar
   // The rounding of binary64 for numbers up to `full`, with room.
   constexpr double full = greatest<Channel>, rounding = (full + 1) * 0x1p-48;
   RgbaOf<Channel> codes{};
-  // m = 2 mean - full.  Each component is within twice the bound, so the length within 4 bounds, and m / |m| within
-  // 8 bounds / |m| if |m| is far larger.
+  // docs/ATTRIBUTE_BOUNDS.md, "Normals".
   const double b = std::max({bound[0], bound[1], bound[2]});
   const double x = 2 * means[0] - full, y = 2 * means[1] - full, z = 2 * means[2] - full,
                length = std::sqrt(x * x + y * y + z * z);

@@ -2,11 +2,7 @@
 //
 // A row is [j, j + 1), a column [i, i + 1).  In one row and column F is linear in x, so that a piece of the edge adds
 //   (P(i) + (x - i) c(i)) (its dy),   x the middle of it, P(i) the sum of the texels before i.
-// Rounding, with c <= m, E and u of frame.hpp, h = |dx| + |dy|, K <= h + 3 pieces:
-//   A row's pieces end at whole y, so each row's share is exact.  x where the edge crosses a row, and y where it
-//   crosses a column, are within 6 u E of the segment, which moves the integral by 6 u E m h at most.  F is within
-//   6 u m E of its value, and the sum of the pieces within K u of it, with numbers up to m E |dy|.
-//   Together: m u E (12 + 6 + K) h.  A fused product and sum, rounded once, errs less.
+// docs/ATTRIBUTE_BOUNDS.md, "An edge", bounds the error by m u E (18 + K) h, for K pieces.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

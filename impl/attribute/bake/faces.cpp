@@ -1,11 +1,4 @@
-// The bound.  Corners within 8 u E move a triangle's integral by 8 u E m (h + h' + h'') at most, where m is the
-// greatest texel and h as in edge-inl.hpp, whose bound is added.  With K pieces an edge the sum is m u E (8 + 18 + K)(h
-// + h' + h''); here it is taken twice.  The area is within its own bound.
-// Floats: m is the greatest |texel| of the box, whatever the signs.  Sums before a texel are within 1.01 u m E
-// (source.cpp), so that F is within 10 u m E instead of 6: hence 80 instead of 64, of which 16 are for this.  A face
-// that is not sure is tried once more by itself.  Its m is that of the texels under it and around, e the greater side
-// of their box.  Its positions are as before and move the integral by 8 u E m a length; the rest is m u e (12 + 10 +
-// K), and 4 more for three edges.  With twice as much of both:  m (16 u E + u e (60 + 2 h)) (h + h' + h'').
+// Faces of a base triangle.  docs/ATTRIBUTE_BOUNDS.md derives the bounds.
 #include "impl/attribute/bake/faces.hpp"
 
 #include <algorithm>
@@ -22,7 +15,7 @@ namespace {
 constexpr std::int64_t most_texels = std::int64_t{1} << 24, small_box = std::int64_t{1} << 16,
                        longest = std::int64_t{1} << 15;
 
-/// The lengths and the area that all faces' bounds are computed from; tell() is false if floats cannot decide anything.
+/// The lengths L and H, the area A and its error, from which all faces' bounds are computed.
 struct Edges {
   double longest = 0, around = 0, area = 0, off = 0;
 
@@ -32,9 +25,11 @@ struct Edges {
     longest = std::max({size(frame.across), size(frame.down), size(slant)}) + frame.position;
     around = size(frame.across) + size(frame.down) + size(slant) + 4 * frame.position;
   }
+  /// Whether the area is large enough for any bound: docs/ATTRIBUTE_BOUNDS.md, "The area".
   bool tell() const { return area > 4 * off; }
 };
 
+/// The bound of every face's mean, for each channel; none if whole numbers have to decide all of them.
 template <class Channel>
 std::optional<std::array<double, 4>> bound_of(const Source<Channel>& source, const Frame& frame,
                                               const Edges& edges) {
@@ -44,6 +39,7 @@ std::optional<std::array<double, 4>> bound_of(const Source<Channel>& source, con
   std::array<double, 4> bound;
   for (std::size_t k = 0; k < 4; ++k) {
     const double m = greatest[k];
+    // docs/ATTRIBUTE_BOUNDS.md, "A face" and "A face of floats": twice m u E (31 + L) H, and room.
     const double sum_off =
         m * half_ulp * frame.extent * ((floats ? 80 : 64) + 2 * edges.longest) * edges.around;
     bound[k] = (2 * sum_off + m * edges.off) / (edges.area - edges.off) + 8 * half_ulp * m;
@@ -53,7 +49,8 @@ std::optional<std::array<double, 4>> bound_of(const Source<Channel>& source, con
   return bound;
 }
 
-/// The bound of a face computed by itself.  Domain: edges.tell().
+/// The bound of a face computed by itself: docs/ATTRIBUTE_BOUNDS.md, "A face of floats by itself".
+/// Domain: edges.tell().
 NearBound near_bound(const Frame& frame, const Edges& edges) {
   const double area = edges.area - edges.off;
   return {(32 * half_ulp * frame.extent * edges.around + edges.off) / area + 8 * half_ulp,

@@ -1,9 +1,7 @@
 // A base triangle in texels, in binary64, with a bound of its rounding.  Internal to impl/attribute.
 //
 // Micro-vertex (i, j) is origin + i across + j down, with coordinates from a corner (left, top) nearby, so that none is
-// below 1 nor beyond the box.  With E the box's greater side and u = 2^-53:
-//   width x U - left is exact or rounds once, u E.  (difference) / N rounds once, u E / N.  i times that rounds once,
-//   and two sums once each, all with numbers up to E.  So a position is within 8 u E of the true one, with room.
+// below 1 nor beyond the box.  docs/ATTRIBUTE_BOUNDS.md, "Positions" and "The area", derives the bounds.
 #pragma once
 
 #include <algorithm>
@@ -51,10 +49,10 @@ struct Frame {
     across = {(x[1] - x[0]) / side, (y[1] - y[0]) / side};
     down = {(x[2] - x[0]) / side, (y[2] - y[0]) / side};
     extent = static_cast<double>(std::max(width, height));
-    position = 8 * half_ulp * extent;
+    position = 8 * half_ulp * extent;  // six roundings, and room
     const double p = across.x * down.y, q = across.y * down.x;
     area = p - q;
-    // Each factor is within 2 u of itself, relatively; the products and their difference round once.
+    // docs/ATTRIBUTE_BOUNDS.md, "The area": 6 u of each product.
     area_off = 8 * half_ulp * (std::fabs(p) + std::fabs(q));
   }
 

@@ -1,6 +1,5 @@
-// A sum of floats is kept in two numbers: the rounded sum, and what rounding took from it so far (Knuth: exact).
-// For n texels up to m each rounding takes u m n at most, u = 2^-53, and adding up n such errors errs by n^2 u^2 m n:
-// with n <= 2^15 that is 2^-23 u m n.  The stored number is their sum, rounded once: within 1.01 u m n.
+// A sum of floats is kept in two numbers: the rounded sum, and what rounding took from it so far (Knuth: exact).  The
+// stored sum is within 1.01 u m n for n texels up to m: docs/ATTRIBUTE_BOUNDS.md, "A face of floats".
 #include "impl/attribute/bake/source.hpp"
 
 #include <algorithm>

@@ -20,7 +20,7 @@ struct TexelBox {
 
 /// The sums of a box's rows: at 4 (i + pitch j) + k, the values of channel k of texels 0 .. i-1 of row j, i in
 /// 0..width.  Sum is float if all sums are below 2^24, else double.  Sums of codes are exact.  Sums of float texels are
-/// within 1.01 u of the greatest sum that |texels| allow, u = 2^-53 (source.cpp).
+/// within 1.01 u of the greatest sum that |texels| allow, u = 2^-53 (docs/ATTRIBUTE_BOUNDS.md, "A face of floats").
 template <class Sum>
 struct RowSums {
   const Sum* first;

@@ -22,6 +22,7 @@ inline index::Corners corners_of(const Face& f) {
 }
 
 /// The bound of a face by itself, m (still + each e): m the greatest |texel| of its box, e the box's greater side.
+/// docs/ATTRIBUTE_BOUNDS.md, "A face of floats by itself", derives it.
 struct NearBound {
   double still, each;
 };

@@ -1,8 +1,4 @@
-// The bound.  Positions are within 8 u E of the true ones (frame.hpp), and the bilinear number changes by m a texel
-// along each axis at most: 16 u E m.  Weights and sums of four numbers up to m add 8 u m.  Nearest: the texel is sure
-// unless the position is as near a texel's edge.
-// Floats: signs may differ, so the number changes by 2 m a texel.  m is that of the cell's texels, or of all cells
-// around if the position is as near the cell's edge.  The ends of the interval round once more: (32 u E + 12 u) m.
+// Vertices of a base triangle.  docs/ATTRIBUTE_BOUNDS.md, "A vertex", derives the bounds.
 #include "impl/attribute/bake/vertices.hpp"
 
 #include <algorithm>
@@ -22,6 +18,7 @@ class Row {
       : source_(source), frame_(frame), in_picture_(source.in_picture(frame.box())) {
     if constexpr (!floats)
       for (std::size_t k = 0; k < 4; ++k)
+        // m (16 u E + 8 u)
         bound_[k] = source_.coding().full(k) * (2 * frame.position + 8 * half_ulp);
   }
 
@@ -49,6 +46,7 @@ class Row {
   RgbaOf<Channel> nearest(const Point& p, bool& sure) const noexcept {
     const auto i = static_cast<std::int64_t>(p.x), j = static_cast<std::int64_t>(p.y);
     const double f = p.x - static_cast<double>(i), h = p.y - static_cast<double>(j), near = frame_.position;
+    // Nearer to the texel's edge, the true place may lie in the next texel.
     if (f < near || f > 1 - near || h < near || h > 1 - near) sure = false;
     const Channel* const texel = source_.texel(source_.column(frame_.left + i), source_.row(frame_.top + j));
     return source_.coding().encoded({value(texel, 0), value(texel, 1), value(texel, 2), value(texel, 3)},
@@ -64,7 +62,7 @@ class Row {
     std::array<double, 4> bound{};
     for (std::size_t k = 0; k < 4; ++k) {
       for (const Channel* const texel : texels) bound[k] = std::max(bound[k], std::fabs(value(texel, k)));
-      bound[k] *= 4 * frame_.position + 12 * half_ulp;
+      bound[k] *= 4 * frame_.position + 12 * half_ulp;  // m (32 u E + 12 u)
     }
     return bound;
   }

@@ -11,7 +11,7 @@ namespace mmverify::impl::bake::detail {
 // Packed codes: T 0, O 1, UT 2, UO 3.
 inline constexpr unsigned opaque_code = 1, unknown = 2;
 
-/// Beside certain marks: other marks are possible.
+/// Set beside the certain marks if further marks may exist.
 inline constexpr Marks uncertain = 4;
 
 /// The code of a micro-triangle with one mark.

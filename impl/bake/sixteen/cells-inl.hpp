@@ -296,8 +296,8 @@ MMVERIFY_LARGE void ask_cells(const SixteenInput& in, const Words& words, std::s
     const Int mixed = hn::And(cells, rows_of.mixed);
     some_mixed = hn::Or(some_mixed, mixed);
     if constexpr (keeps) {
-      // Cells before the grid are only within its margin, and not met.  Cells beyond the end of a grid row appear in
-      // the next row, which may keep a mark uncertain.
+      // No micro-triangle meets a cell before the first column of the grid: it lies in the margin only.  A cell beyond
+      // the last column sets a bit of the next row, and a mark may then stay uncertain, never wrong.
       const Int in_grid = hn::Shr(mixed, set(met.grid.column));
       met_0 = hn::Or(met_0, to_bit(in_grid, to));
       met_1 = hn::Or(met_1, to_bit(in_grid, hn::Sub(to, set(32))));

@@ -115,7 +115,8 @@ class FewAlpha {
         ++count;
       }
   }
-  /// Converts the taken cells to floats and computes their limits: long after the single stores, or loads would wait.
+  /// Converts the integers of the taken cells to floats and computes their limits.  Call it late: loading a vector
+  /// right after its single stores would stall.
   HWY_INLINE void make_ready(const SixteenShape& shape) {
     for (std::size_t k = 0; k < FewCells::most; k += hn::Lanes(F())) {
       const auto put = [k](Float x, Table& to) HWY_ATTR { hn::StoreU(x, F(), to.data() + k); };

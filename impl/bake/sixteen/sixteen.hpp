@@ -14,11 +14,11 @@
 // A cell is mixed unless its four texels are all opaque, or none of them is visible (not transparent; with MASK that is
 // opaque).  A cell that is not mixed bears one mark, since only cells whose four texels differ contain a contour.
 //
-//   cells    Every cell that T meets is in a row that T reaches and between the lines, a margin outside.  If no
+//   cells    Every cell that T meets is in a row that T reaches, and between the lines moved out by a margin.  If no
 //            cell that may be met is mixed, all of T bears one mark: cells that share a corner share a texel.
 //            A point on a cell's border counts for the cell to the right and below.
-//            Lines go through the computed corners; with the roundings of this they are within
-//            2 delta (1 + |s|) along x, and 4 delta (1 + |s|) more than that.
+//            Lines go through the computed corners.  With their roundings they are off by less than 2 delta (1 + |s|)
+//            along x; the margin is 4 delta (1 + |s|).
 //   samples  g changes by at most R a texel along either axis, and its evaluation errs by less than 2^-19 R:
 //            beyond bound = R (2 delta + 2^-19) its marks are certain.
 //   centres  between the lines, each off by less than 1.6 delta (1 + |s|) along x, and in T's rows and columns:
@@ -49,10 +49,10 @@
 //            6 R a texel along either axis: corners are off by 12 R delta, K / 4 by 5 R delta, and roundings
 //            of values below 2^5 R are less than 2^-15 R: less than
 //            beyond_bound = R (2^5 delta + 2^-14).
-//            If g_C is beyond that in each mixed cell that T may meet, T's part in these lacks a mark.  The
-//            rest of T is in cells of one mark each: were some of them of the mark lacked, T would be two
-//            closed sets without a common point, but T is connected.  So if a corner lacks it, too, all of T
-//            does.  Cells that T only seems to meet may keep this from being found, and make nothing wrong.
+//            If g_C is beyond that in each mixed cell that T may meet, T's part in these lacks a mark.  The rest of T
+//            is in cells of one mark each.  If one of these bore that mark, T would be two closed sets without a common
+//            point; but T is connected.  So if a corner of T lacks the mark, too, all of T lacks it.  A cell that T
+//            only seems to meet can leave the question open, but gives no wrong answer.
 //   single   A cell where g_C is not beyond is judged alone.  T's part in it is bounded by pieces of T's edges and
 //            of the cell's own; one bilinear alpha is least and greatest there, and on the cell's own edges
 //            where their pieces end: at a centre, or on an edge of T.  If neither a piece of T's edges in

@@ -25,6 +25,7 @@ inline constexpr std::uint32_t max_side = 256;
 /// Writes the state of region (x, y) to states[x + side y].  Exact, in integers.
 /// Domain: the box lies in the texture and is not empty; side in 1..max_side; states.size() = side^2.
 /// Errors: std::invalid_argument outside the domain.
+/// Test: impl_bake_test
 void square_map(const AlphaView& texture, const Box& box, Cutoff cutoff, std::uint32_t side,
                 std::span<vq::State> states);
 
@@ -33,6 +34,7 @@ void square_map(const AlphaView& texture, const Box& box, Cutoff cutoff, std::ui
 /// micro-triangles of both at level n.
 ///   states[2 (x + side y)] is the lower left half of region (x, y), and [... + 1] the upper right
 /// Domain, errors: as square_map(), but states.size() = 2 side^2.
+/// Test: impl_bake_test
 void triangle_map(const AlphaView& texture, const Box& box, Cutoff cutoff, std::uint32_t side,
                   std::span<vq::State> states);
 

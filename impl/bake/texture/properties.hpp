@@ -18,8 +18,8 @@
 namespace mmverify::impl::bake::detail {
 
 // Marks here: `below`, some alpha is not opaque; `opaque`, some alpha is not transparent.  With MASK a point bears one
-// of them, with BLEND at least one.  Bilinear alpha is a mean of texels, and all alphas that lack a mark are on one
-// side of a limit: a mark that no texel bears, no mean of them bears.
+// of them, with BLEND at least one.  Bilinear alpha is a mean of texels.  If no texel bears a mark, all of them lie on
+// one side of its limit, and so does their mean: no mean bears it.
 
 class TextureProperties {
  public:
@@ -33,7 +33,7 @@ class TextureProperties {
 
   Extent across() const noexcept { return extent(wrap_x_, width_); }
   Extent down() const noexcept { return extent(wrap_y_, height_); }
-  /// Columns of the same texels as [left, right]: the same columns for many such ranges.
+  /// Columns that mean the same texels as [left, right]; ranges with the same texels often give the same columns.
   Columns columns(std::int64_t left, std::int64_t right) const noexcept {
     if (left > right) return {};
     const Extent e = across();
@@ -49,8 +49,8 @@ class TextureProperties {
   int finest = 0, most = 0;
   /// Stored numbers are within `scale` of 0, and of each other.
   double scale = 0;
-  /// Stored numbers are opaque from threshold on, rounded, or +-2 scale if it is beyond; transparent up to threshold -
-  /// gap.
+  /// A stored number is opaque from `threshold` on, and transparent up to threshold - gap.  The threshold is rounded;
+  /// beyond +-2 scale it is +-2 scale.
   double threshold = 0, gap = 0;
   /// The least distances from there: of numbers that are not opaque, and of numbers that are not transparent.
   double clear_below = 0, clear_opaque = 0;
