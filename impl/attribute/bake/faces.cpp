@@ -30,9 +30,10 @@ struct Edges {
 };
 
 /// The bound of every face's mean, for each channel; none if whole numbers have to decide all of them.
+/// reach: W of the page, the texels that a sum of a row counts, and E at least.
 template <class Channel>
 std::optional<std::array<double, 4>> bound_of(const Source<Channel>& source, const Frame& frame,
-                                              const Edges& edges) {
+                                              const Edges& edges, double reach) {
   if (!edges.tell()) return std::nullopt;
   constexpr bool floats = std::is_same_v<Channel, float>;
   const std::array<double, 4> greatest = source.greatest_in(frame.box());
@@ -40,8 +41,7 @@ std::optional<std::array<double, 4>> bound_of(const Source<Channel>& source, con
   for (std::size_t k = 0; k < 4; ++k) {
     const double m = greatest[k];
     // docs/ATTRIBUTE_BOUNDS.md, "A face" and "A face of floats": twice m u E (31 + L) H, and room.
-    const double sum_off =
-        m * half_ulp * frame.extent * ((floats ? 80 : 64) + 2 * edges.longest) * edges.around;
+    const double sum_off = m * half_ulp * reach * ((floats ? 80 : 64) + 2 * edges.longest) * edges.around;
     bound[k] = (2 * sum_off + m * edges.off) / (edges.area - edges.off) + 8 * half_ulp * m;
     if constexpr (!floats)
       if (!(bound[k] < source.coding().most_off(k))) return std::nullopt;
@@ -79,7 +79,11 @@ AttributeCounts bake_with(const Source<Channel>& source, const BaseTriangle& uv,
   counts.values = out.size();
   const Exact<Channel> exact(source, uv, level);
   const Edges edges(frame);
-  const auto bound = bound_of(source, frame, edges);
+  // Floats use the box's own sums: sums from the picture's edge on would be less exact.
+  const bool by_picture = !std::is_same_v<Channel, float> && box.width * box.height > small_box && in_picture;
+  const double reach =
+      by_picture ? std::max(frame.extent, static_cast<double>(in_picture->x + box.width)) : frame.extent;
+  const auto bound = bound_of(source, frame, edges, reach);
   if (!bound) {
     for (std::uint32_t k = 0; k < out.size(); ++k) out[k] = exact.face(index::corners(k, level));
     counts.exact = out.size();
@@ -87,10 +91,8 @@ AttributeCounts bake_with(const Source<Channel>& source, const BaseTriangle& uv,
   }
   thread_local std::vector<Sum> room;
   const RowSums<Sum> sums = [&] {
-    // Floats use the box's own sums: sums from the picture's edge on would be less exact.
     if constexpr (!std::is_same_v<Channel, float>)
-      if (box.width * box.height > small_box && in_picture)
-        return source.template sums_from<Sum>(*in_picture);
+      if (by_picture) return source.template sums_from<Sum>(*in_picture);
     return source.sums(box, room);
   }();
   std::vector<Face> unsure;
