@@ -67,7 +67,8 @@ size_t mmverify_tree_encode(uint32_t level, uint32_t format, const uint8_t* map,
 typedef struct mmverify_tree mmverify_tree;
 mmverify_tree* mmverify_tree_new(uint32_t level, uint32_t format, const uint8_t* map);
 void mmverify_tree_free(mmverify_tree* tree);
-/* state[k]: the state at index[k] < 4^level. */
+/* state[k]: the state at index[k] < 4^level.
+ * Law: tree.lookup_is_decode */
 int mmverify_tree_lookup(const mmverify_tree* tree, const uint32_t* index, uint8_t* state, size_t count);
 int mmverify_tree_decode(const mmverify_tree* tree, uint8_t* map);
 
