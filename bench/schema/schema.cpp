@@ -167,7 +167,7 @@ void add_result(Json& topic, const Result& result) {
       add_rows(topic, table.key, table.form, table.row, table.columns);
 }
 
-/// What made a result, and on what: cli/tool.hpp.
+/// The schema of "tool", which cli/tool.hpp writes.
 Json tool() {
   Json schema{{"description", "what made it, and on what"},
               {"type", "object"},
