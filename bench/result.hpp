@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bench/picture.hpp"
@@ -11,10 +10,16 @@
 
 namespace mmverify::bench {
 
+struct Setting {
+  Property key;  ///< in JSON's "tool"
+  Value value;
+};
+
 struct Result {
   std::string topic;
-  std::vector<std::pair<std::string, Value>> settings;  ///< of the run, by their names in JSON's "tool"
-  std::string about;                                    ///< printed above the tables
+  std::string description = {};   ///< of its JSON
+  std::vector<Setting> settings;  ///< of the run
+  std::string about;              ///< printed above the tables
   std::vector<Table> tables;
   std::optional<picture::Picture> drawn = {};  ///< none: these figures are not drawn
 };

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "bench/property.hpp"
+
 namespace mmverify::bench {
 
 struct Value;
@@ -30,6 +32,9 @@ struct Print {
   const char* none = "-";  ///< printed if there is no value
 };
 inline constexpr double per_cent = 100, millions = 1e-6;
+inline constexpr Print plain = {};
+constexpr Print digits(int after_the_point) { return {.digits = after_the_point}; }
+constexpr Print percents(int after_the_point) { return {after_the_point, 'f', per_cent, "%"}; }
 
 /// The form of a table's rows in JSON.
 enum class Form : std::uint8_t {
@@ -46,7 +51,7 @@ enum class Within : std::uint8_t {
 };
 
 struct Column {
-  std::string key = {};      ///< in JSON; "a.b" is b of an object a; empty: printed only
+  Property key = {};         ///< in JSON
   std::string heading = {};  ///< empty: written only
   std::string unit = {};     ///< of the value as written
   Print print = {};
@@ -55,10 +60,12 @@ struct Column {
   std::vector<Column> columns = {};  ///< of a table within; its rows are the value
   Within within = Within::below;
   Form form = Form::list;  ///< of a table within
+  std::string row = {};    ///< a description of its rows
 };
 
 struct Table {
-  std::string key = {};      ///< in JSON
+  Property key = {};         ///< in JSON; without facts a list of one row at least
+  std::string row = {};      ///< a description of the rows
   std::string caption = {};  ///< printed above
   Form form = Form::list;
   std::vector<Column> columns = {};
@@ -74,6 +81,12 @@ struct Field {
 };
 template <class T>
 using Fields = std::vector<Field<T>>;
+
+/// A column without values: what the schema says of an object that other columns are members of.
+template <class T>
+Field<T> note(Property object) {
+  return {{.key = std::move(object)}, [](const T&) { return Value(); }};
+}
 
 template <class T>
 std::vector<Column> columns_of(const Fields<T>& fields) {

@@ -30,6 +30,7 @@ Action add_gen(CLI::App& program);
 Action add_check(CLI::App& program);
 Action add_validate(CLI::App& program);
 Action add_vectors(CLI::App& program);
+Action add_schema(CLI::App& program);
 Action add_completion(CLI::App& program);
 Action add_man(CLI::App& program);
 

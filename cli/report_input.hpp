@@ -15,7 +15,7 @@ struct ReportInput {
 /// The runs in a file of prove --json, scene --json or bench --json, without members that the schemas do not
 /// name; a bench of several topics is several inputs. Throws EnvironmentError, which names the file and the
 /// place in it, if the file is missing, is no such file or contradicts itself.
-/// Source: docs/result.schema.json and docs/bench.schema.json, by way of delivery/gate/schema.hpp.
+/// Source: the schemas of results and of benches, by way of delivery/gate/schema.hpp.
 std::vector<ReportInput> read_report_input(const std::string& path);
 
 }  // namespace mmverify::cli

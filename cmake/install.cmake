@@ -12,12 +12,13 @@ if(TARGET mmverify-described)
   install(FILES ${described}/mmverify.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
   install(FILES ${described}/mmverify DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
   install(FILES ${described}/_mmverify DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  install(FILES ${PROJECT_BINARY_DIR}/docs/bench.schema.json DESTINATION ${CMAKE_INSTALL_DOCDIR})
   install(FILES ${described}/mmverify.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 endif()
 install(DIRECTORY subjects/shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/mmverify FILES_MATCHING PATTERN *.glsl PATTERN *.rchit
   PATTERN compile EXCLUDE PATTERN device EXCLUDE PATTERN speed EXCLUDE)
 file(GLOB documents CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md ${PROJECT_SOURCE_DIR}/docs/*.svg ${PROJECT_SOURCE_DIR}/docs/*.png)
-install(FILES ${documents} docs/result.schema.json docs/bench.schema.json docs/validate.schema.json docs/array.schema.json docs/vectors.schema.json LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${documents} docs/result.schema.json docs/validate.schema.json docs/array.schema.json docs/vectors.schema.json LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY examples docs/ci DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # cpack -G DEB

@@ -6,7 +6,7 @@ namespace {
 constexpr Baker all_bakers[] = {Baker::centre,     Baker::corners, Baker::sixteen_samples,
                                 Baker::rasterised, Baker::ours,    Baker::rational};
 
-const Print share{.digits = 3, .factor = per_cent, .unit = "%"};
+const Print shares = percents(3);
 const Print a_million{.digits = 1, .unit = "a million"};
 
 struct BakerOf {
@@ -24,80 +24,102 @@ std::vector<BakerOf> bakers_of(const BakeLevel& level) {
 Fields<BakerOf> baker_fields() {
   using B = BakerOf;
   return {
-      {{.key = "baker", .heading = "baker", .leads = true}, [](const B& b) { return to_string(b.baker); }},
-      {{"states", "states"}, [](const B& b) { return b.figure.micro_triangles; }},
-      {{"wrong"}, [](const B& b) { return b.figure.wrong; }},
-      {{"needless"}, [](const B& b) { return b.figure.needless; }},
-      {{"wrong_per_million", "wrong", "", a_million},
+      {{.key = one_of(
+            "baker", key,
+            {"centre sample", "corner samples", "16 samples", "binary64", "ours, exact", "exact rational"}),
+        .heading = "baker",
+        .leads = true},
+       [](const B& b) { return to_string(b.baker); }},
+      {{count("states", same, "micro-triangles baked: all, of exact rational a sample"), "states"},
+       [](const B& b) { return b.figure.micro_triangles; }},
+      {{count("wrong", less, "O or T, and not so on all of it")}, [](const B& b) { return b.figure.wrong; }},
+      {{count("needless", less, "unknown, and O or T on all of it")},
+       [](const B& b) { return b.figure.needless; }},
+      {{real("wrong_per_million", left_out, {0, 1000000}), "wrong", "", a_million},
        [](const B& b) { return b.figure.wrong_per_million(); }},
-      {{"needless_per_million", "needless", "", a_million},
+      {{real("needless_per_million", left_out, {0, 1000000}), "needless", "", a_million},
        [](const B& b) { return b.figure.needless_per_million(); }},
-      {{"ns", "a state", "ns"}, [](const B& b) { return b.figure.ns; }},
-      {{"times_ours", "x ours"}, [](const B& b) { return b.figure.ns / b.ns_of_ours; }},
+      {{time("ns", "ns a micro-triangle, textures ready"), "a state", "ns"},
+       [](const B& b) { return b.figure.ns; }},
+      {{ratio("times_ours", speed_more, "ns / that of ours"), "x ours"},
+       [](const B& b) { return b.figure.ns / b.ns_of_ours; }},
   };
 }
 
 Table levels_table(const BakeFigures& figures) {
   using L = BakeLevel;
   const Fields<L> fields{
-      {{.key = "level", .heading = "level", .leads = true}, [](const L& l) { return l.level; }},
-      {{"unknown", "unknown", "", share}, [](const L& l) { return l.unknown; }},
-      {{"exact", "in whole numbers", "", share}, [](const L& l) { return l.exact; }},
-      within<L, BakerOf>({.key = "bakers", .heading = "bakers"}, baker_fields(), bakers_of),
+      {{.key = level(12), .heading = "level", .leads = true}, [](const L& l) { return l.level; }},
+      {{share("unknown", less, "of the exact states"), "unknown", "", shares},
+       [](const L& l) { return l.unknown; }},
+      {{share("exact", less, "of our leaves, those that took whole numbers"), "in whole numbers", "", shares},
+       [](const L& l) { return l.exact; }},
+      within<L, BakerOf>({.key = list("bakers", "", {6, 6}), .heading = "bakers"}, baker_fields(), bakers_of),
   };
-  return table_of<L>({.key = "rows"}, fields, figures.levels);
+  return table_of<L>({.key = "rows", .row = "one level"}, fields, figures.levels);
 }
 
 Table sizes_table(const BakeFigures& figures) {
   using S = BakeSize;
   const Fields<S> fields{
-      {{.key = "texels", .heading = "texels", .leads = true},
+      {{.key = positive("texels", key, "the side of the texture"), .heading = "texels", .leads = true},
        [](const S& s) { return static_cast<std::uint64_t>(s.size); }},
-      {{"ns", "ours", "ns"}, [](const S& s) { return s.ns; }},
-      {{"binary64_ns", "binary64", "ns"}, [](const S& s) { return s.ns_rasterised; }},
-      {{"", "ratio", "", {.digits = 1}}, [](const S& s) { return s.ns_rasterised / s.ns; }},
-      {{"ready_ms", "made ready in", "ms"}, [](const S& s) { return s.ready_ms; }},
+      {{time("ns", "ns a micro-triangle, ours"), "ours", "ns"}, [](const S& s) { return s.ns; }},
+      {{time("binary64_ns", "ns a micro-triangle, binary64"), "binary64", "ns"},
+       [](const S& s) { return s.ns_rasterised; }},
+      {{"", "ratio", "", digits(1)}, [](const S& s) { return s.ns_rasterised / s.ns; }},
+      {{time("ready_ms", "ms to make a texture ready"), "made ready in", "ms"},
+       [](const S& s) { return s.ready_ms; }},
   };
-  return table_of<S>({.key = "sizes", .caption = "Textures by size, level 6"}, fields, figures.sizes);
+  return table_of<S>(
+      {.key = list("sizes", "level 6, generated textures"), .caption = "Textures by size, level 6"}, fields,
+      figures.sizes);
 }
 
 Table margins_table(const BakeFigures& figures) {
   using M = BakeMargin;
   const double without = figures.margins.empty() ? 0 : figures.margins.front().unknown;
   const Fields<M> fields{
-      {{.key = "texels", .heading = "texels", .print = {.digits = 5}, .leads = true},
+      {{.key = number("texels", key, "the margin"), .heading = "texels", .print = digits(5), .leads = true},
        [](const M& m) { return m.texels; }},
-      {{"unknown", "unknown", "", share}, [](const M& m) { return m.unknown; }},
-      {{"", "x no margin", "", {.digits = 4}},
+      {{share("unknown", less, "of the states"), "unknown", "", shares},
+       [](const M& m) { return m.unknown; }},
+      {{"", "x no margin", "", digits(4)},
        [without](const M& m) { return without > 0 ? m.unknown / without : 0; }},
-      {{"ns", "ours", "ns"}, [](const M& m) { return m.ns; }},
+      {{time("ns", "ns a micro-triangle, ours"), "ours", "ns"}, [](const M& m) { return m.ns; }},
   };
-  return table_of<M>(
-      {.key = "margins", .caption = "Margins, level 6; 1/512 is half a step of a filter's 8-bit weights"},
-      fields, figures.margins);
+  return table_of<M>({.key = list("margins", "level 6"),
+                      .caption = "Margins, level 6; 1/512 is half a step of a filter's 8-bit weights"},
+                     fields, figures.margins);
 }
 
 }  // namespace
 
 Result bake_tables(const BakeFigures& figures, const BakeBenchOptions& options) {
   const Fields<BakeFigures> loose{
-      {{"textures", "textures, both halves of each"},
+      {{positive("textures", setting, "how many, both halves of each"), "textures, both halves of each"},
        [](const BakeFigures& f) { return std::uint64_t{f.textures.size()}; }},
-      {{"compared", "states of ours compared with the specification's, all the same"},
+      {{count("compared", same,
+              "states of ours that were compared with the specification's; all were the same"),
+        "states of ours compared with the specification's, all the same"},
        [](const BakeFigures& f) { return f.compared; }},
   };
-  return {.topic = "bake",
-          .settings = {{"seed", options.seed},
-                       {"rounds", std::uint64_t{options.rounds}},
-                       {"maps", options.textures.empty() ? "generated" : "textures"}},
-          .about =
-              "Textures are repeated, bilinear, cutoff 1/2; one thread. wrong: O or T, and not so on all of "
-              "it; needless: unknown, and O or T\non all of it. Judged by ours, of which some are compared "
-              "with the specification's, half of them unknown where there are as many.\nunknown: share of "
-              "the exact states; in whole numbers: share of our leaves that took them",
-          .tables = {table_of<BakeFigures>({.form = Form::members}, loose, {figures}), levels_table(figures),
-                     sizes_table(figures), margins_table(figures)},
-          .drawn = bake_picture(figures)};
+  return {
+      .topic = "bake",
+      .description = "mmverify bench bake: what bakers get wrong, against what they take",
+      .settings = {{seed_of_all(), options.seed},
+                   {positive("rounds", setting, "of the timing; a time is their median"),
+                    std::uint64_t{options.rounds}},
+                   {one_of("maps", setting, {"generated", "textures"}, "textures: those of --textures"),
+                    options.textures.empty() ? "generated" : "textures"}},
+      .about =
+          "Textures are repeated, bilinear, cutoff 1/2; one thread. wrong: O or T, and not so on all of it; "
+          "needless: unknown, and O or T\non all of it. Judged by ours, of which some are compared with the "
+          "specification's, half of them unknown where there are as many.\nunknown: share of the exact "
+          "states; in whole numbers: share of our leaves that took them",
+      .tables = {table_of<BakeFigures>({.form = Form::members}, loose, {figures}), levels_table(figures),
+                 sizes_table(figures), margins_table(figures)},
+      .drawn = bake_picture(figures)};
 }
 
 }  // namespace mmverify::bench

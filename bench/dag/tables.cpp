@@ -20,9 +20,15 @@ std::vector<DagFormOf> forms_of_dag(const F& f) {
 
 Fields<DagFormOf> fields_of_form() {
   return {
-      {{"form", "form"}, [](const DagFormOf& f) { return to_string(f.form); }},
-      {{"bytes", "all maps", "bytes"}, [](const DagFormOf& f) { return f.figures.bytes; }},
-      {{"ns_per_lookup", "a lookup", "ns", {.digits = 1}}, [](const DagFormOf& f) { return f.figures.ns; }},
+      {{one_of("form", key, {"flat", "once", "paper", "ranked", "dag"}), "form"},
+       [](const DagFormOf& f) { return to_string(f.form); }},
+      {{count("bytes", about_less, "bytes of all maps, 8 a map for where it is included"), "all maps",
+        "bytes"},
+       [](const DagFormOf& f) { return f.figures.bytes; }},
+      {{number("ns_per_lookup", left_out,
+               "ns a lookup; independent random ones over all maps; 0: not measured"),
+        "a lookup", "ns", digits(1)},
+       [](const DagFormOf& f) { return f.figures.ns; }},
   };
 }
 
@@ -32,30 +38,40 @@ Result dag_tables(const std::vector<DagFigures>& figures, const DagBenchOptions&
   const std::string arrays = "arrays of the graph", ratios = "ratios";
   const Print times{.digits = 1};
   const Fields<F> fields{
-      {{.key = "states", .heading = "states", .leads = true},
+      {{.key = one_of("states", key, {2, 4}), .heading = "states", .leads = true},
        [](const F& f) { return f.bits == 1 ? 2u : 4u; }},
-      {{.key = "level", .heading = "level", .leads = true}, [](const F& f) { return f.level; }},
-      {{"maps", "maps"}, [](const F& f) { return std::uint64_t{f.maps}; }},
-      within<F, DagFormOf>({.key = "forms", .heading = "forms", .within = Within::beside}, fields_of_form(),
-                           forms_of_dag),
-      {{"tile_bytes", "tiles", "bytes", {}, arrays}, [](const F& f) { return f.tiles; }},
-      {{"node_bytes", "nodes", "bytes", {}, arrays}, [](const F& f) { return f.nodes; }},
-      {{"flat_bytes", "flat", "bytes", {}, arrays}, [](const F& f) { return f.flat; }},
-      {{"memory_once_to_dag", "once / dag, memory", "", times, ratios},
+      {{.key = level(12), .heading = "level", .leads = true}, [](const F& f) { return f.level; }},
+      {{positive("maps", same), "maps"}, [](const F& f) { return std::uint64_t{f.maps}; }},
+      within<F, DagFormOf>({.key = list("forms", "", {5, 5}), .heading = "forms", .within = Within::beside},
+                           fields_of_form(), forms_of_dag),
+      {{count("tile_bytes", about_less, "bytes of the graph's tiles"), "tiles", "bytes", {}, arrays},
+       [](const F& f) { return f.tiles; }},
+      {{count("node_bytes", about_less, "bytes of its nodes"), "nodes", "bytes", {}, arrays},
+       [](const F& f) { return f.nodes; }},
+      {{count("flat_bytes", about_less, "bytes of the maps that it lays flat"), "flat", "bytes", {}, arrays},
+       [](const F& f) { return f.flat; }},
+      {{number("memory_once_to_dag", about_more, "bytes of maps that are the same once / bytes of the graph"),
+        "once / dag, memory", "", times, ratios},
        [](const F& f) { return f.once_over_dag; }},
-      {{"ratio_dag_to_flat", "dag / flat, time", "", times, ratios},
+      {{ratio("ratio_dag_to_flat", speed_less, "of ns a lookup: the median of the rounds' ratios"),
+        "dag / flat, time", "", times, ratios},
        [](const F& f) { return f.dag_over_flat; }},
-      {{"build_rate", "added", "M micro-triangles/s", {.digits = 0}, "building"},
+      {{number("build_rate", left_out, "M micro-triangles/s: millions of them a second, all maps added"),
+        "added", "M micro-triangles/s", digits(0), "building"},
        [](const F& f) { return f.build_rate; }},
   };
-  return {.topic = "dag",
-          .settings = {{"seed", options.seed}, {"samples", options.lookups}},
-          .about =
-              "Generated leaves, a fifth of the maps there twice; random lookups over all maps, one thread. "
-              "flat: the array.\nonce: maps that are the same once. paper: the two bit sequences. ranked: "
-              "impl/tree. dag: impl/dag.\nAll with 8 bytes a map for where it is; a time of 0: not measured",
-          .tables = {table_of<F>({.key = "rows"}, fields, figures)},
-          .drawn = dag_picture(figures)};
+  return {
+      .topic = "dag",
+      .description = "mmverify bench dag: what the maps of a scene take, and a lookup in them",
+      .settings = {{seed_of_all(), options.seed},
+                   {positive("samples", setting, "lookups a level and format"), options.lookups}},
+      .about =
+          "Generated leaves, a fifth of the maps there twice; random lookups over all maps, one thread. "
+          "flat: the "
+          "array.\nonce: maps that are the same once. paper: the two bit sequences. ranked: impl/tree. dag: "
+          "impl/dag.\nAll with 8 bytes a map for where it is; a time of 0: not measured",
+      .tables = {table_of<F>({.key = "rows", .row = "one level and format"}, fields, figures)},
+      .drawn = dag_picture(figures)};
 }
 
 }  // namespace mmverify::bench

@@ -36,8 +36,8 @@ Table highest_table(std::vector<F> figures) {
        [](const F& f) { return worst_of(f.hard.back(), f.hard.back().worst_ulp); }},
       {{"", "off grid"},
        [](const F& f) { return f.hard.back().off_grid == 0 ? Value() : Value(f.hard.back().off_grid); }},
-      {{"", "an index", "ns", {}, time}, [](const F& f) { return f.times.back().ns_per_index; }},
-      {{"", "/ reference-f32", "", {}, time},
+      {{"", "an index", "ns", plain, time}, [](const F& f) { return f.times.back().ns_per_index; }},
+      {{"", "/ reference-f32", "", plain, time},
        [](const F& f) { return f.times.back().ratio_to_reference_f32; }},
   };
   return table_of<F>({.caption = "At the highest level; the worst distance is that of a hard point from the "
@@ -60,14 +60,20 @@ Table times_table(const std::vector<F>& figures) {
   for (const F& f : figures)
     for (const IndexTime& t : f.times) times.push_back({f.name, t});
   const Fields<TimeOf> fields{
-      {{.key = "subject", .heading = "subject", .leads = true}, [](const TimeOf& t) { return t.subject; }},
-      {{.key = "level", .heading = "level", .leads = true}, [](const TimeOf& t) { return t.time.level; }},
-      {{"ns_per_index", "an index, by level", "ns"}, [](const TimeOf& t) { return t.time.ns_per_index; }},
-      {{"ratio_to_reference_f32", "/ reference-f32, by level"},
+      {{.key = text("subject", key), .heading = "subject", .leads = true},
+       [](const TimeOf& t) { return t.subject; }},
+      {{.key = level(16), .heading = "level", .leads = true}, [](const TimeOf& t) { return t.time.level; }},
+      {{time("ns_per_index", "ns of processor time an index, on uniform points, one thread"),
+        "an index, by level", "ns"},
+       [](const TimeOf& t) { return t.time.ns_per_index; }},
+      {{ratio("ratio_to_reference_f32", speed_less,
+              "its time / that of reference-f32 at this level: the median of the rounds' ratios"),
+        "/ reference-f32, by level"},
        [](const TimeOf& t) { return t.time.ratio_to_reference_f32; }},
   };
-  return table_of<TimeOf>({.key = "rows", .caption = "Time on uniform points, one thread", .beside = true},
-                          fields, times);
+  return table_of<TimeOf>(
+      {.key = list("rows", "the times"), .caption = "Time on uniform points, one thread", .beside = true},
+      fields, times);
 }
 
 struct ErrorsOf {
@@ -85,16 +91,28 @@ std::vector<ErrorsOf> errors_of(const F& f) {
 Fields<ErrorsOf> errors_fields() {
   using E = ErrorsOf;
   Fields<E> fields{
-      {{"level"}, [](const E& e) { return e.errors.level; }},
-      {{"inputs"}, [](const E& e) { return e.hard ? "hard" : "uniform"; }},
-      {{"samples"}, [](const E& e) { return e.errors.samples; }},
-      {{"mismatches"}, [](const E& e) { return e.errors.mismatches; }},
-      {{"off_grid"}, [](const E& e) { return e.errors.off_grid; }},
-      {{.key = "worst_heights", .unit = "heights"}, [](const E& e) { return e.errors.worst_heights; }},
-      {{.key = "worst_ulp", .unit = "ulp"}, [](const E& e) { return e.errors.worst_ulp; }},
+      {{level(16)}, [](const E& e) { return e.errors.level; }},
+      {{one_of("inputs", key, {"uniform", "hard"}, "hard: a few ulp from where the answer changes")},
+       [](const E& e) { return e.hard ? "hard" : "uniform"; }},
+      {{positive("samples", same)}, [](const E& e) { return e.errors.samples; }},
+      {{count("mismatches", less, "the index, or the micro-triangle made of it, is not the specification's")},
+       [](const E& e) { return e.errors.mismatches; }},
+      {{count("off_grid", less, "of these, the micro-triangle does not exist")},
+       [](const E& e) { return e.errors.off_grid; }},
+      {{.key = number("worst_heights", about_less,
+                      "how far a point is from the micro-triangle returned, in its heights; 0 where nothing "
+                      "was wrong or all of it off grid"),
+        .unit = "heights"},
+       [](const E& e) { return e.errors.worst_heights; }},
+      {{.key = number("worst_ulp", about_less,
+                      "the same in ulp of the number type, at the line that was crossed the furthest"),
+        .unit = "ulp"},
+       [](const E& e) { return e.errors.worst_ulp; }},
   };
+  fields.push_back(note<E>(object("by_kind", no_rule, "mismatches on each kind of hard points")
+                               .if_so(R"({"inputs": {"const": "hard"}})")));
   for (std::size_t k = 0; k < hard_kinds; ++k)
-    fields.push_back({{.key = fmt::format("by_kind.{}", to_string(static_cast<HardKind>(k)))},
+    fields.push_back({{.key = count(fmt::format("by_kind.{}", to_string(static_cast<HardKind>(k))), less)},
                       [k](const E& e) { return e.hard ? Value(e.errors.by_kind[k]) : Value(); }});
   return fields;
 }
@@ -119,32 +137,39 @@ std::string in_short(const Growth& g) {
   return fmt::format("{:<7} {:>5.2f} ({:.2f}) {}..{}", law, line.slope, line.residual, g.first, g.last);
 }
 
-void add_line(Fields<GrowthOf>& fields, const std::string& name, Line Growth::*line) {
-  const auto add = [&](const char* figure, double Line::*of) {
-    fields.push_back({{.key = name + "." + figure}, [line, of](const GrowthOf& g) {
+const char* const three_levels = R"({"levels": {"minimum": 3}})";
+
+void add_line(Fields<GrowthOf>& fields, const std::string& name, const char* description,
+              Line Growth::*line) {
+  fields.push_back(note<GrowthOf>(object(name, no_rule, description).if_so(three_levels)));
+  const auto add = [&](Property figure, double Line::*of) {
+    figure.name = name + "." + figure.name;
+    fields.push_back({{.key = std::move(figure)}, [line, of](const GrowthOf& g) {
                         return fitted(g.growth) ? Value(g.growth.*line.*of) : Value();
                       }});
   };
-  add("slope", &Line::slope);
-  add("intercept", &Line::intercept);
-  add("residual", &Line::residual);
+  add(real("slope", no_rule, {}), &Line::slope);
+  add(real("intercept", no_rule, {}), &Line::intercept);
+  add(number("residual", no_rule, "root of the mean squared difference, in log2"), &Line::residual);
 }
 
 Fields<GrowthOf> growth_fields() {
   using G = GrowthOf;
-  const auto level = [](std::uint32_t Growth::*of) {
+  const auto level_of = [](std::uint32_t Growth::*of) {
     return [of](const G& g) { return fitted(g.growth) ? Value(g.growth.*of) : Value(); };
   };
   Fields<G> fields{
-      {{.heading = "figure"}, [](const G& g) { return g.figure; }},
-      {{"law"}, [](const G& g) { return to_string(g.growth); }},
+      {{.key = one_of("", no_rule, {"uniform_rate", "hard_rate", "hard_worst_heights"}), .heading = "figure"},
+       [](const G& g) { return g.figure; }},
+      {{text("law", no_rule, "in words")}, [](const G& g) { return to_string(g.growth); }},
       {{.heading = "law"}, [](const G& g) { return in_short(g.growth); }},
-      {{"levels"}, [](const G& g) { return std::uint64_t{g.growth.levels}; }},
-      {{"first"}, level(&Growth::first)},
-      {{"last"}, level(&Growth::last)},
+      {{count("levels", no_rule, "how many the lines were fitted on; no lines below three")},
+       [](const G& g) { return std::uint64_t{g.growth.levels}; }},
+      {{whole("first", no_rule, {0, 16}).if_so(three_levels)}, level_of(&Growth::first)},
+      {{whole("last", no_rule, {0, 16}).if_so(three_levels)}, level_of(&Growth::last)},
   };
-  add_line(fields, "exponential", &Growth::exponential);
-  add_line(fields, "power", &Growth::power);
+  add_line(fields, "exponential", "log2 of the figure against the level", &Growth::exponential);
+  add_line(fields, "power", "log2 of the figure against log2 of the level", &Growth::power);
   return fields;
 }
 
@@ -155,17 +180,26 @@ std::vector<GrowthOf> growths_of(const F& f) {
 
 Table subjects_table(const std::vector<F>& figures) {
   const Fields<F> fields{
-      {{.key = "subject", .heading = "subject", .leads = true}, [](const F& f) { return f.name; }},
-      {{"numbers", "numbers"}, [](const F& f) { return f.numbers; }},
-      {{"order"}, [](const F& f) { return f.order; }},
-      {{"max_level"}, [](const F& f) { return f.max_level; }},
-      within<F, ErrorsOf>({.key = "errors"}, errors_fields(), errors_of),
-      within<F, GrowthOf>({.key = "growth",
+      {{.key = text("subject", key), .heading = "subject", .leads = true}, [](const F& f) { return f.name; }},
+      {{one_of("numbers", same, {"binary16", "binary32", "binary64", "fixed point", "rational"},
+               "what it computes in"),
+        "numbers"},
+       [](const F& f) { return f.numbers; }},
+      {{one_of("order", same, {"curve", "rows"})}, [](const F& f) { return f.order; }},
+      {{whole("max_level", same, {0, 16})}, [](const F& f) { return f.max_level; }},
+      within<F, ErrorsOf>(
+          {.key = list("errors", "none above max_level", {}), .row = "one level and kind of inputs"},
+          errors_fields(), errors_of),
+      within<F, GrowthOf>({.key = object("growth", left_out),
                            .heading = "growth",
                            .group = "law",
                            .within = Within::beside,
-                           .form = Form::object},
+                           .form = Form::object,
+                           .row = "from level to level"},
                           growth_fields(), growths_of),
+      note<F>(object("growth.uniform_rate", no_rule, "of the mismatch rate on uniform points")),
+      note<F>(object("growth.hard_rate", no_rule, "of that on hard points")),
+      note<F>(object("growth.hard_worst_heights", no_rule, "of worst_heights on hard points")),
   };
   return table_of<F>(
       {.key = "subjects",
@@ -177,13 +211,19 @@ Table subjects_table(const std::vector<F>& figures) {
 }  // namespace
 
 Result index_tables(const std::vector<IndexFigures>& figures, const IndexBenchOptions& options) {
-  return {.topic = "index",
-          .settings = {{"seed", options.seed}, {"samples", options.samples}},
-          .about =
-              "As many uniform and as many hard points a level as there are samples (rationals: a 256th).\n"
-              "A sample is checked, never proved: 'none' is none found",
-          .tables = {highest_table(figures), times_table(figures), subjects_table(figures)},
-          .drawn = index_picture(figures, options.samples)};
+  return {
+      .topic = "index",
+      .description =
+          "mmverify bench index: how often and how far index functions are wrong, and what an index costs",
+      .settings = {{seed_of_all(), options.seed},
+                   {positive("samples", setting,
+                             "points a level, of each kind of inputs; of rationals a 256th"),
+                    options.samples}},
+      .about =
+          "As many uniform and as many hard points a level as there are samples (rationals: a 256th).\n"
+          "A sample is checked, never proved: 'none' is none found",
+      .tables = {highest_table(figures), times_table(figures), subjects_table(figures)},
+      .drawn = index_picture(figures, options.samples)};
 }
 
 }  // namespace mmverify::bench

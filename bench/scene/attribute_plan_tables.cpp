@@ -70,39 +70,78 @@ Fields<PlanBesideUniform> plan_fields() {
     };
   };
   Fields<P> fields{
-      {{.key = "set", .heading = "attributes", .leads = true},
+      {{.key = set_key(), .heading = "attributes", .leads = true},
        [](const P& p) { return scene::name(p.plan->set); }},
-      {{.key = "kind", .heading = "maps of", .leads = true}, [](const P& p) { return kind_of(*p.plan); }},
-      {{.key = "wanted", .heading = "wanted RMSE", .unit = "codes", .leads = true},
+      {{.key = one_of("kind", key, {"faces", "vertices"}, "what the maps are of"),
+        .heading = "maps of",
+        .leads = true},
+       [](const P& p) { return kind_of(*p.plan); }},
+      {{.key = real("wanted", key, {0, 255}, "error of a triangle, in codes of 8 bits"),
+        .heading = "wanted RMSE",
+        .unit = "codes",
+        .leads = true},
        [](const P& p) { return p.plan->wanted; }},
-      {{"triangles", "triangles"}, [](const P& p) { return p.plan->triangles; }},
-      {{"special", "without map"}, [](const P& p) { return p.plan->special; }},
-      {{"palette", "values of those"}, [](const P& p) { return p.plan->palette; }},
-      {{"maps", "maps"}, [](const P& p) { return p.plan->distinct(); }},
-      {{"shared", "equal ones"}, [](const P& p) { return p.plan->maps() - p.plan->distinct(); }},
-      {{"not_kept", "error not kept"}, [](const P& p) { return p.plan->not_kept; }},
-      {{"value_bytes", "bytes of values"}, [](const P& p) { return p.plan->value_bytes(); }},
-      {{"bytes", "bytes"}, [](const P& p) { return p.plan_bytes(); }},
-      {{"rmse", "RMSE", "codes", {.digits = 3}}, [](const P& p) { return optional(p.plan->error.rmse); }},
-      {{"flip", "FLIP", "", {.digits = 4}}, [](const P& p) { return optional(p.plan->error.flip); }},
-      {{"uniform.level", "level", "", {}, "one level, as close"},
+      {{count("triangles", no_rule, "of the set"), "triangles"},
+       [](const P& p) { return p.plan->triangles; }},
+      {{count("special", no_rule, "without a map: one value keeps the error, or no texel's centre is shown"),
+        "without map"},
+       [](const P& p) { return p.plan->special; }},
+      {{count("palette", no_rule, "different values of those"), "values of those"},
+       [](const P& p) { return p.plan->palette; }},
+      {{count("maps", no_rule, "of the others, equal ones of a level once"), "maps"},
+       [](const P& p) { return p.plan->distinct(); }},
+      {{count("shared", no_rule, "triangles with a map, less the maps"), "equal ones"},
+       [](const P& p) { return p.plan->maps() - p.plan->distinct(); }},
+      {{count("not_kept", no_rule, "triangles that do not keep the error at the last level either"),
+        "error not kept"},
+       [](const P& p) { return p.plan->not_kept; }},
+      {{count("value_bytes", no_rule, "4 a value of maps and palette"), "bytes of values"},
+       [](const P& p) { return p.plan->value_bytes(); }},
+      {{count("bytes", no_rule,
+              "the same, and 5 a triangle: 4 that say where its map or value is, 1 of its level"),
+        "bytes"},
+       [](const P& p) { return p.plan_bytes(); }},
+      {{number("rmse", no_rule,
+               "reached over the set, as in rows, in codes; not there where no texel is shown")
+            .if_any(),
+        "RMSE", "codes", digits(3)},
+       [](const P& p) { return optional(p.plan->error.rmse); }},
+      {{number("flip", no_rule, "the same; of sRGB textures").if_any(), "FLIP", "", digits(4)},
+       [](const P& p) { return optional(p.plan->error.flip); }},
+      note<P>(object("uniform", no_rule,
+                     "all triangles at the lowest level measured whose error is as small; not there where "
+                     "there is none")
+                  .if_any()),
+      {{whole("uniform.level", no_rule, {0, 10}).if_any(), "level", "", plain, "one level, as close"},
        of_close([](const P&, const MapsAtLevel& at) { return std::uint64_t{at.level}; })},
-      {{"uniform.rmse", "RMSE", "codes", {.digits = 3}, "one level, as close"},
+      {{number("uniform.rmse", no_rule, "as in rows, in codes").if_any(), "RMSE", "codes", digits(3),
+        "one level, as close"},
        of_close([](const P&, const MapsAtLevel& at) { return *at.error.rmse; })},
-      {{"uniform.bytes", "bytes", "", {}, "one level, as close"},
+      {{count("uniform.bytes", no_rule, "as in rows, and 4 a triangle that say where its map is").if_any(),
+        "bytes", "", plain, "one level, as close"},
        of_close([](const P& p, const MapsAtLevel& at) { return p.bytes_of(at); })},
-      {{"uniform.plan_to_it", "plan to it", "", {.digits = 3}, "one level, as close"},
+      {{number("uniform.plan_to_it", no_rule, "the plan's bytes / these").if_any(), "plan to it", "",
+        digits(3), "one level, as close"},
        of_close([](const P& p, const MapsAtLevel& at) { return times(p.plan_bytes(), p.bytes_of(at)); })},
   };
   for (const Measure measure : {Measure::rmse, Measure::flip}) {
     const bool flip = measure == Measure::flip;
-    const std::string key = flip ? "equal_flip." : "equal_rmse.",
+    const std::string object_key = flip ? "equal_flip" : "equal_rmse",
                       group = flip ? "one level, at equal FLIP" : "one level, at equal RMSE";
-    fields.push_back({{key + "bytes", "bytes", "", {}, group}, [measure](const P& p) {
-                        const auto bytes = p.bytes_at_equal(measure);
-                        return bytes ? Value(*bytes) : Value();
-                      }});
-    fields.push_back({{key + "plan_to_it", "plan to it", "", {.digits = 3}, group}, [measure](const P& p) {
+    fields.push_back(note<P>(object(object_key, no_rule,
+                                    flip ? "the same at the plan's FLIP"
+                                         : "between two levels, at the plan's RMSE, on a line of logarithms "
+                                           "of bytes and errors; not there where it is not between")
+                                 .if_any()));
+    fields.push_back(
+        {{count(object_key + ".bytes", no_rule, "as of uniform").if_any(), "bytes", "", plain, group},
+         [measure](const P& p) {
+           const auto bytes = p.bytes_at_equal(measure);
+           return bytes ? Value(*bytes) : Value();
+         }});
+    fields.push_back({{number(object_key + ".plan_to_it", no_rule, "the plan's bytes / these").if_any(),
+                       "plan to it", "", digits(3), group},
+                      [measure](const P& p) {
                         const auto bytes = p.bytes_at_equal(measure);
                         return bytes ? times(p.plan_bytes(), *bytes) : Value();
                       }});
@@ -113,17 +152,28 @@ Fields<PlanBesideUniform> plan_fields() {
 Fields<LevelOfPlan> level_fields() {
   using L = LevelOfPlan;
   return {
-      {{.key = "set", .heading = "attributes", .leads = true},
+      {{.key = set_key(), .heading = "attributes", .leads = true},
        [](const L& l) { return scene::name(l.plan->set); }},
-      {{.key = "kind", .heading = "maps of", .leads = true}, [](const L& l) { return kind_of(*l.plan); }},
-      {{.key = "wanted", .heading = "wanted RMSE", .unit = "codes", .leads = true},
+      {{.key = one_of("kind", key, {"faces", "vertices"}, "what the maps are of"),
+        .heading = "maps of",
+        .leads = true},
+       [](const L& l) { return kind_of(*l.plan); }},
+      {{.key = real("wanted", key, {0, 255}, "error of a triangle, in codes of 8 bits"),
+        .heading = "wanted RMSE",
+        .unit = "codes",
+        .leads = true},
        [](const L& l) { return l.plan->wanted; }},
-      {{.key = "level", .heading = "level", .leads = true},
+      {{.key = level(10), .heading = "level", .leads = true},
        [](const L& l) { return std::uint64_t{l.at->level}; }},
-      {{"lowest", "lowest for"}, [](const L& l) { return l.at->lowest; }},
-      {{"planned", "graded"}, [](const L& l) { return l.at->planned; }},
-      {{"decimated", "with a decimated edge"}, [](const L& l) { return l.at->decimated; }},
-      {{"maps", "maps"}, [](const L& l) { return l.at->distinct; }},
+      {{count("lowest", no_rule, "triangles of which it is the lowest that keeps the error, or the last"),
+        "lowest for"},
+       [](const L& l) { return l.at->lowest; }},
+      {{count("planned", no_rule, "once neighbours differ by one at most"), "graded"},
+       [](const L& l) { return l.at->planned; }},
+      {{count("decimated", no_rule, "of these, with a decimated edge"), "with a decimated edge"},
+       [](const L& l) { return l.at->decimated; }},
+      {{count("maps", no_rule, "of these, equal ones once"), "maps"},
+       [](const L& l) { return l.at->distinct; }},
   };
 }
 
@@ -141,11 +191,22 @@ std::vector<Table> attribute_plan_tables(const scene::AttributeFigures& figures,
     rows.push_back(std::move(row));
     for (const scene::PlannedLevel& at : plan.levels) levels.push_back({&plan, &at});
   }
-  return {table_of<PlanBesideUniform>(
-              {.key = "plans", .caption = "maps, each triangle's of the level that it needs"}, plan_fields(),
-              rows),
-          table_of<LevelOfPlan>({.key = "plan_levels", .caption = "triangles of plans, by level"},
-                                level_fields(), levels)};
+  return {
+      table_of<PlanBesideUniform>({.key = list("plans",
+                                               "maps, each triangle's of the lowest level that keeps an "
+                                               "error, those of vertices graded; not there without --plan",
+                                               {1}, left_out)
+                                              .if_any(),
+                                   .row = "a set and an error",
+                                   .caption = "maps, each triangle's of the level that it needs"},
+                                  plan_fields(), rows),
+      table_of<LevelOfPlan>(
+          {.key =
+               list("plan_levels", "triangles with a map, by level; not there without --plan", {1}, left_out)
+                   .if_any(),
+           .row = "a level of a plan",
+           .caption = "triangles of plans, by level"},
+          level_fields(), levels)};
 }
 
 }  // namespace mmverify::bench

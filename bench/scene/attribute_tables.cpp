@@ -66,25 +66,37 @@ Fields<SetLevel> packed_fields(MapKind kind) {
     return of_faces ? *s.faces : *s.vertices;
   };
   return {
-      {{key + "plain", "plain bytes", "", {}, group},
+      note<SetLevel>(
+          object(
+              of_faces ? "faces.packed" : "vertices.packed", no_rule,
+              "of the channels in use, where --packed asked for it and the maps have fewer than 2^31 codes")
+              .if_any()),
+      {{count(key + "plain", same, "a byte a channel"), "plain bytes", "", plain, group},
        [at](const SetLevel& s) { return packed_value(at(s), &scene::PackedBytes::plain); }},
-      {{key + "bytes", "packed", "", {}, group},
+      {{count(key + "bytes", less, "packed, within the error"), "packed", "", plain, group},
        [at](const SetLevel& s) { return packed_value(at(s), &scene::PackedBytes::packed); }},
-      {{key + "of_plain", "of plain", "", {1, 'f', per_cent, "%"}, group},
+      {{number(key + "of_plain", less, "bytes / plain"), "of plain", "", percents(1), group},
        [at](const SetLevel& s) {
          return at(s).packed ? Value(share_of(at(s).packed->packed, at(s).packed->plain)) : Value();
        }},
-      {{key + "entropy", "entropy", "", {}, group},
+      {{count(key + "entropy", less, "order 0 of its roots and residuals, in bytes"), "entropy", "", plain,
+        group},
        [at](const SetLevel& s) { return packed_value(at(s), &scene::PackedBytes::entropy); }},
-      {{key + "zstd", "zstd", "", {}, group},
+      {{count(key + "zstd", left_out,
+              "bytes of the plain ones in zstd, level 19; of whichever zstd there is"),
+        "zstd", "", plain, group},
        [at](const SetLevel& s) {
          return at(s).packed && at(s).packed->peer ? Value(*at(s).packed->peer) : Value();
        }},
-      {{key + "worst_error", "worst", "codes", {}, group},
+      {{whole(key + "worst_error", less, {0, 127},
+              "the most that a code decoded again is off, in codes of 8 bits"),
+        "worst", "codes", plain, group},
        [at](const SetLevel& s) {
          return at(s).packed ? Value(std::uint64_t{at(s).packed->worst_error}) : Value();
        }},
-      {{key + "rms_error", "RMS", "codes", {.digits = 3}, group},
+      {{real(key + "rms_error", about_less, {0, 127},
+             "root of the mean square of the same, over all codes of the maps, each map once"),
+        "RMS", "codes", digits(3), group},
        [at](const SetLevel& s) { return at(s).packed ? Value(at(s).packed->rms_error) : Value(); }},
   };
 }
@@ -96,24 +108,43 @@ Fields<SetLevel> fields_of(MapKind kind) {
     return of_faces ? *s.faces : *s.vertices;
   };
   Fields<SetLevel> fields{
-      {{key + "maps", "maps", "", {}, group}, [at](const SetLevel& s) { return at(s).maps.distinct; }},
-      {{key + "constant", "constant", "", {}, group},
+      {{count(key + "maps", same, "after equal ones are shared"), "maps", "", plain, group},
+       [at](const SetLevel& s) { return at(s).maps.distinct; }},
+      {{count(key + "constant", same, "of these, maps of one value"), "constant", "", plain, group},
        [at](const SetLevel& s) { return at(s).maps.constant; }},
-      {{key + "bytes", "bytes", "", {}, group}, [at](const SetLevel& s) { return at(s).bytes(); }},
-      {{key + "of_textures", "of textures", "", {2, 'f', per_cent, "%"}, group},
+      {{count(key + "bytes", less, "of the maps, 4 a value"), "bytes", "", plain, group},
+       [at](const SetLevel& s) { return at(s).bytes(); }},
+      {{number(key + "of_textures", less, "bytes / those of the set's textures"), "of textures", "",
+        percents(2), group},
        [at](const SetLevel& s) { return share_of(at(s).bytes(), s.texture_bytes); }},
-      {{key + "rmse", "RMSE", "codes", {.digits = 3}, group},
+      {{number(key + "rmse", about_less,
+               "of the texels shown, over the channels in use, in codes of 8 bits; not there where none is "
+               "shown")
+            .if_any(),
+        "RMSE", "codes", digits(3), group},
        [at](const SetLevel& s) { return optional(at(s).error.rmse); }},
-      {{key + "flip", "FLIP", "", {.digits = 4}, group},
+      {{number(key + "flip", about_less,
+               "mean FLIP of the texels shown; not there where codes are no colours, or none is shown")
+            .if_any(),
+        "FLIP", "", digits(4), group},
        [at](const SetLevel& s) { return optional(at(s).error.flip); }},
   };
   if (of_faces) {
-    fields.push_back({{key + "unseen", "without texel", "", {1, 'f', per_cent, "%"}, group},
-                      [at](const SetLevel& s) { return optional(at(s).unseen); }});
+    fields.push_back(
+        {{share(key + "unseen", about,
+                "the share of micro-triangles without a texel's centre; not there where there is no map")
+              .if_any(),
+          "without texel", "", percents(1), group},
+         [at](const SetLevel& s) { return optional(at(s).unseen); }});
   } else {
-    fields.push_back({{key + "nearest_rmse", "RMSE", "codes", {.digits = 3}, "nearest vertex"},
+    fields.push_back({{number(key + "nearest_rmse", about_less,
+                              "rmse in codes with the nearest micro-vertex in the place of interpolation; "
+                              "not there where rmse is not")
+                           .if_any(),
+                       "RMSE", "codes", digits(3), "nearest vertex"},
                       [at](const SetLevel& s) { return optional(at(s).nearest->rmse); }});
-    fields.push_back({{key + "nearest_flip", "FLIP", "", {.digits = 4}, "nearest vertex"},
+    fields.push_back({{number(key + "nearest_flip", about_less, "flip of the same").if_any(), "FLIP", "",
+                       digits(4), "nearest vertex"},
                       [at](const SetLevel& s) { return optional(at(s).nearest->flip); }});
   }
   return fields;
@@ -157,23 +188,46 @@ Fields<BesideTextures> equal_fields(Measure measure, const scene::TextureCoder& 
     return share_of((*b.at->packed).*of, *textures);
   };
   return {
-      {{key + "error", flip ? "FLIP" : "RMSE", flip ? "" : "codes", {.digits = flip ? 4 : 3}, group},
+      note<B>(object(flip ? "flip" : "rmse", no_rule,
+                     flip ? "textures of the maps' FLIP" : "textures of the maps' RMSE")
+                  .if_any()),
+      {{number(key + "error", no_rule,
+               flip ? "the maps' FLIP, as in rows" : "the maps' RMSE, as in rows, in codes"),
+        flip ? "FLIP" : "RMSE",
+        flip ? "" : "codes",
+        {.digits = flip ? 4 : 3},
+        group},
        [measure](const B& b) { return optional(error_by(b.at->error, measure)); }},
-      {{key + "where", "among sizes", "", {}, group},
+      {{one_of(key + "where", no_rule, {"within", "all are closer", "all are farther"},
+               "among the sizes of " + coder.key +
+                   "; all are closer: the one of the fewest bytes has less error, all are farther: no size "
+                   "has as little"),
+        "among sizes", "", plain, group},
        [measure](const B& b) -> Value {
          const auto textures = textures_at(b, measure);
          return textures ? Value(name_of(textures->where)) : Value();
        }},
-      {{key + coder.key, coder.format + " bytes", "", {}, group},
+      {{whole(key + coder.key, no_rule, {16},
+              "bytes, between two sizes on a line of logarithms of bytes and errors; there where within")
+            .if_any(),
+        coder.format + " bytes", "", plain, group},
        [bytes](const B& b) {
          const auto textures = bytes(b);
          return textures ? Value(*textures) : Value();
        }},
-      {{key + "plain_to_" + coder.key, "plain to it", "", {}, group},
+      {{number(key + "plain_to_" + coder.key, no_rule, "the maps' plain bytes / " + coder.key).if_any(),
+        "plain to it", "", plain, group},
        [times](const B& b) { return times(b, &scene::PackedBytes::plain); }},
-      {{key + "packed_to_" + coder.key, "packed to it", "", {}, group},
+      {{number(key + "packed_to_" + coder.key, no_rule, "the maps' packed bytes / " + coder.key).if_any(),
+        "packed to it", "", plain, group},
        [times](const B& b) { return times(b, &scene::PackedBytes::packed); }},
   };
+}
+
+std::vector<std::string> names_of(const std::vector<scene::BlockSize>& blocks) {
+  std::vector<std::string> names;
+  for (const scene::BlockSize& block : blocks) names.push_back(block.name());
+  return names;
 }
 
 /// Textures by block size, and maps beside them.
@@ -186,43 +240,72 @@ std::vector<Table> coder_tables(const AttributeFigures& figures, const scene::Te
       blocks.push_back({scene::name(set.set), set.texture_bytes, &one});
     for (const MapsAtLevel& at : set.levels) maps.push_back({scene::name(set.set), &at, &set.compressed});
   }
-  const Print shares{2, 'f', per_cent, "%"};
+  const Print shares = percents(2);
   const Fields<SetBlocks> of_blocks{
-      {{.key = "set", .heading = "attributes", .leads = true}, [](const SetBlocks& s) { return s.set; }},
-      {{.key = "block", .heading = "block", .leads = true},
+      {{.key = set_key(), .heading = "attributes", .leads = true}, [](const SetBlocks& s) { return s.set; }},
+      {{.key = one_of_range("block", no_rule, names_of(coder.blocks), "texels of a block of 16 bytes"),
+        .heading = "block",
+        .leads = true},
        [](const SetBlocks& s) { return s.textures->block.name(); }},
-      {{.key = "reduced", .heading = "reduced by", .leads = true},
+      {{.key = one_of(
+            "reduced", no_rule, {1, 2, 4, 8, 16, 32},
+            "sides of the textures are so many times shorter first, and sampled bilinearly in the end"),
+        .heading = "reduced by",
+        .leads = true},
        [](const SetBlocks& s) { return std::uint64_t{s.textures->reduced}; }},
-      {{"bytes", "bytes"}, [](const SetBlocks& s) { return s.textures->bytes; }},
-      {{"of_textures", "of textures", "", shares},
+      {{whole("bytes", no_rule, {16}, "of all blocks, without mips"), "bytes"},
+       [](const SetBlocks& s) { return s.textures->bytes; }},
+      {{number("of_textures", no_rule, "bytes / those of the set's textures"), "of textures", "", shares},
        [](const SetBlocks& s) { return share_of(s.textures->bytes, s.texture_bytes); }},
-      {{"shown", "blocks shown", "", {1, 'f', per_cent, "%"}},
+      {{share("shown", no_rule, "the share of blocks of which a triangle shows a texel"), "blocks shown", "",
+        percents(1)},
        [](const SetBlocks& s) { return share_of(s.textures->shown_bytes, s.textures->bytes); }},
-      {{"rmse", "RMSE", "codes", {.digits = 3}},
+      {{number("rmse", no_rule,
+               "of the texels shown, over the channels in use, in codes of 8 bits; not there where none is "
+               "shown")
+            .if_any(),
+        "RMSE", "codes", digits(3)},
        [](const SetBlocks& s) { return optional(s.textures->error.rmse); }},
-      {{"flip", "FLIP", "", {.digits = 4}},
+      {{number("flip", no_rule,
+               "mean FLIP of the texels shown; not there where codes are no colours, or none is shown")
+            .if_any(),
+        "FLIP", "", digits(4)},
        [](const SetBlocks& s) { return optional(s.textures->error.flip); }},
   };
   Fields<BesideTextures> beside{
-      {{.key = "set", .heading = "attributes", .leads = true}, [](const BesideTextures& b) { return b.set; }},
-      {{.key = "level", .heading = "level", .leads = true},
+      {{.key = set_key(), .heading = "attributes", .leads = true},
+       [](const BesideTextures& b) { return b.set; }},
+      {{.key = level(10), .heading = "level", .leads = true},
        [](const BesideTextures& b) { return std::uint64_t{b.at->level}; }},
-      {{.key = "maps", .heading = "maps of", .leads = true},
+      {{.key = one_of("maps", no_rule, {"faces", "vertices"}), .heading = "maps of", .leads = true},
        [](const BesideTextures& b) -> Value {
          return std::string(b.at->kind == MapKind::faces ? "faces" : "vertices");
        }},
-      {{"plain", "plain bytes"},
+      {{count("plain", no_rule, "a byte a channel; not there where the maps have 2^31 codes or more")
+            .if_any(),
+        "plain bytes"},
        [](const BesideTextures& b) { return packed_value(*b.at, &scene::PackedBytes::plain); }},
-      {{"packed", "packed"},
+      {{count("packed", no_rule, "packed, lossless").if_any(), "packed"},
        [](const BesideTextures& b) { return packed_value(*b.at, &scene::PackedBytes::packed); }},
   };
   for (const Measure measure : {Measure::flip, Measure::rmse})
     for (const Field<BesideTextures>& field : equal_fields(measure, coder)) beside.push_back(field);
-  return {
-      table_of<SetBlocks>({.key = coder.key, .caption = "textures in " + coder.format}, of_blocks, blocks),
-      table_of<BesideTextures>(
-          {.key = "beside_" + coder.key, .caption = "maps beside " + coder.format + " of the same error"},
-          beside, maps)};
+  return {table_of<SetBlocks>(
+              {.key = list(coder.key,
+                           "textures compressed by whichever " + coder.key +
+                               "enc there is, all of a set at one size; not there without --" + coder.key,
+                           {1}, left_out)
+                          .if_any(),
+               .caption = "textures in " + coder.format},
+              of_blocks, blocks),
+          table_of<BesideTextures>({.key = list("beside_" + coder.key,
+                                                "maps beside textures in " + coder.format +
+                                                    " of the same error; not there without --" + coder.key,
+                                                {2}, left_out)
+                                               .if_any(),
+                                    .row = "maps of a set at a level, of one kind",
+                                    .caption = "maps beside " + coder.format + " of the same error"},
+                                   beside, maps)};
 }
 
 std::vector<SetLevel> set_levels(const AttributeFigures& figures) {
@@ -243,7 +326,7 @@ std::vector<AllAtLevel> all_levels(const AttributeFigures& figures) {
   return all;
 }
 
-std::vector<LeftOutFigures> left_out(const scene::AttributeScene& read) {
+std::vector<LeftOutFigures> reasons_of(const scene::AttributeScene& read) {
   std::map<std::string, LeftOutFigures> by_reason;
   for (const scene::AttributeLeftOut& one : read.left_out) {
     LeftOutFigures& all = by_reason[one.why];
@@ -273,31 +356,52 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
       return std::string(measured ? "measured" : "reckoned");
     };
   };
-  const Fields<F> whole{
-      {{"file"}, [](const F& f) { return f.file; }},
-      {{"triangles", "triangles"}, [](const F& f) { return f.triangles; }},
-      {{"images", "textures"}, [](const F& f) { return f.images; }},
-      {{"texture_bytes", "bytes of textures, 4 a texel, no mips"},
+  const Fields<F> members{
+      {{text("file", left_out)}, [](const F& f) { return f.file; }},
+      {{count("triangles", same, "of the file"), "triangles"}, [](const F& f) { return f.triangles; }},
+      {{positive("images", same, "textures in use, each once"), "textures"},
+       [](const F& f) { return f.images; }},
+      {{positive("texture_bytes", same, "4 a texel, without mips"), "bytes of textures, 4 a texel, no mips"},
        [](const F& f) { return f.texture_bytes; }},
-      {{"far", "maps left out, of triangles over 2^24 texels"}, [](const F& f) { return f.far; }},
-      {{"beyond_textures.faces", "level from which on faces take more than the textures"},
+      {{count("far", same, "triangles left out: their box has over 2^24 texels"),
+        "maps left out, of triangles over 2^24 texels"},
+       [](const F& f) { return f.far; }},
+      note<F>(object("beyond_textures", no_rule,
+                     "the level from which on all maps take more than the textures; beyond the last that was "
+                     "measured it is no measurement but reckoned, with as many maps as at the last")),
+      {{whole("beyond_textures.faces", more, {0, 17},
+              "from which on all maps take more than the textures; 17: none up to 16"),
+        "level from which on faces take more than the textures"},
        beyond(MapKind::faces)},
-      {{"beyond_textures.faces_found", "  measured, or reckoned with as many maps as at the last level"},
+      {{one_of("beyond_textures.faces_found", left_out, {"measured", "reckoned"},
+               "measured: maps of this level were made; reckoned: of the last level's count of maps and the "
+               "closed form"),
+        "  measured, or reckoned with as many maps as at the last level"},
        found(MapKind::faces)},
-      {{"beyond_textures.vertices", "the same of vertices"}, beyond(MapKind::vertices)},
-      {{"beyond_textures.vertices_found", "  measured or reckoned"}, found(MapKind::vertices)},
+      {{whole("beyond_textures.vertices", more, {0, 17},
+              "from which on all maps take more than the textures; 17: none up to 16"),
+        "the same of vertices"},
+       beyond(MapKind::vertices)},
+      {{one_of("beyond_textures.vertices_found", left_out, {"measured", "reckoned"},
+               "measured: maps of this level were made; reckoned: of the last level's count of maps and the "
+               "closed form"),
+        "  measured or reckoned"},
+       found(MapKind::vertices)},
   };
   const Fields<S> sets{
-      {{.key = "set", .heading = "attributes", .leads = true}, [](const S& s) { return scene::name(s.set); }},
-      {{"triangles", "triangles"}, [](const S& s) { return s.triangles; }},
-      {{"images", "textures"}, [](const S& s) { return s.images; }},
-      {{"texture_bytes", "bytes"}, [](const S& s) { return s.texture_bytes; }},
-      {{"shown", "shown", "", {1, 'f', per_cent, "%"}},
+      {{.key = set_key(), .heading = "attributes", .leads = true},
+       [](const S& s) { return scene::name(s.set); }},
+      {{count("triangles", same, "with these attributes"), "triangles"},
+       [](const S& s) { return s.triangles; }},
+      {{positive("images", same, "their textures"), "textures"}, [](const S& s) { return s.images; }},
+      {{positive("texture_bytes", same, "4 a texel, without mips"), "bytes"},
+       [](const S& s) { return s.texture_bytes; }},
+      {{share("shown", about, "the share of texels whose centre a triangle shows"), "shown", "", percents(1)},
        [](const S& s) { return share_of(s.shown, s.texels); }},
   };
   Fields<SetLevel> rows{
-      {{.key = "set", .heading = "attributes", .leads = true}, [](const SetLevel& s) { return s.set; }},
-      {{.key = "level", .heading = "level", .leads = true},
+      {{.key = set_key(), .heading = "attributes", .leads = true}, [](const SetLevel& s) { return s.set; }},
+      {{.key = level(10), .heading = "level", .leads = true},
        [](const SetLevel& s) { return std::uint64_t{s.level}; }}};
   for (const MapKind kind : scene::map_kinds)
     for (const Field<SetLevel>& field : fields_of(kind)) rows.push_back(field);
@@ -305,72 +409,109 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
     for (const MapKind kind : scene::map_kinds)
       for (const Field<SetLevel>& field : packed_fields(kind)) rows.push_back(field);
   using A = AllAtLevel;
-  const auto share = [](std::uint64_t A::*bytes) {
+  const auto of_textures = [](std::uint64_t A::*bytes) {
     return [bytes](const A& a) { return share_of(a.*bytes, a.texture_bytes); };
   };
-  const Print per_cents{2, 'f', per_cent, "%"};
+  const Print per_cents = percents(2);
   const Fields<A> all{
-      {{.key = "level", .heading = "level", .leads = true},
+      {{.key = level(10), .heading = "level", .leads = true},
        [](const A& a) { return std::uint64_t{a.level}; }},
-      {{"faces.bytes", "bytes", "", {}, "faces"}, [](const A& a) { return a.faces; }},
-      {{"faces.of_textures", "of textures", "", per_cents, "faces"}, share(&A::faces)},
-      {{"vertices.bytes", "bytes", "", {}, "vertices"}, [](const A& a) { return a.vertices; }},
-      {{"vertices.of_textures", "of textures", "", per_cents, "vertices"}, share(&A::vertices)},
+      {{count("faces.bytes", less, "of all maps"), "bytes", "", plain, "faces"},
+       [](const A& a) { return a.faces; }},
+      {{number("faces.of_textures", less, "bytes / those of the textures"), "of textures", "", per_cents,
+        "faces"},
+       of_textures(&A::faces)},
+      {{count("vertices.bytes", less, "of all maps"), "bytes", "", plain, "vertices"},
+       [](const A& a) { return a.vertices; }},
+      {{number("vertices.of_textures", less, "bytes / those of the textures"), "of textures", "", per_cents,
+        "vertices"},
+       of_textures(&A::vertices)},
   };
   const Fields<LeftOutFigures> reasons{
-      {{.key = "why", .heading = "left out", .leads = true}, [](const LeftOutFigures& l) { return l.why; }},
-      {{"primitives", "primitives"}, [](const LeftOutFigures& l) { return l.primitives; }},
-      {{"triangles", "triangles"}, [](const LeftOutFigures& l) { return l.triangles; }},
+      {{.key = text("why", key), .heading = "left out", .leads = true},
+       [](const LeftOutFigures& l) { return l.why; }},
+      {{count("primitives", same, "of the file"), "primitives"},
+       [](const LeftOutFigures& l) { return l.primitives; }},
+      {{count("triangles", same, "of these"), "triangles"},
+       [](const LeftOutFigures& l) { return l.triangles; }},
   };
   const std::string averaging =
       options.averaging == scene::Averaging::codes ? "codes" : "light and directions";
   Result result{
       .topic = "scene_attributes",
-      .settings = {{"averaging", averaging}},
+      .description =
+          "mmverify scene FILE --attributes: micromaps of a scene's attributes beside its textures",
+      .settings = {{one_of("averaging", setting, {"light and directions", "codes"},
+                           "light of sRGB codes and directions of normals; or codes as they are"),
+                    averaging}},
       .about =
           figures.file +
           ": each triangle's textures become micromaps, all of one level, 4 bytes a value. Averages are of " +
           (options.averaging == scene::Averaging::codes
                ? "codes as the texture stores them"
                : "light, where codes are colours, and of directions, where they are normals") +
-          ". maps: different ones, for equal ones are stored once; constant: those of one value, which need "
-          "no map. Errors are in texture space, over the texels whose centre a triangle shows. without "
-          "texel: faces in which no texel's centre lies",
-      .tables = {table_of<F>({.form = Form::members}, whole, {figures}),
+          ". maps: different ones, for equal ones are stored once; constant: those of one value, which "
+          "need no map. Errors are in texture space, over the texels whose centre a triangle shows. "
+          "without texel: faces in which no texel's centre lies",
+      .tables = {table_of<F>({.form = Form::members}, members, {figures}),
                  table_of<S>({.key = "sets"}, sets, figures.sets),
-                 table_of<SetLevel>({.key = "rows"}, rows, set_levels(figures)),
-                 table_of<A>({.key = "totals", .caption = "all attributes"}, all, all_levels(figures))},
+                 table_of<SetLevel>({.key = "rows", .row = "all maps of a set at a level"}, rows,
+                                    set_levels(figures)),
+                 table_of<A>({.key = "totals", .row = "all sets at a level", .caption = "all attributes"},
+                             all, all_levels(figures))},
       .drawn = scene_attribute_picture(figures, options.texture_coder.format)};
   if (options.packed) {
-    result.settings.emplace_back("packed_error", std::uint64_t{options.packed_error});
+    result.settings.push_back(
+        {whole("packed_error", setting, {0, 127},
+               "the most that a code of the packed maps is off; not there without --packed")
+             .if_any(),
+         std::uint64_t{options.packed_error}});
     result.about +=
         ". packed: the maps in the channels in use, lossless or each code off by the error at most; entropy: "
         "order 0 of its residuals; zstd: level 19 of the plain bytes; worst, RMS: how far what is decoded is "
         "from the maps";
   }
-  if (options.texture_coder.compress) {
-    result.settings.emplace_back(options.texture_coder.key, options.texture_coder.name);
-    for (Table& table : coder_tables(figures, options.texture_coder))
-      result.tables.push_back(std::move(table));
+  if (const scene::TextureCoder& coder = options.texture_coder; coder.compress) {
+    result.settings.push_back(
+        {text(coder.key, left_out,
+              "the encoder of " + coder.key +
+                  ", its version and how thoroughly it searches; not there without --" + coder.key)
+             .if_any(),
+         coder.name});
+    for (Table& table : coder_tables(figures, coder)) result.tables.push_back(std::move(table));
     result.about +=
         ". ASTC: all blocks of the textures, no mips; reduced by: sides so many times shorter first, sampled "
         "bilinearly in the end. Equal error: between two sizes, on a line of logarithms of bytes and errors";
   }
   if (!read.left_out.empty())
-    result.tables.push_back(table_of<LeftOutFigures>({.key = "left_out"}, reasons, left_out(read)));
+    result.tables.push_back(table_of<LeftOutFigures>(
+        {.key = list("left_out", "what gets no maps; not there where all get some").if_any()}, reasons,
+        reasons_of(read)));
   return result;
 }
 
 Table attribute_pictures_table(const std::vector<AttributePictureFile>& pictures) {
   using P = AttributePictureFile;
   const Fields<P> fields{
-      {{.key = "set", .heading = "attributes", .leads = true}, [](const P& p) { return p.set; }},
-      {{.key = "image", .heading = "picture", .leads = true}, [](const P& p) { return p.image; }},
-      {{.key = "level", .heading = "level", .leads = true},
+      {{.key = set_key(), .heading = "attributes", .leads = true}, [](const P& p) { return p.set; }},
+      {{.key = text("image", key, "its name, as far as files may have it"),
+        .heading = "picture",
+        .leads = true},
+       [](const P& p) { return p.image; }},
+      {{.key = level(10), .heading = "level", .leads = true},
        [](const P& p) { return std::uint64_t{p.level}; }},
-      {{"file", "file"}, [](const P& p) { return p.file; }},
+      {{text("file", left_out,
+             "a PNG, from the folder that the program was called in: above the texture, faces and vertices; "
+             "below FLIP's scale and the FLIP of faces and of vertices"),
+        "file"},
+       [](const P& p) { return p.file; }},
   };
-  return table_of<P>({.key = "pictures"}, fields, pictures);
+  return table_of<P>(
+      {.key =
+           list("pictures",
+                "that the run wrote: an image beside its maps and their errors; not there without --pictures")
+               .if_any()},
+      fields, pictures);
 }
 
 }  // namespace mmverify::bench

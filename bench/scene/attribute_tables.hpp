@@ -11,6 +11,10 @@
 namespace mmverify::bench {
 
 /// A figure, which may be missing.
+inline Property set_key() {
+  return text("set", key, "glTF's names of the attributes that see one texture in the same way, joined by +");
+}
+
 inline Value optional(const std::optional<double>& x) { return x ? Value(*x) : Value(); }
 
 /// The tables of attribute micromaps.  Source: Color and Attribute Micromaps, table 2, figures 9 and 11.

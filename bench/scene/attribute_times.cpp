@@ -7,6 +7,7 @@
 #include <numeric>
 #include <random>
 
+#include "bench/scene/attribute_tables.hpp"
 #include "bench/scene/texture_sample.hpp"
 #include "bench/timing.hpp"
 #include "impl/attribute/lookup.hpp"
@@ -154,23 +155,45 @@ void AttributeTimer::take(const LaidMaps& laid, LookupWay way, std::span<const s
 Table attribute_times_table(const std::vector<LookupTimes>& times) {
   using L = LookupTimes;
   Fields<L> fields{
-      {{.key = "set", .heading = "attributes", .leads = true}, [](const L& l) { return scene::name(l.set); }},
-      {{.key = "level", .heading = "level", .leads = true},
+      {{.key = set_key(), .heading = "attributes", .leads = true},
+       [](const L& l) { return scene::name(l.set); }},
+      {{.key = level(10), .heading = "level", .leads = true},
        [](const L& l) { return std::uint64_t{l.level}; }},
-      {{.key = "maps", .heading = "maps of", .leads = true},
+      {{.key = one_of("maps", no_rule, {"faces", "vertices, W-minor", "vertices, Bird"},
+                      "faces: the value of the point's micro-triangle; vertices: interpolated between three, "
+                      "stored in that order"),
+        .heading = "maps of",
+        .leads = true},
        [](const L& l) -> Value { return std::string(name_of(l.way)); }},
-      {{"points", "points"}, [](const L& l) { return l.points; }},
+      {{positive("points", no_rule, "drawn on the triangles by their areas in texels"), "points"},
+       [](const L& l) { return l.points; }},
   };
   for (const PointOrder order : orders) {
-    const std::string group = order == PointOrder::scattered ? "scattered" : "along", key = group + ".";
+    const std::string group = order == PointOrder::scattered ? "scattered" : "along", in = group + ".";
     const auto of = [order](const L& l) { return l.by_order[static_cast<std::size_t>(order)]; };
     fields.push_back(
-        {{key + "texture_ns", "texture", "ns", {}, group}, [of](const L& l) { return of(l).texture_ns; }});
-    fields.push_back({{key + "map_ns", "map", "ns", {}, group}, [of](const L& l) { return of(l).map_ns; }});
-    fields.push_back({{key + "map_to_texture", "map to texture", "", {}, group},
-                      [of](const L& l) { return of(l).map_ns / of(l).texture_ns; }});
+        note<L>(object(group, no_rule,
+                       order == PointOrder::scattered ? "points as drawn, each on another triangle"
+                                                      : "the same triangle by triangle, along the curve")));
+    fields.push_back(
+        {{number(in + "texture_ns", no_rule,
+                 "of a point: its texture coordinates between the corners', four texels, bilinear"),
+          "texture", "ns", plain, group},
+         [of](const L& l) { return of(l).texture_ns; }});
+    fields.push_back(
+        {{number(in + "map_ns", no_rule, "of a point: its micro-triangle, and the map's value there"), "map",
+          "ns", plain, group},
+         [of](const L& l) { return of(l).map_ns; }});
+    fields.push_back(
+        {{number(in + "map_to_texture", no_rule, "map_ns / texture_ns"), "map to texture", "", plain, group},
+         [of](const L& l) { return of(l).map_ns / of(l).texture_ns; }});
   }
-  return table_of<L>({.key = "times", .caption = "a lookup at a point, in the texture and in its map"},
+  return table_of<L>({.key = list("times",
+                                  "a lookup at a point of the set's triangles, in the texture and in its "
+                                  "map, one thread; not there without --time, nor of maps of over 1 GiB",
+                                  {2}, left_out)
+                                 .if_any(),
+                      .caption = "a lookup at a point, in the texture and in its map"},
                      fields, times);
 }
 

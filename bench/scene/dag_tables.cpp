@@ -28,13 +28,27 @@ std::vector<FormOf> forms_of(const F& f) {
 
 Fields<FormOf> form_fields() {
   return {
-      {{"form", "form"}, [](const FormOf& f) { return to_string(f.form); }},
-      {{"bytes", "all maps", "bytes"}, [](const FormOf& f) { return f.figures.bytes; }},
-      {{"ns_per_lookup", "a lookup", "ns", {.digits = 1}},
+      {{one_of(
+            "form", key, {"flat", "once", "paper", "ranked", "dag", "lz4", "zstd"},
+            "flat: a map for each triangle of a mesh; once: maps that are the same once, and so the others; "
+            "paper: two bit sequences a map; ranked: impl/tree; dag: impl/dag; lz4, zstd: all maps as one"),
+        "form"},
+       [](const FormOf& f) { return to_string(f.form); }},
+      {{count("bytes", about_less,
+              "bytes of all maps, 8 a map for where it is included, but for lz4 and zstd"),
+        "all maps", "bytes"},
+       [](const FormOf& f) { return f.figures.bytes; }},
+      {{time("ns_per_lookup", "ns a lookup, where the form has one; independent random ones over all maps")
+            .if_any(),
+        "a lookup", "ns", digits(1)},
        [](const FormOf& f) { return if_any(f.figures.ns); }},
-      {{"ratio_to_once", "x once, time", "", {.digits = 1}},
+      {{ratio("ratio_to_once", speed_less, "of ns a lookup: the median of the rounds' ratios").if_any(),
+        "x once, time", "", digits(1)},
        [](const FormOf& f) { return if_any(f.figures.ns_to_once); }},
-      {{"build_rate", "built", "M/s", {.digits = 0}},
+      {{number("build_rate", left_out,
+               "M/s: millions of micro-triangles a second, from flat maps, one thread")
+            .if_any(),
+        "built", "M/s", digits(0)},
        [](const FormOf& f) { return if_any(f.figures.build_rate); }},
   };
 }
@@ -43,24 +57,43 @@ Table rows_table(const SceneDagScene& figures) {
   const std::string entropies = "entropy", ratios = "memory";
   const Print whole{.digits = 0}, times{.digits = 1};
   const Fields<F> fields{
-      {{.key = "states", .heading = "states", .leads = true}, [](const F& f) { return states_of(f.bits); }},
-      {{.key = "level", .heading = "level", .leads = true}, [](const F& f) { return f.level; }},
-      {{"all", "of"}, [](const F& f) { return f.all; }},
-      {{"taken", "taken"}, [](const F& f) { return f.taken; }},
-      {{"uniform", "uniform"}, [](const F& f) { return f.uniform; }},
-      {{"maps", "maps"}, [](const F& f) { return f.maps; }},
-      {{"distinct", "distinct"}, [](const F& f) { return f.distinct; }},
-      within<F, FormOf>({.key = "forms", .heading = "forms", .within = Within::beside}, form_fields(),
-                        forms_of),
-      {{"entropy_order_0_bytes", "order 0", "bytes", whole, entropies},
+      {{.key = one_of("states", key, {2, 4}), .heading = "states", .leads = true},
+       [](const F& f) { return states_of(f.bits); }},
+      {{.key = level(12), .heading = "level", .leads = true}, [](const F& f) { return f.level; }},
+      {{positive("all", same,
+                 "maps of the scene: distinct triangles, each in each order of its vertices that is in use"),
+        "of"},
+       [](const F& f) { return f.all; }},
+      {{positive("taken", same,
+                 "of these, those that the row is about: all, or as many as fit tool.memory, evenly by their "
+                 "number"),
+        "taken"},
+       [](const F& f) { return f.taken; }},
+      {{count("uniform", same, "of those taken, of one state: in no form"), "uniform"},
+       [](const F& f) { return f.uniform; }},
+      {{positive("maps", same, "the others"), "maps"}, [](const F& f) { return f.maps; }},
+      {{positive("distinct", same, "of these, by their bytes"), "distinct"},
+       [](const F& f) { return f.distinct; }},
+      within<F, FormOf>({.key = list("forms", "", {7, 7}), .heading = "forms", .within = Within::beside},
+                        form_fields(), forms_of),
+      {{number("entropy_order_0_bytes", about,
+               "bytes: the entropy of the distinct maps' states, each by its frequency"),
+        "order 0", "bytes", whole, entropies},
        [](const F& f) { return f.order_0_bytes; }},
-      {{"entropy_after_16_bits_bytes", "after 16 bits", "bytes", whole, entropies},
+      {{number("entropy_after_16_bits_bytes", about,
+               "bytes: the same, by the frequency after the 16 bits before it in its map; not there for "
+               "fewer than 2^20 states")
+            .if_any(),
+        "after 16 bits", "bytes", whole, entropies},
        [](const F& f) { return if_any(f.context_bytes); }},
-      {{"memory_flat_to_dag", "flat / dag", "", times, ratios},
+      {{number("memory_flat_to_dag", about_more, "bytes of flat / bytes of the graph"), "flat / dag", "",
+        times, ratios},
        [](const F& f) { return to_bytes(f, SceneForm::flat, SceneForm::dag); }},
-      {{"memory_once_to_dag", "once / dag", "", times, ratios},
+      {{number("memory_once_to_dag", about_more, "bytes of once / bytes of the graph"), "once / dag", "",
+        times, ratios},
        [](const F& f) { return to_bytes(f, SceneForm::once, SceneForm::dag); }},
-      {{"memory_once_to_zstd", "once / zstd", "", times, ratios},
+      {{number("memory_once_to_zstd", about, "bytes of once / bytes of zstd"), "once / zstd", "", times,
+        ratios},
        [](const F& f) { return to_bytes(f, SceneForm::once, SceneForm::zstd); }},
       {{"", "once / after 16 bits", "", times, ratios},
        [](const F& f) -> Value {
@@ -68,41 +101,66 @@ Table rows_table(const SceneDagScene& figures) {
          return static_cast<double>(f.form(SceneForm::once).bytes) / *f.context_bytes;
        }},
   };
-  return table_of<F>({.key = "rows"}, fields, figures.rows);
+  return table_of<F>({.key = "rows", .row = "one level and format"}, fields, figures.rows);
 }
 
 Table squares_table(const SceneDagScene& figures) {
   using S = SquareFigures;
   const Fields<S> fields{
-      {{.key = "form", .heading = "form", .leads = true}, [](const S& s) { return s.form; }},
-      {{"level", "level"}, [](const S& s) { return s.level; }},
-      {{"pairs", "pairs"}, [](const S& s) { return s.maps; }},
-      {{"uniform", "uniform"}, [](const S& s) { return s.uniform; }},
-      {{"bytes", "blocks", "bytes"}, [](const S& s) { return s.bytes; }},
-      {{"flat_bytes", "flat, 4 states", "bytes"}, [](const S& s) { return s.flat_bytes; }},
-      {{"regions", "regions"}, [](const S& s) { return s.regions; }},
-      {{"substitutions", "lost"}, [](const S& s) { return s.substitutions; }},
-      {{"ns_per_lookup", "a lookup", "ns", {.digits = 1}}, [](const S& s) { return s.ns; }},
-      {{"build_rate", "built", "M regions/s", {.digits = 1}}, [](const S& s) { return s.build_rate; }},
+      {{.key = one_of("form", key, {"vq2", "vq4"}), .heading = "form", .leads = true},
+       [](const S& s) { return s.form; }},
+      {{one_of("level", same, {4, 5}), "level"}, [](const S& s) { return s.level; }},
+      {{positive("pairs", same, "distinct pairs of triangles"), "pairs"}, [](const S& s) { return s.maps; }},
+      {{count("uniform", same, "of these, those whose square has one state, and no block"), "uniform"},
+       [](const S& s) { return s.uniform; }},
+      {{count("bytes", about_less, "bytes of the others' blocks, 8 a block for where it is included"),
+        "blocks", "bytes"},
+       [](const S& s) { return s.bytes; }},
+      {{count("flat_bytes", same,
+              "bytes of the same pairs' 4-state maps, two a pair, 8 a map for where it is included"),
+        "flat, 4 states", "bytes"},
+       [](const S& s) { return s.flat_bytes; }},
+      {{count("regions", same, "of the squares that have a block"), "regions"},
+       [](const S& s) { return s.regions; }},
+      {{count("substitutions", less, "of these, O or T that became unknown"), "lost"},
+       [](const S& s) { return s.substitutions; }},
+      {{time("ns_per_lookup", "ns a lookup; independent random ones over all blocks"), "a lookup", "ns",
+        digits(1)},
+       [](const S& s) { return s.ns; }},
+      {{number("build_rate", left_out, "M regions/s: millions of regions a second, one thread"), "built",
+        "M regions/s", digits(1)},
+       [](const S& s) { return s.build_rate; }},
   };
   return table_of<S>(
-      {.key = "squares",
-       .caption =
-           figures.squares.empty()
-               ? "VQ: no pair of triangles with a square of two states, or levels 4 and 5 not asked for"
-               : "VQ of the pairs of triangles, which loses states; beside it both triangles' maps"},
+      {.key = list("squares", "", {}),
+       .caption = figures.squares.empty()
+                      ? "VQ: no pair of triangles with a square of two states, or levels 4 and 5 "
+                        "not asked for"
+                      : "VQ of the pairs of triangles, which loses states; beside it both "
+                        "triangles' maps"},
       fields, figures.squares);
 }
 
 Table growth_table(const SceneDagScene& figures) {
   using G = SceneGrowth;
   const Fields<G> fields{
-      {{.key = "states", .heading = "states", .leads = true}, [](const G& g) { return states_of(g.bits); }},
-      {{.key = "form", .heading = "form", .leads = true}, [](const G& g) { return to_string(g.form); }},
-      {{"levels", "levels"}, [](const G& g) { return std::uint64_t{g.growth.levels}; }},
-      {{"last", "up to"}, [](const G& g) { return g.growth.last; }},
-      {{"log2_a_level", "log2 a level"}, [](const G& g) { return g.growth.exponential.slope; }},
-      {{"law", "bytes a map grow as"}, [](const G& g) { return area_or_outline(g.growth); }},
+      {{.key = one_of("states", key, {2, 4}), .heading = "states", .leads = true},
+       [](const G& g) { return states_of(g.bits); }},
+      {{.key = one_of("form", key, {"flat", "once", "paper", "ranked", "dag", "lz4", "zstd"}),
+        .heading = "form",
+        .leads = true},
+       [](const G& g) { return to_string(g.form); }},
+      {{count("levels", same, "how many the line was drawn through, the last five at most"), "levels"},
+       [](const G& g) { return std::uint64_t{g.growth.levels}; }},
+      {{whole("last", same, {0, 12}, "the finest of them"), "up to"},
+       [](const G& g) { return g.growth.last; }},
+      {{real("log2_a_level", about, {},
+             "slope of log2 of the bytes a map against the level: 2 of what grows with the area, 1 of what "
+             "grows with the outline"),
+        "log2 a level"},
+       [](const G& g) { return g.growth.exponential.slope; }},
+      {{text("law", left_out, "the same in words"), "bytes a map grow as"},
+       [](const G& g) { return area_or_outline(g.growth); }},
   };
   return table_of<G>({.key = "growth", .caption = "Growth over the last five levels"}, fields,
                      figures.growth);
@@ -113,14 +171,25 @@ Table growth_table(const SceneDagScene& figures) {
 Result scene_dag_tables(const SceneDagScene& figures, const SceneDagOptions& options) {
   using S = SceneDagScene;
   const Fields<S> scene{
-      {{"file"}, [](const S& s) { return s.file; }},
-      {{"triangles", "triangles of meshes"}, [](const S& s) { return s.triangles; }},
-      {{"distinct_triangles", "distinct by texture coordinates"}, [](const S& s) { return s.distinct; }},
-      {{"maps", "maps, by order of vertices"}, [](const S& s) { return s.maps; }},
+      {{text("file", left_out)}, [](const S& s) { return s.file; }},
+      {{positive("triangles", same, "of meshes, with a map"), "triangles of meshes"},
+       [](const S& s) { return s.triangles; }},
+      {{positive("distinct_triangles", same, "by their texture coordinates"),
+        "distinct by texture coordinates"},
+       [](const S& s) { return s.distinct; }},
+      {{positive("maps", same, "distinct triangles, each in each order of its vertices that is in use"),
+        "maps, by order of vertices"},
+       [](const S& s) { return s.maps; }},
   };
   return {
       .topic = "scene_dag",
-      .settings = {{"seed", options.seed}, {"samples", options.lookups}, {"memory", options.memory}},
+      .description =
+          "mmverify bench dag --scene FILE: what the maps of a scene take in each form, and a lookup in them",
+      .settings = {{count("seed", setting, "of the lookups"), options.seed},
+                   {positive("samples", setting, "lookups a level and format"), options.lookups},
+                   {positive("memory", setting,
+                             "bytes of a level's 4-state maps, beyond which some maps are taken"),
+                    options.memory}},
       .about =
           figures.file +
           ", one thread. of: maps of the scene; taken: all, or, where 4-state maps would take more than " +

@@ -8,29 +8,48 @@ namespace {
 Fields<render::Seen> camera_fields() {
   using S = render::Seen;
   return {
-      {{.key = "camera", .heading = "camera", .leads = true}, [](const S& s) { return s.number; }},
-      {{"tries", "tries"}, [](const S& s) { return std::uint64_t{s.tries}; }},
-      {{"rays", "primary rays"}, [](const S& s) { return s.frame.counts.rays; }},
-      {{"shadow_rays", "shadow rays"}, [](const S& s) { return s.frame.counts.shadow_rays; }},
-      {{"met", "met a map"}, [](const S& s) { return s.frame.counts.met; }},
-      {{"any_hit", "any-hit"}, [](const S& s) { return s.frame.counts.shader; }},
+      {{.key = count("camera", key, "its number on the path, from 1"), .heading = "camera", .leads = true},
+       [](const S& s) { return s.number; }},
+      {{count("tries", same, "places that were tried until a ray met a triangle that gets a micromap"),
+        "tries"},
+       [](const S& s) { return std::uint64_t{s.tries}; }},
+      {{count("rays", same, "primary, one a pixel"), "primary rays"},
+       [](const S& s) { return s.frame.counts.rays; }},
+      {{count("shadow_rays", same, "one where a primary ray hits"), "shadow rays"},
+       [](const S& s) { return s.frame.counts.shadow_rays; }},
+      {{count("met", same, "rays of both kinds with a candidate on a triangle that gets a micromap"),
+        "met a map"},
+       [](const S& s) { return s.frame.counts.met; }},
+      {{count("any_hit", same, "any-hit calls of the texture alone"), "any-hit"},
+       [](const S& s) { return s.frame.counts.shader; }},
   };
 }
 
 Fields<render::PathRow> row_fields() {
   using R = render::PathRow;
   return {
-      {{.key = "method", .heading = "method", .leads = true},
+      {{.key = one_of("method", key, {"special", "flat", "tree", "ranked", "vq2", "vq4"},
+                      "how opacity is asked for"),
+        .heading = "method",
+        .leads = true},
        [](const R& r) { return std::string(name_of(r.method)); }},
-      {{.key = "level", .heading = "level", .leads = true},
+      {{.key = level(12, key, "of all maps; not there of VQ2 and VQ4, whose sides are fixed").if_any(),
+        .heading = "level",
+        .leads = true},
        [](const R& r) { return r.level ? Value(std::uint64_t{*r.level}) : Value(); }},
-      {{"frames", "frames"}, [](const R& r) { return r.frames; }},
-      {{"pixels", "pixels"}, [](const R& r) { return r.pixels; }},
-      {{"met", "met a map"}, [](const R& r) { return r.counts.met; }},
-      {{"ignored", "ignored"}, [](const R& r) { return r.counts.ignored; }},
-      {{"opaque", "opaque"}, [](const R& r) { return r.counts.opaque; }},
-      {{"any_hit", "any-hit"}, [](const R& r) { return r.counts.shader; }},
-      {{"differing", "differing"}, [](const R& r) { return r.differing; }},
+      {{count("frames", same, "one a camera"), "frames"}, [](const R& r) { return r.frames; }},
+      {{count("pixels", same, "of these frames"), "pixels"}, [](const R& r) { return r.pixels; }},
+      {{count("met", same, "rays of all cameras with a candidate on a triangle that gets a micromap"),
+        "met a map"},
+       [](const R& r) { return r.counts.met; }},
+      {{count("ignored", more, "candidates that a map says are transparent"), "ignored"},
+       [](const R& r) { return r.counts.ignored; }},
+      {{count("opaque", more, "that a map says are opaque"), "opaque"},
+       [](const R& r) { return r.counts.opaque; }},
+      {{count("any_hit", less, "the rest: any-hit calls, decided by the texture"), "any-hit"},
+       [](const R& r) { return r.counts.shader; }},
+      {{count("differing", less, "pixels that are not the texture's"), "differing"},
+       [](const R& r) { return r.differing; }},
   };
 }
 
@@ -42,47 +61,60 @@ Result path_tables(const PathFigures& figures) {
   const bool refuted =
       std::any_of(rows.begin(), rows.end(), [](const render::PathRow& r) { return r.differing != 0; });
   const std::string verdict = refuted ? "refuted" : "checked";
-  const Fields<F> whole{
-      {{.key = "file"}, [](const F& f) { return f.file; }},
-      {{.key = "law"}, [](const F&) { return std::string("traverse.same_image"); }},
-      {{.key = "verdict"}, [&verdict](const F&) { return verdict; }},
-      {{"tested", "triangles with micromaps"}, [](const F& f) { return f.tested; }},
-      {{"tested_placed", "of these, placed"}, [](const F& f) { return f.tested_placed; }},
-      {{"frames", "frames held against the texture's"},
+  const Fields<F> members{
+      {{.key = text("file", left_out)}, [](const F& f) { return f.file; }},
+      {{.key = one_of("law", left_out, {"traverse.same_image"})},
+       [](const F&) { return std::string("traverse.same_image"); }},
+      {{.key = one_of("verdict", left_out, {"checked", "refuted"}, "refuted: a pixel differs")},
+       [&verdict](const F&) { return verdict; }},
+      {{count("tested", same, "triangles that get micromaps"), "triangles with micromaps"},
+       [](const F& f) { return f.tested; }},
+      {{count("tested_placed", same, "the same, as often as nodes place them"), "of these, placed"},
+       [](const F& f) { return f.tested_placed; }},
+      {{count("frames", more, "of all forms, held against the texture's"),
+        "frames held against the texture's"},
        [](const F& f) {
          std::uint64_t sum = 0;
          for (const auto& r : f.path->rows) sum += r.frames;
          return sum;
        }},
-      {{"pixels", "pixels"},
+      {{count("pixels", more, "of these frames"), "pixels"},
        [](const F& f) {
          std::uint64_t sum = 0;
          for (const auto& r : f.path->rows) sum += r.pixels;
          return sum;
        }},
-      {{"differing", "of these, differing"},
+      {{count("differing", less,
+              "pixels whose rays met another triangle, another t or other light than with the texture alone"),
+        "of these, differing"},
        [](const F& f) {
          std::uint64_t sum = 0;
          for (const auto& r : f.path->rows) sum += r.differing;
          return sum;
        }},
   };
-  return {.topic = "render_path",
-          .settings = {{"embree", figures.embree},
-                       {"width", std::uint64_t{figures.width}},
-                       {"height", std::uint64_t{figures.height}},
-                       {"cameras", std::uint64_t{figures.path->cameras.size()}},
-                       {"seed", figures.seed},
-                       {"shadows", std::string(figures.shadows ? "yes" : "no")},
-                       {"threads", figures.threads}},
-          .about = verdict + " traverse.same_image on " + figures.file +
-                   ": by each form of its micromaps, rays of cameras on a random path meet the triangles, at "
-                   "the t, and the light that they meet by the texture alone; met a map: rays, shadow rays "
-                   "among them, with a candidate on a triangle that gets a micromap; any-hit: candidates "
-                   "that the texture decides; tries: places until a ray of the camera met a map",
-          .tables = {table_of<F>({.form = Form::members}, whole, {figures}),
-                     table_of<render::Seen>({.key = "cameras"}, camera_fields(), figures.path->cameras),
-                     table_of<render::PathRow>({.key = "rows"}, row_fields(), rows)}};
+  return {
+      .topic = "render_path",
+      .description = "mmverify render --cameras: law traverse.same_image on a scene, along a random path",
+      .settings = {{text("embree", left_out, "the ray tracer and its version"), figures.embree},
+                   {whole("width", setting, {1, 4096}, "pixels"), std::uint64_t{figures.width}},
+                   {whole("height", setting, {1, 4096}, "pixels"), std::uint64_t{figures.height}},
+                   {positive("cameras", setting, "of the path"), std::uint64_t{figures.path->cameras.size()}},
+                   {count("seed", setting, "of the path"), figures.seed},
+                   {one_of("shadows", setting, {"yes", "no"}, "whether shadow rays are traced"),
+                    std::string(figures.shadows ? "yes" : "no")},
+                   {count("threads", left_out, "worker threads; 0: as many as the machine has"),
+                    figures.threads}},
+      .about = verdict + " traverse.same_image on " + figures.file +
+               ": by each form of its micromaps, rays of cameras on a random path meet the triangles, at "
+               "the t, "
+               "and the light that they meet by the texture alone; met a map: rays, shadow rays among "
+               "them, with "
+               "a candidate on a triangle that gets a micromap; any-hit: candidates that the texture "
+               "decides; tries: places until a ray of the camera met a map",
+      .tables = {table_of<F>({.form = Form::members}, members, {figures}),
+                 table_of<render::Seen>({.key = "cameras"}, camera_fields(), figures.path->cameras),
+                 table_of<render::PathRow>({.key = list("rows", "", {})}, row_fields(), rows)}};
 }
 
 }  // namespace mmverify::bench

@@ -13,48 +13,102 @@ double a_ray(const MethodFigures& m, std::uint64_t count) {
 Fields<MethodFigures> method_fields() {
   using M = MethodFigures;
   return {
-      {{.key = "method", .heading = "method", .leads = true},
+      {{.key = one_of("method", key, {"texture", "special", "flat", "tree", "ranked", "vq2", "vq4"},
+                      "how opacity is asked for"),
+        .heading = "method",
+        .leads = true},
        [](const M& m) { return std::string(name_of(m.method)); }},
-      {{.key = "level", .heading = "level", .leads = true},
+      {{.key =
+            level(12, key, "of all maps; not there of a texture, nor of VQ2 and VQ4, whose sides are fixed")
+                .if_any(),
+        .heading = "level",
+        .leads = true},
        [](const M& m) { return m.level ? Value(std::uint64_t{*m.level}) : Value(); }},
-      {{"candidates", "candidates"}, [](const M& m) { return m.counts.candidates; }},
-      {{"ignored", "ignored"}, [](const M& m) { return m.counts.ignored; }},
-      {{"opaque", "opaque"}, [](const M& m) { return m.counts.opaque; }},
-      {{"any_hit", "any-hit"}, [](const M& m) { return m.counts.shader; }},
-      {{"any_hit_a_ray", "a ray", "", {.digits = 3}}, [](const M& m) { return a_ray(m, m.counts.shader); }},
-      {{"known", "known", "", {2, 'f', per_cent, "%"}}, [](const M& m) { return m.counts.known(); }},
-      {{"predicted", "predicted", "", {2, 'f', per_cent, "%"}},
+      {{count("candidates", same, "hits on triangles that have a surface"), "candidates"},
+       [](const M& m) { return m.counts.candidates; }},
+      {{count("ignored", more, "that a map says are transparent"), "ignored"},
+       [](const M& m) { return m.counts.ignored; }},
+      {{count("opaque", more, "that a map says are opaque"), "opaque"},
+       [](const M& m) { return m.counts.opaque; }},
+      {{count("any_hit", less, "the rest: any-hit calls, decided by the texture"), "any-hit"},
+       [](const M& m) { return m.counts.shader; }},
+      {{number("any_hit_a_ray", about_less, "any_hit / (rays + shadow_rays)"), "a ray", "", digits(3)},
+       [](const M& m) { return a_ray(m, m.counts.shader); }},
+      {{share("known", about_more, "(ignored + opaque) / the candidates on triangles that get micromaps"),
+        "known", "", percents(2)},
+       [](const M& m) { return m.counts.known(); }},
+      {{share("predicted", about_more,
+              "the share of the placed area where the maps call no shader; not there where special indices "
+              "alone are read")
+            .if_any(),
+        "predicted", "", percents(2)},
        [](const M& m) { return m.predicted ? Value(*m.predicted) : Value(); }},
-      {{"even", "even", "", {2, 'f', per_cent, "%"}},
+      {{share("even", about_more,
+              "the share that lines of all directions through all of the scene met; there where predicted is")
+            .if_any(),
+        "even", "", percents(2)},
        [](const M& m) { return m.even ? Value(*m.even) : Value(); }},
-      {{"texels", "texels"}, [](const M& m) { return m.counts.fetches; }},
-      {{"bytes", "bytes"}, [](const M& m) { return m.bytes; }},
-      {{"differing", "differing"}, [](const M& m) { return m.differing; }},
-      {{"ms", "frame", "ms", {.digits = 1}}, [](const M& m) { return 1e3 * m.seconds; }},
-      {{"cpu_ms", "CPU", "ms", {.digits = 1}}, [](const M& m) { return 1e3 * m.cpu_seconds; }},
-      {{"times_texture", "x texture"}, [](const M& m) { return m.times_texture; }},
+      {{count("texels", less, "read by the any-hit calls"), "texels"},
+       [](const M& m) { return m.counts.fetches; }},
+      {{count("bytes", less, "of maps, records and indices; of texture those of its texels"), "bytes"},
+       [](const M& m) { return m.bytes; }},
+      {{count("differing", less,
+              "pixels whose rays met another triangle, another t or other light than with the texture alone"),
+        "differing"},
+       [](const M& m) { return m.differing; }},
+      {{time("ms", "ms a frame, the fastest, all threads"), "frame", "ms", digits(1)},
+       [](const M& m) { return 1e3 * m.seconds; }},
+      {{time("cpu_ms", "ms of processor time a frame, the least"), "CPU", "ms", digits(1)},
+       [](const M& m) { return 1e3 * m.cpu_seconds; }},
+      {{ratio("times_texture", speed_less, "cpu_ms / that of texture"), "x texture"},
+       [](const M& m) { return m.times_texture; }},
   };
 }
 
 Fields<render::BlendFigures> blend_fields() {
   using B = render::BlendFigures;
   return {
-      {{.key = "method", .heading = "method", .leads = true},
+      {{.key = one_of("method", key, {"texture", "special", "flat", "tree", "ranked", "vq2", "vq4"},
+                      "how opacity is asked for"),
+        .heading = "method",
+        .leads = true},
        [](const B& b) { return std::string(name_of(b.method)); }},
-      {{.key = "level", .heading = "level", .leads = true},
+      {{.key =
+            level(12, key, "of all maps; not there of a texture, nor of VQ2 and VQ4, whose sides are fixed")
+                .if_any(),
+        .heading = "level",
+        .leads = true},
        [](const B& b) { return b.level ? Value(std::uint64_t{*b.level}) : Value(); }},
-      {{.key = "by", .heading = "blended by", .leads = true},
+      {{.key = one_of(
+            "by", key, {"shader", "fixed"},
+            "who blends what maps say is opaque: the any-hit shader, or a fixed function in traversal"),
+        .heading = "blended by",
+        .leads = true},
        [](const B& b) { return std::string(b.by == render::BlendedBy::shader ? "shader" : "fixed"); }},
-      {{"candidates", "candidates"}, [](const B& b) { return b.counts.candidates; }},
-      {{"ignored", "ignored"}, [](const B& b) { return b.counts.ignored; }},
-      {{"fixed", "fixed"}, [](const B& b) { return b.counts.opaque; }},
-      {{"any_hit", "any-hit"}, [](const B& b) { return b.counts.shader; }},
-      {{"saved", "saved", "", {2, 'f', per_cent, "%"}}, [](const B& b) { return b.saved; }},
-      {{"texels", "texels"}, [](const B& b) { return b.counts.fetches; }},
-      {{"differing", "differing"}, [](const B& b) { return b.differing; }},
-      {{"spoiled", "as met"}, [](const B& b) { return b.spoiled; }},
-      {{"cpu_ms", "CPU", "ms", {.digits = 1}}, [](const B& b) { return 1e3 * b.cpu_seconds; }},
-      {{"times_texture", "x texture"}, [](const B& b) { return b.times_texture; }},
+      {{count("candidates", same, "hits on triangles that have a surface"), "candidates"},
+       [](const B& b) { return b.counts.candidates; }},
+      {{count("ignored", more, "that a map says are transparent"), "ignored"},
+       [](const B& b) { return b.counts.ignored; }},
+      {{count("fixed", more, "that a fixed function blends"), "fixed"},
+       [](const B& b) { return b.counts.opaque; }},
+      {{count("any_hit", less,
+              "the rest: any-hit calls, which read the texture, and blend where it is opaque"),
+        "any-hit"},
+       [](const B& b) { return b.counts.shader; }},
+      {{share("saved", about_more, "1 - any_hit / that of texture"), "saved", "", percents(2)},
+       [](const B& b) { return b.saved; }},
+      {{count("texels", less, "read by the any-hit calls"), "texels"},
+       [](const B& b) { return b.counts.fetches; }},
+      {{count("differing", less, "pixels whose payload or accepted hit is not that of texture"), "differing"},
+       [](const B& b) { return b.differing; }},
+      {{count("spoiled", left_out,
+              "pixels whose payload would be another one, were hits blended as they are met"),
+        "as met"},
+       [](const B& b) { return b.spoiled; }},
+      {{time("cpu_ms", "ms of processor time a frame, the least"), "CPU", "ms", digits(1)},
+       [](const B& b) { return 1e3 * b.cpu_seconds; }},
+      {{ratio("times_texture", speed_less, "cpu_ms / that of texture"), "x texture"},
+       [](const B& b) { return b.times_texture; }},
   };
 }
 
@@ -63,52 +117,89 @@ Fields<render::BlendFigures> blend_fields() {
 Result render_tables(const RenderFigures& figures) {
   using F = RenderFigures;
   using P = RenderPictureFile;
-  const Fields<F> whole{
-      {{.key = "file"}, [](const F& f) { return f.file; }},
-      {{"triangles", "triangles"}, [](const F& f) { return f.triangles; }},
-      {{"placed", "placed"}, [](const F& f) { return f.placed; }},
-      {{"tested", "with micromaps"}, [](const F& f) { return f.tested; }},
-      {{"tested_placed", "of these, placed"}, [](const F& f) { return f.tested_placed; }},
-      {{"unplanned", "tested, and left out of the plan"}, [](const F& f) { return f.unplanned; }},
-      {{"rays", "primary rays"}, [](const F& f) { return f.methods.front().counts.rays; }},
-      {{"shadow_rays", "shadow rays"}, [](const F& f) { return f.methods.front().counts.shadow_rays; }},
+  const Fields<F> members{
+      {{.key = text("file", left_out)}, [](const F& f) { return f.file; }},
+      {{count("triangles", same, "of the file"), "triangles"}, [](const F& f) { return f.triangles; }},
+      {{count("placed", same, "the same, as often as nodes place them"), "placed"},
+       [](const F& f) { return f.placed; }},
+      {{count("tested", same, "triangles that get micromaps"), "with micromaps"},
+       [](const F& f) { return f.tested; }},
+      {{count("tested_placed", same, "the same, as often as nodes place them"), "of these, placed"},
+       [](const F& f) { return f.tested_placed; }},
+      {{count("unplanned", same,
+              "triangles whose alpha a texture tests and that the plan leaves out: the texture decides, "
+              "whatever the method"),
+        "tested, and left out of the plan"},
+       [](const F& f) { return f.unplanned; }},
+      {{count("rays", same, "primary, one a pixel"), "primary rays"},
+       [](const F& f) { return f.methods.front().counts.rays; }},
+      {{count("shadow_rays", same, "one where a primary ray hits"), "shadow rays"},
+       [](const F& f) { return f.methods.front().counts.shadow_rays; }},
   };
   const Fields<P> pictures{
-      {{.key = "shows", .heading = "picture", .leads = true}, [](const P& p) { return p.shows; }},
-      {{"file", "file"}, [](const P& p) { return p.file; }},
+      {{.key = one_of("shows", key, {"seen", "blended", "heat"},
+                      "seen: the picture of the last method; blended: the same where hits blend; heat: "
+                      "any-hit calls a pixel, method by method"),
+        .heading = "picture",
+        .leads = true},
+       [](const P& p) { return p.shows; }},
+      {{text("file", left_out, "a PNG, from the folder that the program was called in"), "file"},
+       [](const P& p) { return p.file; }},
   };
   Result result{
       .topic = "render",
-      .settings = {{"embree", figures.embree},
-                   {"width", std::uint64_t{figures.width}},
-                   {"height", std::uint64_t{figures.height}},
-                   {"camera", figures.camera},
-                   {"seed", figures.seed},
-                   {"threads", figures.threads}},
-      .about = figures.file +
-               ": any-hit: candidates that the texture decides; known: the share of candidates on triangles "
-               "with micromaps that a map decides; predicted: the same by the maps' area; even: the same, "
-               "met by rays from everywhere; bytes: of maps, records and indices, of texture its texels; "
-               "differing: pixels whose rays met another triangle, t or light than with the texture alone",
-      .tables = {table_of<F>({.form = Form::members}, whole, {figures}),
+      .description = "mmverify render: what rays of a scene met, opacity by texture and by micromaps",
+      .settings = {{text("embree", left_out, "the ray tracer and its version"), figures.embree},
+                   {whole("width", setting, {1, 4096}, "pixels"), std::uint64_t{figures.width}},
+                   {whole("height", setting, {1, 4096}, "pixels"), std::uint64_t{figures.height}},
+                   {count("camera", setting, "0: all of the scene; else a number of the random path"),
+                    figures.camera},
+                   {count("seed", setting, "of the random path"), figures.seed},
+                   {count("threads", left_out, "worker threads; 0: as many as the machine has"),
+                    figures.threads}},
+      .about =
+          figures.file +
+          ": any-hit: candidates that the texture decides; known: the share of candidates on triangles with "
+          "micromaps that a map decides; predicted: the same by the maps' area; even: the same, met by rays "
+          "from "
+          "everywhere; bytes: of maps, records and indices, of texture its texels; differing: pixels whose "
+          "rays "
+          "met another triangle, t or light than with the texture alone",
+      .tables = {table_of<F>({.form = Form::members}, members, {figures}),
                  table_of<MethodFigures>({.key = "rows"}, method_fields(), figures.methods)}};
   if (!figures.blends.empty()) {
-    result.settings.emplace_back("blend", figures.operation);
+    result.settings.push_back({one_of("blend", setting, {"max", "min", "add"},
+                                      "the operation by which hits blend; there where blends is")
+                                   .if_any(),
+                               figures.operation});
     result.tables.push_back(table_of<render::BlendFigures>(
-        {.key = "blends",
-         .caption = "hits on surfaces blend by " + figures.operation +
-                    ", and the ray goes on; fixed: candidates that a fixed function blends; saved: of the "
-                    "any-hit calls of the texture alone; differing: pixels whose payload is not the "
-                    "texture's; as met: pixels that would differ, were hits blended as they are met"},
+        {.key = list("blends",
+                     "hits on surfaces blend into the ray's payload; not there where none was asked for")
+                    .if_any(),
+         .caption =
+             "hits on surfaces blend by " + figures.operation +
+             ", and the ray goes on; fixed: candidates that a fixed function blends; saved: of the any-hit "
+             "calls of the texture alone; differing: pixels whose payload is not the texture's; as met: "
+             "pixels that would differ, were hits blended as they are met"},
         blend_fields(), figures.blends));
   }
   if (!figures.colours.empty()) {
-    result.settings.emplace_back("colours", figures.colours);
-    result.settings.emplace_back("colour_level", figures.colour_level);
-    result.settings.emplace_back("colour_bytes", figures.colour_bytes);
+    result.settings.push_back(
+        {one_of("colours", setting, {"faces", "vertices"},
+                "what the attribute micromaps of base colours have values of; not there without such maps")
+             .if_any(),
+         figures.colours});
+    result.settings.push_back(
+        {count("colour_level", setting, "of these maps").if_any(), figures.colour_level});
+    result.settings.push_back(
+        {count("colour_bytes", left_out, "of these maps: values and records, equal maps of a geometry once")
+             .if_any(),
+         figures.colour_bytes});
   }
   if (!figures.pictures.empty())
-    result.tables.push_back(table_of<P>({.key = "pictures"}, pictures, figures.pictures));
+    result.tables.push_back(table_of<P>(
+        {.key = list("pictures", "that the run wrote; not there where none was asked for").if_any()},
+        pictures, figures.pictures));
   return result;
 }
 

@@ -74,37 +74,66 @@ render::Picture beside(const render::Picture& textures, const render::Picture& m
 Result view_tables(const ViewFigures& figures) {
   using F = ViewFigures;
   using R = ViewRow;
-  const Fields<F> whole{
-      {{.key = "file"}, [](const F& f) { return f.file; }},
-      {{"triangles", "triangles"}, [](const F& f) { return f.triangles; }},
-      {{"textured_triangles", "with a texture, and in view"},
+  const Fields<F> members{
+      {{.key = text("file", left_out)}, [](const F& f) { return f.file; }},
+      {{count("triangles", same, "of the file"), "triangles"}, [](const F& f) { return f.triangles; }},
+      {{positive("textured_triangles", same, "with a texture, that rays met"), "with a texture, and in view"},
        [](const F& f) { return f.textured_triangles; }},
-      {{"textured_pixels", "pixels that show a texture"}, [](const F& f) { return f.textured_pixels; }},
+      {{positive("textured_pixels", same, "of which a ray met such a triangle"),
+        "pixels that show a texture"},
+       [](const F& f) { return f.textured_pixels; }},
   };
   Fields<R> rows{
-      {{.key = "from", .heading = "maps of", .leads = true}, [](const R& r) { return text_of(r.from); }},
-      {{.key = "level", .heading = "level", .leads = true},
+      {{.key = one_of("from", key, {"faces", "vertices"}, "what the maps have values of"),
+        .heading = "maps of",
+        .leads = true},
+       [](const R& r) { return text_of(r.from); }},
+      {{.key = level(10, key, "of all maps"), .heading = "level", .leads = true},
        [](const R& r) { return std::uint64_t{r.level}; }},
-      {{"flip", "FLIP", "", {5}}, [](const R& r) { return r.error.flip; }},
-      {{"textured_flip", "FLIP, textured", "", {5}}, [](const R& r) { return r.error.textured_flip; }},
-      {{"textured_rmse", "RMSE, textured", "codes", {3}}, [](const R& r) { return r.error.textured_rmse; }},
+      {{share("flip", about_less, "mean FLIP over all pixels, 67 a degree"), "FLIP", "", {5}},
+       [](const R& r) { return r.error.flip; }},
+      {{share("textured_flip", about_less, "mean FLIP over the pixels that show a texture"),
+        "FLIP, textured",
+        "",
+        {5}},
+       [](const R& r) { return r.error.textured_flip; }},
+      {{real("textured_rmse", about_less, {0, 255},
+             "codes of 8 bits, over the channels of the pixels that show a texture"),
+        "RMSE, textured",
+        "codes",
+        {3}},
+       [](const R& r) { return r.error.textured_rmse; }},
   };
   if (std::any_of(figures.rows.begin(), figures.rows.end(), [](const R& r) { return !r.file.empty(); }))
-    rows.push_back({{"picture", "picture"}, [](const R& r) { return r.file; }});
+    rows.push_back({{text("picture", left_out,
+                          "textures, maps and FLIP beside each other; a path from the folder that the "
+                          "program was called in, or an absolute one; not there without --pictures")
+                         .if_any(),
+                     "picture"},
+                    [](const R& r) { return r.file; }});
   return {
       .topic = "views",
-      .settings = {{"embree", figures.embree},
-                   {"width", std::uint64_t{figures.width}},
-                   {"height", std::uint64_t{figures.height}},
-                   {"rays", std::uint64_t{figures.rays} * figures.rays},
-                   {"shading", std::string(figures.shading == render::Shading::lit ? "lit" : "unlit")},
-                   {"camera", figures.camera},
-                   {"seed", figures.seed},
-                   {"threads", figures.threads}},
+      .description =
+          "mmverify render FILE --attributes: one view shaded by attribute micromaps, held against the "
+          "textures' view",
+      .settings = {{text("embree", left_out, "the ray tracer and its version"), figures.embree},
+                   {whole("width", setting, {1, 4096}, "pixels"), std::uint64_t{figures.width}},
+                   {whole("height", setting, {1, 4096}, "pixels"), std::uint64_t{figures.height}},
+                   {whole("rays", setting, {1, 64}, "primary rays of each pixel"),
+                    std::uint64_t{figures.rays} * figures.rays},
+                   {one_of("shading", setting, {"lit", "unlit"},
+                           "lit: a sun with shadows and two lamps, GGX; unlit: base colour times occlusion"),
+                    std::string(figures.shading == render::Shading::lit ? "lit" : "unlit")},
+                   {count("camera", setting, "0: all of the scene; else a number of the random path"),
+                    figures.camera},
+                   {count("seed", setting, "of the random path"), figures.seed},
+                   {count("threads", left_out, "worker threads; 0: as many as the machine has"),
+                    figures.threads}},
       .about = figures.file +
                ": one view, its attributes read of maps in the place of textures, and held against the "
-               "textures' own view; FLIP: its mean over all pixels; textured: over those that show a texture",
-      .tables = {table_of<F>({.form = Form::members}, whole, {figures}),
+               "textures' own view; FLIP: its mean over all pixels; textured: over those that show a "
+               "texture",
+      .tables = {table_of<F>({.form = Form::members}, members, {figures}),
                  table_of<R>({.key = "rows"}, rows, figures.rows)}};
 }
 

@@ -14,13 +14,19 @@ Value if_any(const std::optional<double>& figure) { return figure ? Value(*figur
 /// Adds the columns of one subject.
 void add_swept(Fields<SweepLevel>& fields, const std::string& subject, Swept SweepLevel::*of) {
   using L = SweepLevel;
-  fields.push_back({{subject + ".seconds", "time", "seconds", {.digits = 3}, subject},
+  fields.push_back(note<L>(object(subject, no_rule, "a sweep of this subject")));
+  fields.push_back({{time(subject + ".seconds", ""), "time", "seconds", digits(3), subject},
                     [of](const L& l) { return (l.*of).seconds; }});
-  fields.push_back({{subject + ".per_second", "cells", "cells a second", in_millions, subject},
+  fields.push_back({{number(subject + ".per_second", left_out, "cells a second"), "cells", "cells a second",
+                     in_millions, subject},
                     [of](const L& l) { return (l.*of).per_second; }});
-  fields.push_back({{subject + ".ratio", "x plain", "", {.digits = 1}, subject},
+  fields.push_back({{ratio(subject + ".ratio", speed_more,
+                           "per_second / the plain loop's, at this level or the highest where that was run; "
+                           "absent where it was not")
+                         .if_any(),
+                     "x plain", "", digits(1), subject},
                     [of](const L& l) { return if_any((l.*of).ratio); }});
-  fields.push_back({{"", "growth", "", {}, subject}, [of](const L& l) { return if_any((l.*of).growth); }});
+  fields.push_back({{"", "growth", "", plain, subject}, [of](const L& l) { return if_any((l.*of).growth); }});
 }
 
 }  // namespace
@@ -28,19 +34,25 @@ void add_swept(Fields<SweepLevel>& fields, const std::string& subject, Swept Swe
 Result sweep_tables(const SweepFigures& figures) {
   using L = SweepLevel;
   Fields<L> fields{
-      {{.key = "level", .heading = "level", .leads = true}, [](const L& l) { return l.level; }},
-      {{"cells", "cells"}, [](const L& l) { return l.cells; }},
-      {{"plain_per_second", "plain loop", "cells a second", in_millions},
+      {{.key = level(16), .heading = "level", .leads = true}, [](const L& l) { return l.level; }},
+      {{positive("cells", same), "cells"}, [](const L& l) { return l.cells; }},
+      {{number("plain_per_second", left_out,
+               "cells a second of the plain loop; absent above level 12, where it is not run")
+            .if_any(),
+        "plain loop", "cells a second", in_millions},
        [](const L& l) { return if_any(l.plain_per_second); }},
   };
   add_swept(fields, "step", &L::step);
   add_swept(fields, "impl", &L::impl);
-  fields.push_back(
-      {{"peak_megabytes", "memory", "MiB", {.digits = 0}}, [](const L& l) { return l.peak_megabytes; }});
-  const Fields<SweepFigures> loose{
-      {{"threads", "threads"}, [](const SweepFigures& f) { return Value(std::uint64_t{f.threads}); }}};
+  fields.push_back({{number("peak_megabytes", left_out, "memory of the process so far, in MiB"), "memory",
+                     "MiB", digits(0)},
+                    [](const L& l) { return l.peak_megabytes; }});
+  const Fields<SweepFigures> loose{{{positive("threads", setting), "threads"},
+                                    [](const SweepFigures& f) { return Value(std::uint64_t{f.threads}); }}};
   return {
       .topic = "sweep",
+      .description =
+          "mmverify bench index --sweep: what a sweep of index.equals_reference costs, beside the plain loop",
       .settings = {},
       .about = fmt::format(
           "index.equals_reference. M/s: million cells a second; growth: time over that of the level below.\n"

@@ -12,7 +12,7 @@
 namespace mmverify::bench {
 namespace {
 
-const Print in_per_cent{.digits = 2, .factor = per_cent, .unit = "%"};
+const Print in_per_cent = percents(2);
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Map by map
@@ -46,12 +46,19 @@ Fields<EncodedMap> encoded_fields() {
     return std::vector<std::uint64_t>{t & 7, t >> 3 & 7, t >> 6 & 7};
   };
   return {
-      {{"encoder", "encoder"}, [](const E& e) { return e.encoder; }},
-      {{"substitutions", "substitutions"}, [](const E& e) { return e.by.substitutions; }},
-      {{"savings"}, [](const E& e) { return e.savings; }},
-      {{"transforms"}, transforms},
-      {{.key = "ms", .unit = "ms"}, [](const E& e) { return e.by.ms; }},
-      {{"times_paper"}, [](const E& e) { return e.times_paper; }},
+      {{one_of("encoder", key,
+               {"paper", "paper, highest", "optimal", "paper, C free", "fast", "balanced", "thorough",
+                "proved"}),
+        "encoder"},
+       [](const E& e) { return e.encoder; }},
+      {{count("substitutions", less, "regions of O and T that became C"), "substitutions"},
+       [](const E& e) { return e.by.substitutions; }},
+      {{share("savings", about_more, "the source's less the substitutions")},
+       [](const E& e) { return e.savings; }},
+      {{whole("transforms", same, {0, 7}, "of TR, BL and BR, by their numbers in table 1").list_of(3)},
+       transforms},
+      {{.key = time("ms", "ms a map"), .unit = "ms"}, [](const E& e) { return e.by.ms; }},
+      {{ratio("times_paper", speed_less, "ms / that of paper")}, [](const E& e) { return e.times_paper; }},
   };
 }
 
@@ -64,23 +71,33 @@ Table maps_table(const VqFigures& figures) {
     return name.size() > 28 ? name.substr(0, 27) + "~" : name;
   };
   const Fields<VqRow> fields{
-      {{"map"}, [](const VqRow& r) { return file_name(r); }},
+      {{text("map", key, "the texture's file name")}, [](const VqRow& r) { return file_name(r); }},
       {{.key = "", .heading = "map", .leads = true}, printed_name},
-      {{"states_16", "O+T", "", {}, vq2}, [](const VqRow& r) { return r.states_16; }},
-      {{"states_32", "O+T", "", {}, vq4}, [](const VqRow& r) { return r.states_32; }},
-      {{"discontinuous_vectors", "O beside T"}, [](const VqRow& r) { return r.discontinuous; }},
-      {{"savings.64x2"}, [](const VqRow& r) { return r.savings_64x2; }},
-      {{"savings.8x8"}, [](const VqRow& r) { return r.savings_8; }},
-      {{"savings.16x16"}, [](const VqRow& r) { return r.savings_16; }},
-      {{"savings.32x32"}, [](const VqRow& r) { return r.savings_32; }},
-      within<VqRow, EncodedMap>({.key = "vq2", .heading = "vq2", .group = vq2, .within = Within::beside},
-                                encoded_fields(), encoded_vq2),
-      within<VqRow, EncodedMap>({.key = "vq4", .heading = "vq4", .group = vq4, .within = Within::beside},
-                                encoded_fields(), encoded_vq4),
-      {{"vq2_bound"}, [](const VqRow& r) { return bound_of(r, Vq2Encoder{}); }},
-      {{"vq4_bound", "bound", "", {}, vq4}, [](const VqRow& r) { return bound_of(r, Vq4Encoder{}); }},
+      {{whole("states_16", same, {0, 256}, "regions of O and T of the 16x16 source"), "O+T", "", plain, vq2},
+       [](const VqRow& r) { return r.states_16; }},
+      {{whole("states_32", same, {0, 1024}, "regions of O and T of the 32x32 source"), "O+T", "", plain, vq4},
+       [](const VqRow& r) { return r.states_32; }},
+      {{count("discontinuous_vectors", same, "vectors of either source with O beside T"), "O beside T"},
+       [](const VqRow& r) { return r.discontinuous; }},
+      note<VqRow>(object("savings", no_rule, "of uncompressed sources: the share of O and T")),
+      {{share("savings.64x2", about_more,
+              "of two triangles of 64 micro-triangles, 256 bits without a codec")},
+       [](const VqRow& r) { return r.savings_64x2; }},
+      {{share("savings.8x8", about_more)}, [](const VqRow& r) { return r.savings_8; }},
+      {{share("savings.16x16", about_more)}, [](const VqRow& r) { return r.savings_16; }},
+      {{share("savings.32x32", about_more)}, [](const VqRow& r) { return r.savings_32; }},
+      within<VqRow, EncodedMap>(
+          {.key = list("vq2", "", {3, 3}), .heading = "vq2", .group = vq2, .within = Within::beside},
+          encoded_fields(), encoded_vq2),
+      within<VqRow, EncodedMap>(
+          {.key = list("vq4", "", {6, 6}), .heading = "vq4", .group = vq4, .within = Within::beside},
+          encoded_fields(), encoded_vq4),
+      {{count("vq2_bound", same, "substitutions that no block undercuts")},
+       [](const VqRow& r) { return bound_of(r, Vq2Encoder{}); }},
+      {{count("vq4_bound", more, "substitutions that no block undercuts"), "bound", "", plain, vq4},
+       [](const VqRow& r) { return bound_of(r, Vq4Encoder{}); }},
   };
-  return table_of<VqRow>({.key = "rows"}, fields, figures.rows);
+  return table_of<VqRow>({.key = "rows", .row = "one texture"}, fields, figures.rows);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -129,7 +146,7 @@ Table encoders_table(const std::vector<VqRow>& rows) {
       {{"", "savings", "", in_per_cent}, [](const S& s) { return s.savings; }},
       {{"", "median", "ms", three, of_a_map}, [](const S& s) { return s.median_ms; }},
       {{"", "most", "ms", three, of_a_map}, [](const S& s) { return s.most_ms; }},
-      {{"", "x paper's", "", {}, of_a_map}, [](const S& s) { return s.ms / s.ms_of_paper; }},
+      {{"", "x paper's", "", plain, of_a_map}, [](const S& s) { return s.ms / s.ms_of_paper; }},
   };
   return table_of<S>(
       {.caption = "All maps together, beside the paper's encoder of the same run", .form = Form::printed},
@@ -192,10 +209,10 @@ Table transforms_table(const std::vector<VqRow>& rows) {
       {{.heading = "encoder", .leads = true}, [](const Chosen& c) { return c.encoder; }},
       {{"", "combinations"}, [](const Chosen& c) { return std::uint64_t{c.counts.size()}; }},
       {{"", "chosen once"}, once},
-      {{"", "maps", "", {}, most}, [](const Chosen& c) { return std::uint64_t{c.counts.front().second}; }},
-      {{"", "TR", "", {}, most}, [](const Chosen& c) { return most_frequent(c, 0); }},
-      {{"", "BL", "", {}, most}, [](const Chosen& c) { return most_frequent(c, 1); }},
-      {{"", "BR", "", {}, most}, [](const Chosen& c) { return most_frequent(c, 2); }},
+      {{"", "maps", "", plain, most}, [](const Chosen& c) { return std::uint64_t{c.counts.front().second}; }},
+      {{"", "TR", "", plain, most}, [](const Chosen& c) { return most_frequent(c, 0); }},
+      {{"", "BL", "", plain, most}, [](const Chosen& c) { return most_frequent(c, 1); }},
+      {{"", "BR", "", plain, most}, [](const Chosen& c) { return most_frequent(c, 2); }},
   };
   return table_of<Chosen>(
       {.caption = fmt::format("Transforms: which of the 512 combinations {} maps chose", rows.size()),
@@ -212,15 +229,20 @@ Table decoding_table(const VqFigures& figures) {
   using D = Decoding;
   const std::string map = "a whole map";
   const Fields<D> fields{
-      {{.heading = "codec", .leads = true}, [](const D& d) { return d.codec; }},
-      {{"map_ns", "at once", "ns", {.digits = 0}, map}, [](const D& d) { return d.times.map_ns; }},
-      {{"map_by_regions_ns", "region by region", "ns", {.digits = 0}, map},
+      {{.key = one_of("", no_rule, {"vq2", "vq4"}), .heading = "codec", .leads = true},
+       [](const D& d) { return d.codec; }},
+      {{time("map_ns", "ns a whole map"), "at once", "ns", digits(0), map},
+       [](const D& d) { return d.times.map_ns; }},
+      {{time("map_by_regions_ns", "ns a whole map, region after region"), "region by region", "ns", digits(0),
+        map},
        [](const D& d) { return d.times.map_by_regions_ns; }},
-      {{"region_ns", "one region", "ns", {.digits = 1}}, [](const D& d) { return d.times.region_ns; }},
-      {{"ratio_regions_to_map", "ratio", "", {.digits = 1}, map},
+      {{time("region_ns", "ns one region; independent random ones over all blocks"), "one region", "ns",
+        digits(1)},
+       [](const D& d) { return d.times.region_ns; }},
+      {{ratio("ratio_regions_to_map", speed_more, "map_by_regions_ns / map_ns"), "ratio", "", digits(1), map},
        [](const D& d) { return d.times.map_by_regions_ns / d.times.map_ns; }},
   };
-  return table_of<D>({.key = "decode", .caption = "Decoding", .form = Form::object}, fields,
+  return table_of<D>({.key = object("decode", no_rule), .caption = "Decoding", .form = Form::object}, fields,
                      {{"vq2", figures.vq2}, {"vq4", figures.vq4}});
 }
 
@@ -228,25 +250,31 @@ Table decoding_table(const VqFigures& figures) {
 
 Result vq_tables(const VqFigures& figures, const VqBenchOptions& options) {
   const Fields<VqFigures> loose{
-      {{"left_out", "textures left out, with no texel of alpha 1/2 or more"},
+      {{count("left_out", same, "textures with no texel of alpha 1/2 or more"),
+        "textures left out, with no texel of alpha 1/2 or more"},
        [](const VqFigures& f) { return std::uint64_t{f.left_out}; }},
       {{"", "maps"}, [](const VqFigures& f) { return std::uint64_t{f.rows.size()}; }},
   };
-  return {.topic = "vq",
-          .settings = {{"seed", options.seed},
-                       {"rounds", std::uint64_t{options.rounds}},
-                       {"maps", options.textures.empty() ? "generated" : "textures"}},
-          .about =
-              "Exact coverage at alpha 1/2, one thread. substitutions: O and T that became C. paper: "
-              "Algorithms 1 and 2 as printed;\nhighest: vectors with more C first; C free: the all-C "
-              "partition takes no entry. bound: no block of VQ4 loses fewer;\nof VQ2, optimal is the bound. "
-              "O beside T: vectors of either source. Rivals: docs/VQ.md. shade: mean over the maps "
-              "of\n|share of hits read as opaque - share that is|",
-          .tables = {table_of<VqFigures>({.form = Form::members}, loose, {figures}), decoding_table(figures),
-                     maps_table(figures), encoders_table(figures.rows), sources_table(figures.rows),
-                     transforms_table(figures.rows), rivals::codecs_table(figures.rivals),
-                     rivals::readings_table(figures.rivals)},
-          .drawn = vq_picture(figures)};
+  return {
+      .topic = "vq",
+      .description = "mmverify bench vq: what block codecs lose, against what their encoders take",
+      .settings = {{seed_of_all(), options.seed},
+                   {positive("rounds", setting, "of the timing; a time is their median"),
+                    std::uint64_t{options.rounds}},
+                   {one_of("maps", setting, {"generated", "textures"}, "textures: those of --textures"),
+                    options.textures.empty() ? "generated" : "textures"}},
+      .about =
+          "Exact coverage at alpha 1/2, one thread. substitutions: O and T that became C. paper: "
+          "Algorithms 1 and "
+          "2 as printed;\nhighest: vectors with more C first; C free: the all-C partition takes no "
+          "entry. bound: no "
+          "block of VQ4 loses fewer;\nof VQ2, optimal is the bound. O beside T: vectors of either source. "
+          "Rivals: docs/VQ.md. shade: mean over the maps of\n|share of hits read as opaque - share that is|",
+      .tables = {table_of<VqFigures>({.form = Form::members}, loose, {figures}), decoding_table(figures),
+                 maps_table(figures), encoders_table(figures.rows), sources_table(figures.rows),
+                 transforms_table(figures.rows), rivals::codecs_table(figures.rivals),
+                 rivals::readings_table(figures.rivals)},
+      .drawn = vq_picture(figures)};
 }
 
 }  // namespace mmverify::bench

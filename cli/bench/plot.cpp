@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <vector>
 
-#include "cli/bench/labels.hpp"
+#include "bench/picture.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -56,16 +58,33 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
+/// A rectangle of the picture, in pixels from the upper left corner.
+struct Box {
+  double left, right, top, bottom;
+};
+
+/// The place of 0 on a logarithmic y axis: a decade below all other values; 0 if no point is there.
+double place_of_none(const Panel& panel) {
+  double least = panel.y.least.value_or(std::numeric_limits<double>::infinity());
+  bool zero = false;
+  for (const Series& series : panel.series)
+    for (const Point& point : series.points) {
+      zero = zero || point.y == 0;
+      if (point.y > 0) least = std::min(least, point.y);
+    }
+  if (!panel.y.logarithmic || !zero) return 0;
+  return std::isinf(least) ? 0.1 : std::pow(10, std::floor(std::log10(least)) - 1);
+}
+
 /// Writes one panel's part of the script.
 class PanelScript {
  public:
   /// size: the picture's.
   PanelScript(const Panel& panel, const Box& frame, const Box& size)
-      : panel_(placed(panel, axes_of(panel, frame))), axes_(axes_of(panel, frame)), size_(size) {}
+      : panel_(panel), frame_(frame), size_(size), none_(place_of_none(panel)) {}
 
   std::string text() const {
-    return frame() + ticks('x', panel_.x, axes_.x) + ticks('y', panel_.y, axes_.y) + key() + thresholds() +
-           note() + labels() + series();
+    return frame() + ticks('x', panel_.x) + ticks('y', panel_.y) + key() + texts() + series();
   }
 
  private:
@@ -73,27 +92,29 @@ class PanelScript {
     return fmt::format("screen {:.5f},{:.5f}", x / size_.right, 1 - y / size_.bottom);
   }
 
+  static std::string end(std::optional<double> value) { return value ? fmt::format("{:.6g}", *value) : "*"; }
+
   std::string frame() const {
-    const Box& f = axes_.frame;
+    const Box& f = frame_;
     return fmt::format(
         "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
         "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n"
-        "set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n"
+        "set xrange [{}:{}]\nset yrange [{}:{}]\nset offsets {}, {}\n"
         "set title {}\nset xlabel {} offset 0,0.4\nset ylabel {}\n",
         f.left / size_.right, f.right / size_.right, 1 - f.top / size_.bottom, 1 - f.bottom / size_.bottom,
-        axes_.x.least, axes_.x.most, axes_.y.least, axes_.y.most, quoted(panel_.title),
+        end(panel_.x.least), end(panel_.x.most), none_ > 0 ? end(none_ / 10) : end(panel_.y.least),
+        end(panel_.y.most), panel_.x.logarithmic ? "0, 0" : "graph 0.05, graph 0.05",
+        panel_.y.logarithmic ? "0, 0" : "graph 0.05, graph 0.05", quoted(panel_.title),
         quoted(panel_.x.title), quoted(panel_.y.title));
   }
 
-  static std::string ticks(char name, const Axis& axis, const Scale& scale) {
+  std::string ticks(char name, const Axis& axis) const {
     std::string text = fmt::format("{0} logscale {1}\nset format {1} '{2}'\nset {1}tics {3}\n",
                                    axis.logarithmic ? "set" : "unset", name,
                                    axis.logarithmic ? "10^{%L}" : "%g", axis.whole ? "1" : "auto");
-    if (scale.none == 0) return text;
-    text += fmt::format("set {}tics ('none' {:.6g}", name, scale.none);
-    for (double tick = scale.none * 10; tick <= scale.most; tick *= 10)
-      text += fmt::format(", '10^{{{:.0f}}}' {:.6g}", std::log10(tick), tick);
-    return text + ")\n";
+    if (name == 'y' && none_ > 0)
+      text += fmt::format("set ytics {:.6g}, 10\nset ytics add ('none' {:.6g})\n", none_ * 10, none_);
+    return text;
   }
 
   std::string key() const {
@@ -106,7 +127,7 @@ class PanelScript {
         return "set key default\nset key top right\n";
       case Key::outside:
         return fmt::format("set key default\nset key at {} left top Left reverse\n",
-                           screen(axes_.frame.right + 5, axes_.frame.top));
+                           screen(frame_.right + 5, frame_.top));
       case Key::below_all:
         return "set key default\n" +
                fmt::format("set key at {} center center vertical Left reverse maxrows 2 width 3 samplen 1\n",
@@ -115,87 +136,68 @@ class PanelScript {
     return "";
   }
 
-  Box threshold_label(const bench::picture::Threshold& threshold) const {
-    return label_box(threshold.label, axes_.frame.left + 8, axes_.pixel_y(threshold.y) + 10);
-  }
-
-  std::string thresholds() const {
+  /// The names of thresholds, and the note.
+  std::string texts() const {
     std::string text;
-    for (const auto& threshold : panel_.thresholds) {
-      const double height = axes_.pixel_y(threshold.y);
-      const Box box = threshold_label(threshold);
-      text += fmt::format("set arrow from {} to {} nohead dt 2 lw 1 lc rgb '{}'\n",
-                          screen(axes_.frame.left, height), screen(axes_.frame.right, height),
-                          bench::picture::grey);
-      text += fmt::format("set label {} at {} left font ',11' tc rgb '{}'\n", quoted(threshold.label),
-                          screen(box.left, (box.top + box.bottom) / 2), bench::picture::grey);
-    }
-    return text;
-  }
-
-  std::string note() const {
-    if (panel_.note.empty()) return "";
-    return fmt::format("set label {} at {} right font ',12' tc rgb '{}'\n", quoted(panel_.note),
-                       screen(axes_.frame.right - 8, axes_.frame.bottom - 18), ink);
-  }
-
-  /// The box of a line across the panel, which labels avoid.
-  Box across(double y) const {
-    return {axes_.frame.left, axes_.frame.right, axes_.pixel_y(y) - 2, axes_.pixel_y(y) + 2};
-  }
-
-  std::string labels() const {
-    std::vector<Box> taken;
-    if (axes_.y.none > 0) taken.push_back(across(axes_.y.none));
-    for (const auto& threshold : panel_.thresholds) {
-      taken.push_back(across(threshold.y));
-      taken.push_back(threshold_label(threshold));
-    }
-    std::string text;
-    for (const PlacedLabel& label : place_labels(panel_, axes_, taken)) {
-      const double middle = (label.box.top + label.box.bottom) / 2;
-      text += fmt::format("set label {} at {} left font ',12' tc rgb '{}'\n", quoted(label.text),
-                          screen(label.box.left, middle), label.colour);
-      if (label.away)
-        text += fmt::format("set arrow from {} to {} nohead lw 0.7 lc rgb '{}'\n",
-                            screen(label.mark_x, label.mark_y),
-                            screen(std::clamp(label.mark_x, label.box.left, label.box.right),
-                                   middle < label.mark_y ? label.box.bottom - 2 : label.box.top + 2),
-                            bench::picture::grey);
-    }
-    return text;
+    for (const auto& threshold : panel_.thresholds)
+      text +=
+          fmt::format("set label {} at graph 0.03, first {:.6g} left offset 0,-0.7 font ',11' tc rgb '{}'\n",
+                      quoted(threshold.label), threshold.y, bench::picture::grey);
+    if (panel_.note.empty()) return text;
+    return text + fmt::format("set label {} at graph 0.99, graph 0.04 right font ',12' tc rgb '{}'\n",
+                              quoted(panel_.note), ink);
   }
 
   /// A series' style in gnuplot; the size of its marks depends on whether it has names, lines, or neither.
   static std::string look(const Series& series) {
     if (!series.marks) return fmt::format("lines lw 1 lc rgb '{}'", series.colour);
-    const bool named = !series.joined && !series.points.empty() && !series.points.front().label.empty();
     return fmt::format("{} lw {} pt {} ps {} lc rgb '{}'", series.joined ? "linespoints" : "points",
                        series.joined ? 1.2 : 1.5, point_type(series.shape),
-                       named           ? 1.2
-                       : series.joined ? 0.7
-                                       : 0.9,
+                       has_labels(series) && !series.joined ? 1.2
+                       : series.joined                      ? 0.7
+                                                            : 0.9,
                        series.colour);
   }
 
+  static bool has_labels(const Series& series) {
+    return std::any_of(series.points.begin(), series.points.end(),
+                       [](const Point& p) { return !p.label.empty(); });
+  }
+
   std::string series() const {
+    // Labels of marks that lie upon one another go to different sides; those of zeros, which share a line, rise.
+    constexpr const char* sides[] = {"left offset 1,0", "right offset -1,0"};
     std::string data, plots;
     for (std::size_t k = 0; k < panel_.series.size(); ++k) {
       const Series& one = panel_.series[k];
       data += fmt::format("$series{} << EOD\n", k);
-      for (const Point& point : one.points) data += fmt::format("{:.6g} {:.6g}\n", point.x, point.y);
+      bool zero = false;
+      for (const Point& point : one.points) {
+        zero = point.y == 0 && none_ > 0;
+        data += fmt::format("{:.6g} {:.6g} \"{}\"\n", point.x, zero ? none_ : point.y, point.label);
+      }
       // gnuplot leaves a series without points out of the key, so it gets a NaN.
-      if (one.points.empty()) data += fmt::format("{:.6g} NaN\n", axes_.x.least);
+      if (one.points.empty()) data += "1 NaN\n";
       data += "EOD\n";
-      plots += fmt::format("{}$series{} using 1:2 with {} {}", k == 0 ? "" : ", ", k, look(one),
+      plots += fmt::format(", $series{} using 1:2 with {} {}", k, look(one),
                            one.name.empty() ? "notitle" : "title " + quoted(one.name));
+      if (has_labels(one))
+        plots +=
+            fmt::format(", $series{} using 1:2:3 with labels noenhanced {} font ',12' tc rgb '{}' notitle", k,
+                        zero         ? fmt::format("left rotate by {} offset 0,1", 15 + 20 * (k % 4))
+                        : one.joined ? "left offset 0.7,0.5"
+                                     : sides[k % 2],
+                        one.colour);
     }
-    return data + "plot " + (plots.empty() ? "1/0 notitle" : plots) + "\nunset label\nunset arrow\n";
+    for (const auto& threshold : panel_.thresholds)
+      plots +=
+          fmt::format(", {:.6g} with lines dt 2 lw 1 lc rgb '{}' notitle", threshold.y, bench::picture::grey);
+    return data + "plot " + (plots.empty() ? "1/0 notitle" : plots.substr(2)) + "\nunset label\n";
   }
 
-  Panel panel_;
-  Axes axes_;
-  Box size_;
+  const Panel& panel_;
+  Box frame_, size_;
+  double none_;
 };
 
 bool has_lower_key(const Picture& picture) {

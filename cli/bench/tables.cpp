@@ -155,8 +155,8 @@ bool is_printed(const Table& table) {
 
 void print_result(std::FILE* out, const bench::Result& result) {
   std::string settings;
-  for (const auto& [name, value] : result.settings)
-    settings += (settings.empty() ? "" : ", ") + fmt::format("{} {}", name, text_of({}, value));
+  for (const auto& [key, value] : result.settings)
+    settings += (settings.empty() ? "" : ", ") + fmt::format("{} {}", key.name, text_of({}, value));
   say(out, "{}{}{}\n{}", result.topic, settings.empty() ? "" : ": ", settings,
       result.about.empty() ? "" : result.about + "\n");
   for (const Table& table : result.tables)

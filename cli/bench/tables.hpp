@@ -12,7 +12,7 @@ namespace mmverify::cli {
 /// parts, each of which begins with the leading columns.
 void print_result(std::FILE* out, const bench::Result& result);
 
-/// One JSON object as in docs/bench.schema.json: schema, topic, tool, then the tables in their order.
+/// One JSON object as `mmverify schema bench` says: schema, topic, tool, then the tables in their order.
 std::string result_json(const bench::Result& result);
 
 }  // namespace mmverify::cli

@@ -39,8 +39,8 @@ Json& member(Json& object, const std::string& key) {
 Json row_json(const std::vector<Column>& columns, const Row& row, std::size_t first = 0) {
   Json object = Json::object();
   for (std::size_t k = first; k < columns.size(); ++k)
-    if (!columns[k].key.empty() && row[k].index() != 0)
-      member(object, columns[k].key) = std::visit(CellJson{columns[k]}, row[k]);
+    if (!columns[k].key.name.empty() && row[k].index() != 0)
+      member(object, columns[k].key.name) = std::visit(CellJson{columns[k]}, row[k]);
   return object;
 }
 
@@ -58,13 +58,13 @@ Json rows_json(Form form, const std::vector<Column>& columns, const std::vector<
 
 std::string result_json(const bench::Result& result) {
   Json settings = Json::object();
-  for (const auto& [name, value] : result.settings) settings[name] = std::visit(CellJson{{}}, value);
+  for (const auto& [key, value] : result.settings) settings[key.name] = std::visit(CellJson{{}}, value);
   Json all{{"schema", "mmverify.bench/1"}, {"topic", result.topic}, {"tool", tool(settings)}};
   for (const bench::Table& table : result.tables) {
     if (table.form == Form::members)
       all.update(row_json(table.columns, table.rows.front()));
     else if (table.form != Form::printed)
-      all[table.key] = rows_json(table.form, table.columns, table.rows);
+      all[table.key.name] = rows_json(table.form, table.columns, table.rows);
   }
   return json_text(all);
 }

@@ -121,9 +121,10 @@ std::optional<Rule> rule_of(const std::string& schema, const std::string& place)
   static const auto all = [] {
     std::map<std::string, Rules, std::less<>> by_name;
     by_name.emplace("mmverify.result/1", Rules(*schema_named("mmverify.result/1"), Json::object()));
-    const Schema bench = *schema_named("mmverify.bench/1");
-    for (const Json& topic : bench.document->at("/$defs/run/properties/topic/enum"_json_pointer))
-      by_name.emplace("mmverify.bench/1 " + topic.get<std::string>(), Rules(bench, Json{{"topic", topic}}));
+    if (const auto bench = schema_named("mmverify.bench/1"))
+      for (const Json& topic : bench->document->at("/$defs/run/properties/topic/enum"_json_pointer))
+        by_name.emplace("mmverify.bench/1 " + topic.get<std::string>(),
+                        Rules(*bench, Json{{"topic", topic}}));
     return by_name;
   }();
   const auto known = all.find(schema);

@@ -15,8 +15,12 @@ struct Schema {
 };
 
 /// The schema that a result names, "mmverify.result/1" or "mmverify.bench/1"; nothing for another name.
-/// Source: docs/result.schema.json and docs/bench.schema.json, as they were when the program was built.
+/// Source: docs/result.schema.json, as it was when the program was built, and use_bench_schema().
 std::optional<Schema> schema_named(const std::string& name);
+
+/// Says how mmverify.bench/1 is made, once, when it is first asked for: its makers have the tables, which the
+/// gate may not see. Without it there is no schema of that name.
+void use_bench_schema(nlohmann::ordered_json (*made)());
 
 /// The schema and the schemas that apply with it: by "$ref", by "allOf", one of "oneOf", one outcome of "if".
 /// For an unknown value (nullptr): all of "oneOf" and both outcomes.

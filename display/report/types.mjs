@@ -1,11 +1,13 @@
-// Makes the types of src/data.ts of docs/result.schema.json and docs/bench.schema.json: node types.mjs FOLDER
-// writes FOLDER/result.ts and FOLDER/bench.ts, a type for each of "$defs" by its name: vq_row is VqRow.
+// Makes the types of src/data.ts of docs/result.schema.json and of what `mmverify schema bench` prints, which a build has
+// in build/release/docs: node types.mjs FOLDER writes FOLDER/result.ts and FOLDER/bench.ts, a type for each of "$defs" by
+// its name: scene_dag is SceneDag.
 // Of a schema's conditions only "if this topic, then that schema" becomes a type; the others restrict values.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
-const docs = join(dirname(fileURLToPath(import.meta.url)), "..", "docs");
+const root = join(dirname(fileURLToPath(import.meta.url)), "..", "..");
+const files = { result: "docs/result.schema.json", bench: "build/release/docs/bench.schema.json" };
 const out = resolve(process.argv[2] ?? ".");
 
 const capital = (word) => word[0].toUpperCase() + word.slice(1);
@@ -64,7 +66,7 @@ function typesOf(document) {
 }
 
 mkdirSync(out, { recursive: true });
-for (const name of ["result", "bench"]) {
-  const document = JSON.parse(readFileSync(join(docs, `${name}.schema.json`), "utf8"));
+for (const [name, file] of Object.entries(files)) {
+  const document = JSON.parse(readFileSync(join(root, file), "utf8"));
   writeFileSync(join(out, `${name}.ts`), typesOf(document));
 }

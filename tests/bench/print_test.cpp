@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/bench/labels.hpp"
 #include "cli/bench/plot.hpp"
 #include "cli/bench/tables.hpp"
 
@@ -171,31 +170,6 @@ picture::Panel crowded() {
   return panel;
 }
 
-TEST(BenchPlot, LabelsOfMarksThatLieUponOneAnotherDoNot) {
-  const Axes axes = axes_of(crowded(), {0, 900, 0, 400});
-  const auto labels = place_labels(placed(crowded(), axes), axes, {});
-  ASSERT_EQ(labels.size(), 8u);
-  for (std::size_t k = 0; k < labels.size(); ++k) {
-    EXPECT_GT(labels[k].box.left, 0);
-    EXPECT_LT(labels[k].box.right, 900);
-    for (std::size_t other = 0; other < k; ++other) EXPECT_FALSE(labels[k].box.meets(labels[other].box));
-  }
-}
-
-TEST(BenchPlot, PointsAt0StandBelowAllOthersAndBesideOneAnother) {
-  const Axes axes = axes_of(crowded(), {0, 900, 0, 400});
-  const picture::Panel panel = placed(crowded(), axes);
-  ASSERT_GT(axes.y.none, 0);
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double y = panel.series[k].points[0].y;
-    EXPECT_GE(y, axes.y.none * 0.999);
-    EXPECT_LT(y, 1e-3);
-    for (std::size_t other = 0; other < k; ++other)
-      EXPECT_GT(std::abs(axes.pixel_y(y) - axes.pixel_y(panel.series[other].points[0].y)), 12);
-  }
-  EXPECT_DOUBLE_EQ(axes.y.value(axes.y.place(0.5)), 0.5);
-}
-
 TEST(BenchPlot, SaysWhatThePictureHolds) {
   const picture::Picture drawn{
       .width = 400,
@@ -209,9 +183,9 @@ TEST(BenchPlot, SaysWhatThePictureHolds) {
                  .thresholds = {{3, "the bound"}}}}},
       .note = "below"};
   const std::string script = plot_script(drawn);
-  for (const char* part :
-       {"size 400,300", "set title 'it''s\\_so'", "1 2\n3 4\n", "title 'ours'", "title 'without points'",
-        "key top left", "'the bound'", "'below'", "unset logscale x", picture::green})
+  for (const char* part : {"size 400,300", "set title 'it''s\\_so'", "1 2 \"\"\n3 4 \"\"\n", "title 'ours'",
+                           "title 'without points'", "key top left", "'the bound'", "'below'",
+                           "unset logscale x", picture::green})
     EXPECT_THAT(script, HasSubstr(part));
   EXPECT_THAT(script, Not(HasSubstr("'none'")));
   EXPECT_THAT(plot_script({.width = 400, .height = 300, .rows = {{crowded()}}}), HasSubstr("'none'"));

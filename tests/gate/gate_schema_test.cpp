@@ -5,6 +5,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "bench/schema/schema.hpp"
 #include "delivery/gate/rules.hpp"
 #include "delivery/gate/schema.hpp"
 
@@ -13,6 +14,9 @@ namespace {
 using namespace mmverify::gate;
 using testing::HasSubstr;
 using Tree = nlohmann::ordered_json;
+
+// The program of these tests has the benches' schema, as mmverify has.
+[[maybe_unused]] const bool has_bench_schema = (use_bench_schema(mmverify::bench::schema), true);
 
 /// What is said against the value; empty where it fits.
 std::string misfit(const Tree& schema, const Tree& value) {

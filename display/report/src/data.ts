@@ -1,5 +1,5 @@
 // What the page is given: the result files, and what was asked again when the page was made.
-// The types of the files are made of docs/result.schema.json and docs/bench.schema.json by display/report/types.mjs.
+// The types of the files are made of their schemas by display/report/types.mjs.
 import type * as bench from "mmverify/bench";
 import type { Counterexample, File as ResultFile, Footprint, Result, Saved, Scene } from "mmverify/result";
 
@@ -19,7 +19,8 @@ export type RenderedBlend = NonNullable<Rendered["blends"]>[number];
 export type RenderPath = bench.RenderPath;
 export type Views = bench.Views;
 export type AttributeRow = SceneAttributes["rows"][number];
-export type { VqEncoded, VqRow } from "mmverify/bench";
+export type VqRow = VqBench["rows"][number];
+export type VqEncoded = VqRow["vq2"][number];
 
 /** What a subject of topic index answered on all cells of a level, where it differs from the right answer. */
 export interface AskedLevel {
