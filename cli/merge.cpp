@@ -81,8 +81,8 @@ auto of_shards_as_written(const std::optional<std::string>& changed, Compare com
   const auto blame = [&](const std::string& what) {
     return changed && !what.starts_with(*changed + ": ")
                ? fmt::format(
-                     "{}: its seal does not fit its contents, so it was edited; take the file that "
-                     "mmverify wrote",
+                     "{}: its seal does not fit its contents, so it was edited; take the file that mmverify "
+                     "wrote",
                      *changed)
                : what;
   };

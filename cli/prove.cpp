@@ -88,8 +88,8 @@ void announce_companions(const std::vector<Job>& jobs, TextReport& text) {
   for (const Job& job : jobs) {
     if (job.brought_by == nullptr || !job.unfit.empty()) continue;
     const std::string line = fmt::format(
-        "{} runs as well, because the cases of {} exercise only a few distinct floats; "
-        "--no-companions leaves it out",
+        "{} runs as well, because the cases of {} exercise only a few distinct floats; --no-companions "
+        "leaves it out",
         job.law->id, job.brought_by->id);
     if (std::find(said.begin(), said.end(), line) == said.end()) said.push_back(line);
   }

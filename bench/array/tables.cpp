@@ -34,10 +34,8 @@ Result array_tables(const std::vector<ArrayFigures>& figures, const ArrayBenchOp
           .settings = {{count("seed", setting, "of the maps that are generated"), options.seed}},
           .about =
               "Arrays of generated 4-state maps, a third of them equal to others, a third all but for three "
-              "states; one "
-              "thread. shared: equal\nmaps share a record; merged: with a bound of 4 micro-triangles a "
-              "triangle, which "
-              "may become unknown; obvious: shared by std::map",
+              "states; one thread. shared: equal\nmaps share a record; merged: with a bound of 4 "
+              "micro-triangles a triangle, which may become unknown; obvious: shared by std::map",
           .tables = {table_of<F>({.key = "rows", .row = "one level, 4-state"}, fields, figures)}};
 }
 

@@ -273,10 +273,8 @@ Result attribute_tables(const AttributeFigures& figures, const AttributeBenchOpt
            {positive("triangles", setting, "that are baked, at most"), std::uint64_t{options.triangles}}},
       .about =
           "One thread; uniform points, 16,384 at a time. bilinear: a texture of 2^level texels a side, in "
-          "software; "
-          "one by one beside\none by one, batched beside batched. Half the points that judge remaps lie "
-          "near grid "
-          "lines. A sample is checked, never proved",
+          "software; one by one beside\none by one, batched beside batched. Half the points that judge "
+          "remaps lie near grid lines. A sample is checked, never proved",
       .tables = {lookups_table(figures), remaps_table(figures), growth_table(figures), bakes_table(figures),
                  mips_table(figures), lods_table(figures)},
       .drawn = attribute_picture(figures)};

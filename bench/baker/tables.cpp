@@ -45,18 +45,17 @@ Result baker_tables(const BakerFigures& figures) {
       {{ratio("times_ours", speed_less, "ns / our_ns; 0 where nothing was baked"), "x ours"},
        [](const L& l) { return l.our_ns > 0 ? l.ns / l.our_ns : 0; }},
   };
-  return {
-      .topic = "baker",
-      .description =
-          "mmverify bench bake --subject NAME|FILE: what a baker gets wrong of a scene or a folder of "
-          "textures, and its time, beside ours",
-      .settings = {},
-      .about = figures.baker + " on " + figures.file +
-               ", one thread. wrong: O or T, and not so on all of it; needless: unknown, and O or T on all "
-               "of it, by what it\ndeclares. outside: beyond that, and not asked. A state's time has the "
-               "question, the answer and the worker process in it",
-      .tables = {table_of<F>({.form = Form::members}, members, {figures}),
-                 table_of<L>({.key = "rows"}, levels, figures.levels)}};
+  return {.topic = "baker",
+          .description =
+              "mmverify bench bake --subject NAME|FILE: what a baker gets wrong of a scene or a folder of "
+              "textures, and its time, beside ours",
+          .settings = {},
+          .about = figures.baker + " on " + figures.file +
+                   ", one thread. wrong: O or T, and not so on all of it; needless: unknown, and O or T on "
+                   "all of it, by what it\ndeclares. outside: beyond that, and not asked. A state's time has "
+                   "the question, the answer and the worker process in it",
+          .tables = {table_of<F>({.form = Form::members}, members, {figures}),
+                     table_of<L>({.key = "rows"}, levels, figures.levels)}};
 }
 
 }  // namespace mmverify::bench

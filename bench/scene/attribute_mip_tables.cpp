@@ -78,9 +78,8 @@ Table attribute_mips_table(const std::vector<MipStep>& steps) {
                    "texel is shown; not there without --mips",
                    {}, left_out)
                   .if_any(),
-       .caption =
-           "mips of the textures, beside those of maps with most nearly as many values; border: within "
-           "2^mip texels of another chart or of none"},
+       .caption = "mips of the textures, beside those of maps with most nearly as many values; border: "
+                  "within 2^mip texels of another chart or of none"},
       fields, steps);
 }
 

@@ -450,9 +450,9 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
           (options.averaging == scene::Averaging::codes
                ? "codes as the texture stores them"
                : "light, where codes are colours, and of directions, where they are normals") +
-          ". maps: different ones, for equal ones are stored once; constant: those of one value, which "
-          "need no map. Errors are in texture space, over the texels whose centre a triangle shows. "
-          "without texel: faces in which no texel's centre lies",
+          ". maps: different ones, for equal ones are stored once; constant: those of one value, which need "
+          "no map. Errors are in texture space, over the texels whose centre a triangle shows. without "
+          "texel: faces in which no texel's centre lies",
       .tables = {table_of<F>({.form = Form::members}, members, {figures}),
                  table_of<S>({.key = "sets"}, sets, figures.sets),
                  table_of<SetLevel>({.key = "rows", .row = "all maps of a set at a level"}, rows,

@@ -133,11 +133,10 @@ Table squares_table(const SceneDagScene& figures) {
   };
   return table_of<S>(
       {.key = list("squares", "", {}),
-       .caption = figures.squares.empty()
-                      ? "VQ: no pair of triangles with a square of two states, or levels 4 and 5 "
-                        "not asked for"
-                      : "VQ of the pairs of triangles, which loses states; beside it both "
-                        "triangles' maps"},
+       .caption =
+           figures.squares.empty()
+               ? "VQ: no pair of triangles with a square of two states, or levels 4 and 5 not asked for"
+               : "VQ of the pairs of triangles, which loses states; beside it both triangles' maps"},
       fields, figures.squares);
 }
 

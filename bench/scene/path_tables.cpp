@@ -106,12 +106,10 @@ Result path_tables(const PathFigures& figures) {
                    {count("threads", left_out, "worker threads; 0: as many as the machine has"),
                     figures.threads}},
       .about = verdict + " traverse.same_image on " + figures.file +
-               ": by each form of its micromaps, rays of cameras on a random path meet the triangles, at "
-               "the t, "
-               "and the light that they meet by the texture alone; met a map: rays, shadow rays among "
-               "them, with "
-               "a candidate on a triangle that gets a micromap; any-hit: candidates that the texture "
-               "decides; tries: places until a ray of the camera met a map",
+               ": by each form of its micromaps, rays of cameras on a random path meet the triangles, at the "
+               "t, and the light that they meet by the texture alone; met a map: rays, shadow rays among "
+               "them, with a candidate on a triangle that gets a micromap; any-hit: candidates that the "
+               "texture decides; tries: places until a ray of the camera met a map",
       .tables = {table_of<F>({.form = Form::members}, members, {figures}),
                  table_of<render::Seen>({.key = "cameras"}, camera_fields(), figures.path->cameras),
                  table_of<render::PathRow>({.key = list("rows", "", {})}, row_fields(), rows)}};

@@ -157,14 +157,11 @@ Result render_tables(const RenderFigures& figures) {
                    {count("seed", setting, "of the random path"), figures.seed},
                    {count("threads", left_out, "worker threads; 0: as many as the machine has"),
                     figures.threads}},
-      .about =
-          figures.file +
-          ": any-hit: candidates that the texture decides; known: the share of candidates on triangles with "
-          "micromaps that a map decides; predicted: the same by the maps' area; even: the same, met by rays "
-          "from "
-          "everywhere; bytes: of maps, records and indices, of texture its texels; differing: pixels whose "
-          "rays "
-          "met another triangle, t or light than with the texture alone",
+      .about = figures.file +
+               ": any-hit: candidates that the texture decides; known: the share of candidates on triangles "
+               "with micromaps that a map decides; predicted: the same by the maps' area; even: the same, "
+               "met by rays from everywhere; bytes: of maps, records and indices, of texture its texels; "
+               "differing: pixels whose rays met another triangle, t or light than with the texture alone",
       .tables = {table_of<F>({.form = Form::members}, members, {figures}),
                  table_of<MethodFigures>({.key = "rows"}, method_fields(), figures.methods)}};
   if (!figures.blends.empty()) {
@@ -176,11 +173,10 @@ Result render_tables(const RenderFigures& figures) {
         {.key = list("blends",
                      "hits on surfaces blend into the ray's payload; not there where none was asked for")
                     .if_any(),
-         .caption =
-             "hits on surfaces blend by " + figures.operation +
-             ", and the ray goes on; fixed: candidates that a fixed function blends; saved: of the any-hit "
-             "calls of the texture alone; differing: pixels whose payload is not the texture's; as met: "
-             "pixels that would differ, were hits blended as they are met"},
+         .caption = "hits on surfaces blend by " + figures.operation +
+                    ", and the ray goes on; fixed: candidates that a fixed function blends; saved: of the "
+                    "any-hit calls of the texture alone; differing: pixels whose payload is not the "
+                    "texture's; as met: pixels that would differ, were hits blended as they are met"},
         blend_fields(), figures.blends));
   }
   if (!figures.colours.empty()) {

@@ -131,8 +131,7 @@ Result view_tables(const ViewFigures& figures) {
                     figures.threads}},
       .about = figures.file +
                ": one view, its attributes read of maps in the place of textures, and held against the "
-               "textures' own view; FLIP: its mean over all pixels; textured: over those that show a "
-               "texture",
+               "textures' own view; FLIP: its mean over all pixels; textured: over those that show a texture",
       .tables = {table_of<F>({.form = Form::members}, members, {figures}),
                  table_of<R>({.key = "rows"}, rows, figures.rows)}};
 }

@@ -44,9 +44,8 @@ Result shader_tables(const ShaderFigures& figures) {
                        {count("seed", setting, "of the points"), figures.seed}},
           .about =
               "device: wall time of a lookup in a batch, its copies included, on all threads that the driver "
-              "takes; "
-              "ours: the library's, one by one in one thread; differing: of a batch, answers unlike the "
-              "library's",
+              "takes; ours: the library's, one by one in one thread; differing: of a batch, answers unlike "
+              "the library's",
           .tables = {table_of<About>(
                          {.key = list("runs_on", "device, driver, versions, what it promises of floats", {})},
                          about, figures.about),

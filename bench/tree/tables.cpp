@@ -103,12 +103,10 @@ Result tree_tables(const std::vector<TreeFigures>& figures, const TreeBenchOptio
                         options.textures.empty() ? "generated" : "textures"}},
           .about =
               "Random lookups over all maps of a level, one thread. flat: the array. paper: the two bit "
-              "sequences, "
-              "Algorithm 3. ours: impl/tree.\nsdsl: the tree in level order, bit_vector and rank_support_v5. "
-              "Cache "
-              "lines are those of a model. Ratios are of this one run:\nof times a lookup, of memory to the "
-              "paper's "
-              "sequences; obvious: whole maps by the recursion over the paper's stream",
+              "sequences, Algorithm 3. ours: impl/tree.\nsdsl: the tree in level order, bit_vector and "
+              "rank_support_v5. Cache lines are those of a model. Ratios are of this one run:\nof times a "
+              "lookup, of memory to the paper's sequences; obvious: whole maps by the recursion over the "
+              "paper's stream",
           .tables = {table_of<F>({.key = "rows", .row = "one level and format"}, fields, figures)},
           .drawn = tree_picture(figures)};
 }

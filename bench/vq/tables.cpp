@@ -255,26 +255,24 @@ Result vq_tables(const VqFigures& figures, const VqBenchOptions& options) {
        [](const VqFigures& f) { return std::uint64_t{f.left_out}; }},
       {{"", "maps"}, [](const VqFigures& f) { return std::uint64_t{f.rows.size()}; }},
   };
-  return {
-      .topic = "vq",
-      .description = "mmverify bench vq: what block codecs lose, against what their encoders take",
-      .settings = {{seed_of_all(), options.seed},
-                   {positive("rounds", setting, "of the timing; a time is their median"),
-                    std::uint64_t{options.rounds}},
-                   {one_of("maps", setting, {"generated", "textures"}, "textures: those of --textures"),
-                    options.textures.empty() ? "generated" : "textures"}},
-      .about =
-          "Exact coverage at alpha 1/2, one thread. substitutions: O and T that became C. paper: "
-          "Algorithms 1 and "
-          "2 as printed;\nhighest: vectors with more C first; C free: the all-C partition takes no "
-          "entry. bound: no "
-          "block of VQ4 loses fewer;\nof VQ2, optimal is the bound. O beside T: vectors of either source. "
-          "Rivals: docs/VQ.md. shade: mean over the maps of\n|share of hits read as opaque - share that is|",
-      .tables = {table_of<VqFigures>({.form = Form::members}, loose, {figures}), decoding_table(figures),
-                 maps_table(figures), encoders_table(figures.rows), sources_table(figures.rows),
-                 transforms_table(figures.rows), rivals::codecs_table(figures.rivals),
-                 rivals::readings_table(figures.rivals)},
-      .drawn = vq_picture(figures)};
+  return {.topic = "vq",
+          .description = "mmverify bench vq: what block codecs lose, against what their encoders take",
+          .settings = {{seed_of_all(), options.seed},
+                       {positive("rounds", setting, "of the timing; a time is their median"),
+                        std::uint64_t{options.rounds}},
+                       {one_of("maps", setting, {"generated", "textures"}, "textures: those of --textures"),
+                        options.textures.empty() ? "generated" : "textures"}},
+          .about =
+              "Exact coverage at alpha 1/2, one thread. substitutions: O and T that became C. paper: "
+              "Algorithms 1 and 2 as printed;\nhighest: vectors with more C first; C free: the all-C "
+              "partition takes no entry. bound: no block of VQ4 loses fewer;\nof VQ2, optimal is the bound. "
+              "O beside T: vectors of either source. Rivals: docs/VQ.md. shade: mean over the maps "
+              "of\n|share of hits read as opaque - share that is|",
+          .tables = {table_of<VqFigures>({.form = Form::members}, loose, {figures}), decoding_table(figures),
+                     maps_table(figures), encoders_table(figures.rows), sources_table(figures.rows),
+                     transforms_table(figures.rows), rivals::codecs_table(figures.rivals),
+                     rivals::readings_table(figures.rivals)},
+          .drawn = vq_picture(figures)};
 }
 
 }  // namespace mmverify::bench

@@ -115,10 +115,9 @@ void check_given(const CLI::App& command, const RenderOptions& options) {
   for (const char* name : {"--level", "--method", "--blend", "--colours", "--colour-level", "--output",
                            "--heat", "--repeat", "--memory"})
     if (command.count(name) != 0 && views)
-      throw UsageError(
-          fmt::format("--attributes, {}: its views take opacity from the texture, and have no such option; "
-                      "leave it out",
-                      name));
+      throw UsageError(fmt::format(
+          "--attributes, {}: its views take opacity from the texture, and have no such option; leave it out",
+          name));
   if (command.count("--colour-level") != 0 && options.colours.empty() && options.blend.empty())
     throw UsageError(
         "--colour-level is the level of the maps of --colours or --blend; give one of these, too");

@@ -183,7 +183,8 @@ void add(const Json& run, Figures& figures, std::set<std::string>& topics) {
     throw NoResult(
         fmt::format("schema {}: neither mmverify.result/1 nor mmverify.bench/1", text_of(run.at("schema"))));
   if (!schema_named(schema)) throw NoResult("figures of a bench: mmverify for WebAssembly compares none");
-  if (!figures.schema.empty() && figures.schema != schema) throw NoResult("runs of several schemas");
+  if (!figures.schema.empty() && figures.schema != schema)
+    throw NoResult("runs of several schemas in one file");
   if (!figures.schema.empty() && schema == "mmverify.result/1")
     throw NoResult("several runs in one file; write each run to a file of its own");
   figures.schema = schema;

@@ -185,27 +185,26 @@ Law corners_law() {
 }
 
 Law corner_order_law() {
-  return {
-      .id = "index.corner_order",
-      .topic = "index",
-      .says =
-          "corners come in the order that the subject declares: of the children 0, 2 and 3 that touch them, "
-          "or the base and a step from there along u and along v",
-      .source = "Succinct Opacity Micromaps, 4.3; OptiX, optixMicromapIndexToBaseBarycentrics",
-      .method = Method::exhaustive,
-      .subjects = {"impl"},
-      .fast = {0, 10},
-      .long_run = {0, 16},
-      .fast_seconds = 0.5,
-      .cases = all_triangles,
-      .domain = indices,
-      .how = exhaustively,
-      .unfit = declares_no_order,
-      .divisible = true,
-      .judge = judged_by(corners_in_order),
-      .replay = replayed_by(replay_corners_in_order),
-      .mutants = {swapped_corners("two corners of one index of level 7 change places", "impl", 7, 7777)},
-      .diagnose = diagnose_corner_order};
+  return {.id = "index.corner_order",
+          .topic = "index",
+          .says =
+              "corners come in the order that the subject declares: of the children 0, 2 and 3 that touch "
+              "them, or the base and a step from there along u and along v",
+          .source = "Succinct Opacity Micromaps, 4.3; OptiX, optixMicromapIndexToBaseBarycentrics",
+          .method = Method::exhaustive,
+          .subjects = {"impl"},
+          .fast = {0, 10},
+          .long_run = {0, 16},
+          .fast_seconds = 0.5,
+          .cases = all_triangles,
+          .domain = indices,
+          .how = exhaustively,
+          .unfit = declares_no_order,
+          .divisible = true,
+          .judge = judged_by(corners_in_order),
+          .replay = replayed_by(replay_corners_in_order),
+          .mutants = {swapped_corners("two corners of one index of level 7 change places", "impl", 7, 7777)},
+          .diagnose = diagnose_corner_order};
 }
 
 Law rounding_law() {

@@ -99,17 +99,16 @@ Law damage_law() {
       return code;
     });
   };
-  return on_all_maps(
-      {.id = "tree.malformed",
-       .topic = "tree",
-       .says = "a code cut anywhere, longer by a byte, two, or itself, or with one bit flipped is refused or "
-               "is another map's",
-       .source = succinct_4_2,
-       .subjects = {"tree-spec", "tree-stream", "tree-container"},
-       .fast_seconds = 6,
-       .mutants = {mutant("takes a set byte after the end of one code", "tree-stream", {1, 1},
-                          takes_all(Format::two_state, 1, {0x00, 0x01, 0xFF}))}},
-      {entry::bytes}, damage);
+  return on_all_maps({.id = "tree.malformed",
+                      .topic = "tree",
+                      .says = "a code cut anywhere, longer by a byte, two, or itself, or with one bit "
+                              "flipped is refused or is another map's",
+                      .source = succinct_4_2,
+                      .subjects = {"tree-spec", "tree-stream", "tree-container"},
+                      .fast_seconds = 6,
+                      .mutants = {mutant("takes a set byte after the end of one code", "tree-stream", {1, 1},
+                                         takes_all(Format::two_state, 1, {0x00, 0x01, 0xFF}))}},
+                     {entry::bytes}, damage);
 }
 
 Law four_state_law() {

@@ -1,4 +1,4 @@
-// Tables of the benches: what is written has facts, and its description names its unit; the schema made of them.
+// [release alone] Tables of the benches: what is written has facts, and its description names its unit; the schema made of them.
 #include "bench/tree/tables.hpp"
 
 #include <gtest/gtest.h>

@@ -160,21 +160,20 @@ Law vertex_law() {
 }
 
 Law face_law() {
-  return on_cases(
-      {.id = "attribute.bake_face",
-       .topic = "attribute",
-       .says = "a face has the mean of the texels under it, each by its share of the area, as the code it is "
-               "rounded to, half up",
-       .source = cam_5,
-       .subjects = {"attribute"},
-       .fast = {0, 2},
-       .long_run = {0, 4},
-       .fast_seconds = 1,
-       .domain = [](const Subject&, Level) { return std::string(family_domain()); },
-       .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
-       .mutants = {mutant("the texels whose centres lie inside, each the same", "attribute", {2, 2},
-                          averages_centres())}},
-      needing({bakes_faces}), family_of(MapForm::faces));
+  return on_cases({.id = "attribute.bake_face",
+                   .topic = "attribute",
+                   .says = "a face has the mean of the texels under it, each by its share of the area, as "
+                           "the code it is rounded to, half up",
+                   .source = cam_5,
+                   .subjects = {"attribute"},
+                   .fast = {0, 2},
+                   .long_run = {0, 4},
+                   .fast_seconds = 1,
+                   .domain = [](const Subject&, Level) { return std::string(family_domain()); },
+                   .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
+                   .mutants = {mutant("the texels whose centres lie inside, each the same", "attribute",
+                                      {2, 2}, averages_centres())}},
+                  needing({bakes_faces}), family_of(MapForm::faces));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -191,25 +191,24 @@ Law parent_law() {
   };
   cases.check = is_parent;
   cases.chunk = 4;
-  return on_cases(
-      {.id = "attribute.face_mean_is_parent",
-       .topic = "attribute",
-       .says = "before rounding, a face's mean is the mean of its four children, also where the triangle is "
-               "a segment or a point in the texture",
-       .source = "Color and Attribute Micromaps, 4.4 and 5.1",
-       .subjects = {"attribute-spec"},
-       .fast = {0, 1},
-       .long_run = {0, 3},
-       .fast_seconds = 1,
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "each texel of 2x2 alone, nearest and bilinear, 8 pairs of addressing modes, 7 triangles, "
-                 "all faces");
-           },
-       .mutants = {mutant("along a segment all parts weigh the same", "attribute-spec", {0, 0},
-                          spreads_evenly())}},
-      needing({means_faces}), cases);
+  return on_cases({.id = "attribute.face_mean_is_parent",
+                   .topic = "attribute",
+                   .says = "before rounding, a face's mean is the mean of its four children, also where the "
+                           "triangle is a segment or a point in the texture",
+                   .source = "Color and Attribute Micromaps, 4.4 and 5.1",
+                   .subjects = {"attribute-spec"},
+                   .fast = {0, 1},
+                   .long_run = {0, 3},
+                   .fast_seconds = 1,
+                   .domain =
+                       [](const Subject&, Level) {
+                         return std::string(
+                             "each texel of 2x2 alone, nearest and bilinear, 8 pairs of addressing modes, 7 "
+                             "triangles, all faces");
+                       },
+                   .mutants = {mutant("along a segment all parts weigh the same", "attribute-spec", {0, 0},
+                                      spreads_evenly())}},
+                  needing({means_faces}), cases);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -263,29 +262,29 @@ Law constant_law() {
       };
     };
   };
-  return on_cases(
-      {.id = "attribute.bake_constant",
-       .topic = "attribute",
-       .says = "a texture of one colour bakes to that colour, linear or sRGB",
-       .source = "weights sum to 1, and each code is the one that its own number is rounded to",
-       .subjects = {"attribute"},
-       .fast = {0, 1},
-       .long_run = {0, 5},
-       .fast_seconds = 0.5,
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "256 colours with all codes in each channel, 8 pairs of addressing modes, linear and sRGB, "
-                 "7 triangles");
-           },
-       .mutants = {mutant("code 11, the first beyond the line, is 10", "attribute", {1, 1},
-                          spoilt(
-                              MapForm::vertices,
-                              [](const BakeCase& one) {
-                                return one.picture.meaning == Meaning::srgb && one.picture.texels[0][0] == 11;
-                              },
-                              0))}},
-      needing({bakes_vertices, bakes_faces}), cases);
+  return on_cases({.id = "attribute.bake_constant",
+                   .topic = "attribute",
+                   .says = "a texture of one colour bakes to that colour, linear or sRGB",
+                   .source = "weights sum to 1, and each code is the one that its own number is rounded to",
+                   .subjects = {"attribute"},
+                   .fast = {0, 1},
+                   .long_run = {0, 5},
+                   .fast_seconds = 0.5,
+                   .domain =
+                       [](const Subject&, Level) {
+                         return std::string(
+                             "256 colours with all codes in each channel, 8 pairs of addressing modes, "
+                             "linear and sRGB, 7 triangles");
+                       },
+                   .mutants = {mutant("code 11, the first beyond the line, is 10", "attribute", {1, 1},
+                                      spoilt(
+                                          MapForm::vertices,
+                                          [](const BakeCase& one) {
+                                            return one.picture.meaning == Meaning::srgb &&
+                                                   one.picture.texels[0][0] == 11;
+                                          },
+                                          0))}},
+                  needing({bakes_vertices, bakes_faces}), cases);
 }
 
 }  // namespace

@@ -139,25 +139,25 @@ bool reproduces(VertexOrder order, Level n, const GridCase& point, const Looked&
 }
 
 Law reproduces_law() {
-  return on_batches(
-      {.id = "attribute.reproduces",
-       .topic = "attribute",
-       .says = "at a micro-vertex its own weight is 1; and values that are linear over the triangle come out "
-               "as they are",
-       .source = cam_4,
-       .subjects = lookup_subjects,
-       .fast = {0, 7},
-       .long_run = {0, 14},
-       .fast_seconds = 1,
-       .domain = every_point,
-       .mutants = {mutant("at one vertex of level 7 its weight is 3/4", "attribute-spec", {7, 7},
-                          on_weights([](Level n, const GridPoint& p, FixedWeights& w) {
-                            if (n == 7 && is_at(p, n, 4 * 50, 4 * 60))
-                              for (Fixed64& q : w)
-                                q = q == Fixed64(1) ? Fixed64::dyadic(3, 2) : Fixed64::dyadic(1, 3);
-                          }))}},
-      needing({entry::point_triplet, entry::point_weights}),
-      on_lookups("the value 7 + 3i + 5j, of one vertex alone where there is one", reproduces));
+  return on_batches({.id = "attribute.reproduces",
+                     .topic = "attribute",
+                     .says = "at a micro-vertex its own weight is 1; and values that are linear over the "
+                             "triangle come out as they are",
+                     .source = cam_4,
+                     .subjects = lookup_subjects,
+                     .fast = {0, 7},
+                     .long_run = {0, 14},
+                     .fast_seconds = 1,
+                     .domain = every_point,
+                     .mutants = {mutant("at one vertex of level 7 its weight is 3/4", "attribute-spec",
+                                        {7, 7}, on_weights([](Level n, const GridPoint& p, FixedWeights& w) {
+                                          if (n == 7 && is_at(p, n, 4 * 50, 4 * 60))
+                                            for (Fixed64& q : w)
+                                              q = q == Fixed64(1) ? Fixed64::dyadic(3, 2)
+                                                                  : Fixed64::dyadic(1, 3);
+                                        }))}},
+                    needing({entry::point_triplet, entry::point_weights}),
+                    on_lookups("the value 7 + 3i + 5j, of one vertex alone where there is one", reproduces));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -130,44 +130,44 @@ Law canonical_law() {
   };
   cases.check = takes_no_other;
   cases.chunk = 4;
-  return on_cases(
-      {.id = "attribute.packed_canonical",
-       .topic = "attribute",
-       .says = "bytes are refused, or are those that packing what they give would write: maps have one form, "
-               "and no other bytes are taken for it",
-       .source = "spec/attribute/compress.hpp",
-       .method = Method::sample,
-       .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 4},
-       .long_run = {0, 6},
-       .fast_seconds = 2,
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "packed maps with a bit or a byte changed, cut, longer, with unused bits set, a start or a "
-                 "width changed, a block wider than it is");
-           },
-       .mutants = {mutant("the second start is not looked at", "attribute", {4, 4},
-                          [](Functions& f) {
-                            f.compression.unpack = [real = f.compression.unpack](
-                                                       const PackedShape& shape,
-                                                       ByteView bytes) -> std::optional<Bytes> {
-                              if (auto codes = real(shape, bytes)) return codes;
-                              const PartsAt parts = parts_of(shape);
-                              if (shape.level < 4 || parts.widths != parts.starts + 8) return std::nullopt;
-                              // Flips each bit of the second start's low byte in turn, and takes the first result
-                              // that is accepted.
-                              for (unsigned bit = 0; bit < 8; ++bit) {
-                                Bytes other(bytes.begin(), bytes.end());
-                                if (other.size() < parts.widths) return std::nullopt;
-                                other[parts.starts + 4] =
-                                    static_cast<std::uint8_t>(other[parts.starts + 4] ^ 1u << bit);
-                                if (auto codes = real(shape, other)) return codes;
-                              }
-                              return std::nullopt;
-                            };
-                          })}},
-      needing({pack_entry, unpack_entry}), std::move(cases));
+  return on_cases({.id = "attribute.packed_canonical",
+                   .topic = "attribute",
+                   .says = "bytes are refused, or are those that packing what they give would write: maps "
+                           "have one form, and no other bytes are taken for it",
+                   .source = "spec/attribute/compress.hpp",
+                   .method = Method::sample,
+                   .subjects = {"attribute-spec", "attribute"},
+                   .fast = {0, 4},
+                   .long_run = {0, 6},
+                   .fast_seconds = 2,
+                   .domain =
+                       [](const Subject&, Level) {
+                         return std::string(
+                             "packed maps with a bit or a byte changed, cut, longer, with unused bits set, a "
+                             "start or a width changed, a block wider than it is");
+                       },
+                   .mutants = {mutant("the second start is not looked at", "attribute", {4, 4},
+                                      [](Functions& f) {
+                                        f.compression.unpack = [real = f.compression.unpack](
+                                                                   const PackedShape& shape,
+                                                                   ByteView bytes) -> std::optional<Bytes> {
+                                          if (auto codes = real(shape, bytes)) return codes;
+                                          const PartsAt parts = parts_of(shape);
+                                          if (shape.level < 4 || parts.widths != parts.starts + 8)
+                                            return std::nullopt;
+                                          // Flips each bit of the second start's low byte in turn, and takes the first result
+                                          // that is accepted.
+                                          for (unsigned bit = 0; bit < 8; ++bit) {
+                                            Bytes other(bytes.begin(), bytes.end());
+                                            if (other.size() < parts.widths) return std::nullopt;
+                                            other[parts.starts + 4] = static_cast<std::uint8_t>(
+                                                other[parts.starts + 4] ^ 1u << bit);
+                                            if (auto codes = real(shape, other)) return codes;
+                                          }
+                                          return std::nullopt;
+                                        };
+                                      })}},
+                  needing({pack_entry, unpack_entry}), std::move(cases));
 }
 
 }  // namespace

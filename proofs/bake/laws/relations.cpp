@@ -266,16 +266,15 @@ std::vector<Law> relation_laws() {
                 .subjects = {"bake"},
                 .mutants = {changed("a transparent one 30 above", {5, 5}, above, State::T, State::UT)}},
                periodic_sample, keeps_shifts, has_no_repeats),
-      relation(
-          {.id = "bake.order",
-           .topic = "bake",
-           .says = "the vertices in another order give the same states, each to the micro-triangle that is "
-                   "where it was",
-           .source = "VK_KHR_opacity_micromap, barycentrics to micro-triangles; spec/index/index.hpp",
-           .subjects = {"bake"},
-           .mutants = {changed("an opaque one where the third vertex is the leftmost", {5, 5}, v_first,
-                               State::O, State::UO)}},
-          any_sample, keeps_orders),
+      relation({.id = "bake.order",
+                .topic = "bake",
+                .says = "the vertices in another order give the same states, each to the micro-triangle that "
+                        "is where it was",
+                .source = "VK_KHR_opacity_micromap, barycentrics to micro-triangles; spec/index/index.hpp",
+                .subjects = {"bake"},
+                .mutants = {changed("an opaque one where the third vertex is the leftmost", {5, 5}, v_first,
+                                    State::O, State::UO)}},
+               any_sample, keeps_orders),
       relation(
           {.id = "bake.force2",
            .topic = "bake",
