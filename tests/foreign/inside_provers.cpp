@@ -183,7 +183,7 @@ proofs::tree::Functions functions_of_paper_trees() {
 class TreeProof : public proofs::tree::TreeSubject, public Provable {
  public:
   TreeProof(const char* name, Statements statements)
-      : TreeSubject(name, "by another hand", functions_of_paper_trees()),
+      : proofs::tree::TreeSubject(name, "by another hand", functions_of_paper_trees()),
         statements_(std::move(statements)) {}
   Statements statements() const override { return statements_; }
 

@@ -1,4 +1,4 @@
-// [release, night] impl/bake/triangles.hpp: every state as spec/bake/state.hpp has it.
+// [release, night] impl/bake/triangles.hpp: flat alpha, repeats, shifts, and what it refuses.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,17 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "impl/bake/exact/base.hpp"
 #include "impl/bake/triangles.hpp"
-#include "spec/bake/state.hpp"
-#include "tests/sanitized.hpp"
 
 namespace impl_bake_triangles_test {
 
-namespace spec = mmverify::spec::bake;
 using namespace mmverify::impl::bake;
-using mmverify::spec::Rational;
-using mmverify::spec::Rational128;
 using Codes = std::vector<int>;
 
 constexpr Wrap every_wrap[] = {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge,
@@ -33,6 +27,11 @@ struct Picture {
   std::vector<std::uint8_t> alpha;
 
   AlphaView view() const { return {alpha.data(), width, height, width}; }
+};
+
+struct Baked {
+  Codes codes;
+  BakeCounts counts;
 };
 
 Baked bake(const Picture& picture, Cutoff cutoff, const Addressing& addressing, const BaseTriangle& uv,
@@ -62,77 +61,6 @@ Picture random_picture(std::mt19937& random, std::uint32_t most) {
 constexpr Cutoff cutoffs[] = {
     {1, 2}, {1, 2}, {128, 255}, {51, 255}, {1, 1}, {0, 1}, {1, 3}, {3, 2}, {0x7fffffff, 0xffffffff}};
 
-// ---------------------------------------------------------------------------------------------------------------------
-// A family, all of it
-// ---------------------------------------------------------------------------------------------------------------------
-
-constexpr std::uint8_t letters[] = {0, 128, 255};
-/// The part of a micro-triangle within one cell, and what the specification says of it for each of the 81
-/// fillings of the cell's texels with letters.
-struct Part {
-  std::int64_t i, j;
-  std::array<spec::State, 81> state;
-};
-/// The same of the centroid: whether it is opaque.
-struct Center {
-  std::int64_t i, j;
-  std::array<bool, 81> opaque;
-};
-
-int filling(int a, int right, int below, int across) { return a + 3 * right + 9 * below + 27 * across; }
-
-spec::Cell<Rational> filled(int filling) {
-  const auto letter = [&filling] {
-    const std::uint8_t byte = letters[filling % 3];
-    filling /= 3;
-    return byte;
-  };
-  spec::Texture t{2, 2, {}};
-  for (int k = 0; k < 4; ++k) t.alpha.push_back(letter());
-  return spec::Cell<Rational>(t, 0, 0);
-}
-
-struct Judged {
-  std::vector<Part> parts;
-  Center center;
-
-  Judged(const BaseTriangle& uv, std::uint32_t level, std::uint32_t index) {
-    const auto vertex = [&](std::size_t k) {
-      return spec::place<Rational>({std::bit_cast<std::uint32_t>(uv[k].u)},
-                                   {std::bit_cast<std::uint32_t>(uv[k].v)});
-    };
-    const Rational half = spec::fraction<Rational>(1, 2);
-    const spec::Mask<Rational> mask{spec::fraction<Rational>(128, 255)};
-    const auto polygon = spec::micro_triangle(spec::BaseTriangle<Rational>{vertex(0), vertex(1), vertex(2)},
-                                              level, index, 2, 2);
-    spec::for_each_square(polygon, half, [&](std::int64_t i, std::int64_t j, spec::Polygon<Rational> part) {
-      for (auto& p : part) p = {p.x - half - i, p.y - half - j};
-      Part judged{i, j, {}};
-      for (int f = 0; f < 81; ++f)
-        judged.state[static_cast<std::size_t>(f)] = spec::state_in(mask, spec::range(filled(f), part));
-      parts.push_back(judged);
-    });
-    const auto at = spec::centroid(polygon);
-    center = {spec::cell_at(at.x), spec::cell_at(at.y), {}};
-    for (int f = 0; f < 81; ++f)
-      center.opaque[static_cast<std::size_t>(f)] =
-          mask.rather_opaque(filled(f).alpha({at.x - half - center.i, at.y - half - center.j}));
-  }
-
-  /// `letter`: of texel (i, j), before wrapping.
-  template <class Letter>
-  int state(Letter letter) const {
-    const auto of = [&letter](std::int64_t i, std::int64_t j) {
-      return static_cast<std::size_t>(
-          filling(letter(i, j), letter(i + 1, j), letter(i, j + 1), letter(i + 1, j + 1)));
-    };
-    spec::State all = parts.at(0).state[of(parts[0].i, parts[0].j)];
-    for (const Part& p : parts) all = spec::merged(all, p.state[of(p.i, p.j)]);
-    if (all != spec::State::C) return all == spec::State::O ? 1 : 0;
-    return center.opaque[of(center.i, center.j)] ? 3 : 2;
-  }
-};
-
 float up(float x) { return std::nextafter(x, std::numeric_limits<float>::infinity()); }
 float down(float x) { return std::nextafter(x, -std::numeric_limits<float>::infinity()); }
 
@@ -152,10 +80,6 @@ const std::vector<BaseTriangle> family_triangles{
     {{{-0.5f, 0.75f}, {1, 0.75f}, {0.5f, 0.75f}}},
     {{{0.75f, 0.25f}, {0.75f, 0.25f}, {0.75f, 0.25f}}},
 };
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Random and hostile
-// ---------------------------------------------------------------------------------------------------------------------
 
 TEST(ImplBakeTriangles, AMillionRepeats) {
   const BaseTriangle vast{{{-500000, -500000}, {500000, -500000}, {-500000, 500000}}};

@@ -17,6 +17,17 @@ namespace spec = mmverify::spec::vq;
 using namespace mmverify::impl::vq;
 using mmverify::tests::blob, mmverify::tests::noise, mmverify::tests::random_block,
     mmverify::tests::substitutions;
+
+/// A map of C with some vectors, each 2x2, region 0 lowest.
+Map2 with_vectors(const std::vector<std::pair<std::uint32_t, std::array<State, 4>>>& vectors) {
+  Map2 map;
+  map.fill(State::C);
+  for (const auto& [vector, states] : vectors)
+    for (std::uint32_t k = 0; k < 4; ++k)
+      map[2 * (vector % 8) + k % 2 + 16 * (2 * (vector / 8) + k / 2)] = states[k];
+  return map;
+}
+
 // By hand: with nothing to lose Algorithm 1 ends at the first transforms, all identity.  TL (X < 4, Y >= 4)
 // has three vectors of its own: those with one C each score lowest and get its two entries, the third, with
 // three, a shared one.
