@@ -54,10 +54,10 @@ std::unique_ptr<llvm::Module> derived_anew(const llvm::Module& module, llvm::Val
   for (llvm::Function& f : *anew) {
     if (f.isDeclaration()) continue;
     strip(f, static_cast<unsigned>(f.arg_size()));
-    // LLVM derives nothing of what may be replaced or is not to be optimized.
+    // LLVM derives nothing of what may be replaced, is not to be optimized, or is local and nobody calls.
     f.setComdat(nullptr);
     f.setVisibility(llvm::GlobalValue::DefaultVisibility);
-    f.setLinkage(llvm::GlobalValue::InternalLinkage);
+    f.setLinkage(llvm::GlobalValue::ExternalLinkage);
     f.removeFnAttr(Kind::OptimizeNone);
     for (llvm::Instruction& at : llvm::instructions(f))
       if (auto* call = llvm::dyn_cast<llvm::CallBase>(&at); call != nullptr && calls_a_body(*call))
