@@ -133,9 +133,9 @@ int replay_of_source(const Job& job, const std::string& text) {
   const Groups parts = groups_of(text, "([0-9]{1,2})@(.+)");
   if (!parts)
     throw UsageError(fmt::format("--case {}: write LEVEL@CASE, as a counterexample's line does", text));
-  if (!job.unfit.empty()) throw UsageError(job.unfit);
   const Level level = parse_level((*parts)[1]);
-  if (const auto why = job.law->unfit(*job.subject, level)) {
+  const auto why = job.unfit.empty() ? job.law->unfit(*job.subject, level) : std::optional(job.unfit);
+  if (why) {
     say(stdout, "n/a {} level {} subject {} {}\n", job.law->id, level, job.subject->name(), *why);
     return ExitCode::usage;
   }

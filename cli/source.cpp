@@ -103,6 +103,17 @@ std::string read_as(const source::Compiled& made, const SourceOptions& options) 
   return "SPIR-V of a device that rounds to nearest, keeps subnormal numbers and contracts nothing";
 }
 
+/// Throws UnknownInstruction for a library that names what is defined nowhere; other errors are the
+/// environment's.
+[[noreturn]] void refuse_library(const std::string& name, const std::string& why) {
+  constexpr std::string_view begins = "undefined symbol: ";
+  const std::size_t at = why.find(begins);
+  if (at == std::string::npos) throw EnvironmentError(fmt::format("{}: {}", name, why));
+  const std::string symbol = why.substr(at + begins.size(), why.find_first_of(" ,;\n", at + begins.size()) -
+                                                                at - begins.size());
+  throw source::UnknownInstruction(fmt::format("{}: the symbol {} is defined nowhere", name, symbol));
+}
+
 SubjectPtr subject_of(const SourceOptions& options, const std::string& name, double timeout_seconds) {
   const program::Folder folder("source");
   const auto programs = std::make_shared<Programs>(
@@ -113,7 +124,13 @@ SubjectPtr subject_of(const SourceOptions& options, const std::string& name, dou
   dock.called = name;
   dock.keeps = made.files();
   dock.fingerprint = fmt::format("{} {:016x}", made.compiler(), hash_of(made.bitcode()));
-  const auto library = open_library(made.library(), dock);
+  const auto library = [&] {
+    try {
+      return open_library(made.library(), dock);
+    } catch (const dock::CannotLoad& why) {
+      refuse_library(options.file, why.what());
+    }
+  }();
   const auto run = index::plugin_subjects(library).front();
   law::SourceSubject::Code code{
       [programs](Level n, const law::Range& u, const law::Range& v) { return programs->formula(n, u, v); },
@@ -151,8 +168,6 @@ Job source_job(const SourceOptions& options, const std::optional<Levels>& levels
   } catch (const source::UnknownInstruction& why) {
     job.subject = absent_subjects(name, {}, why.what()).front();
     job.unfit = why.what();
-  } catch (const dock::CannotLoad& why) {
-    throw EnvironmentError(fmt::format("{}: {}", name, why.what()));
   }
   return job;
 }

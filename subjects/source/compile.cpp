@@ -13,6 +13,7 @@
 #include <iterator>
 
 #include "subjects/program/program.hpp"
+#include "subjects/source/flags.hpp"
 
 namespace mmverify::source {
 
@@ -39,12 +40,18 @@ fs::path program_folder() {
   return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
-/// The folder of mmverify_subject.h.
+/// The folder of mmverify_subject.h: installed, beside the programs of a tree built by hand, or the sources'.
 std::string header_folder() {
+  const fs::path here = program_folder();
   std::error_code error;
-  const fs::path installed = program_folder() / "../include";
-  return fs::exists(installed / "mmverify_subject.h", error) ? installed.lexically_normal().string()
-                                                             : MMVERIFY_SDK;
+  std::string tried;
+  for (const fs::path& folder : {here / "../include", here / "../sdk", fs::path(MMVERIFY_SDK)}) {
+    const std::string place = folder.lexically_normal().string();
+    if (fs::exists(folder / "mmverify_subject.h", error)) return place;
+    tried += (tried.empty() ? "" : ", ") + place;
+  }
+  throw NotAvailable("mmverify_subject.h, which a source is compiled with, is in none of " + tried +
+                     "; put it into one of them (it is subjects/sdk/mmverify_subject.h)");
 }
 
 std::string clang() {
@@ -118,6 +125,8 @@ Compiled::Compiled(const std::string& file, const std::string& function,
   std::error_code error;
   if (!fs::exists(file, error)) throw BadSource(file + ": no such file");
   if (!fs::is_regular_file(file, error)) throw BadSource(file + ": it is no file with text or code");
+  for (const std::string& flag : flags)
+    if (const auto why = why_not_judged(flag)) throw UnknownInstruction(file + ": --flag=" + flag + ": " + *why);
   const std::string version = of_clang({"--version"}).out;
   const std::size_t from = version.find("clang version");
   compiler_ = from == std::string::npos
@@ -132,36 +141,44 @@ Compiled::Compiled(const std::string& file, const std::string& function,
     bitcode_ = kept;
     compiler_ = "SPIR-V";
   } else if (extension != ".bc" && extension != ".ll") {
-    static const std::array known{".c", ".h", ".cc", ".cpp", ".cxx", ".hpp", ".C", ".i", ".ii"};
-    if (std::find(known.begin(), known.end(), extension) == known.end())
-      throw BadSource(file +
-                      ": its name tells no language; .c, .cpp, .glsl, .comp, .hlsl, .spv, .bc and .ll do");
-    bitcode_ = folder_->file("module.bc");
-    // clang must report a constant index beyond an array's end: in the bitcode it is an index into the next
-    // row. LLVM's passes are left to the reader. Functions without a caller are kept.
-    std::vector<std::string> words{"-O1",
-                                   "-g",
-                                   "-Xclang",
-                                   "-disable-llvm-passes",
-                                   "-Xclang",
-                                   "-femit-all-decls",
-                                   "-I" + header_folder()};
-    words.insert(words.end(), flags.begin(), flags.end());
-    words.insert(words.end(), {"-fno-caret-diagnostics", "-Werror=array-bounds", "-ffp-contract=off",
-                               "-fno-math-errno", "-emit-llvm", "-c", "-o", bitcode_, "--", file});
-    if (const ProgramEnd end = of_clang(words); !end.succeeded) {
-      folder_->check_room();
-      throw BadSource(file + ": clang does not compile it (" + end.how +
-                      "): " + program::one_line(end.errors));
-    }
+    compile(flags);
   }
   shifts_ = fs::path(file).extension() == ".hlsl" ? "hlsl" : "other";
+  link(fault);
+}
+
+void Compiled::compile(const std::vector<std::string>& flags) {
+  static const std::array known{".c", ".h", ".cc", ".cpp", ".cxx", ".hpp", ".C", ".i", ".ii"};
+  if (std::find(known.begin(), known.end(), fs::path(file_).extension().string()) == known.end())
+    throw BadSource(file_ +
+                    ": its name tells no language; .c, .cpp, .glsl, .comp, .hlsl, .spv, .bc and .ll do");
+  bitcode_ = folder_->file("module.bc");
+  // clang must report a constant index beyond an array's end: in the bitcode it is an index into the next
+  // row. LLVM's passes are left to the reader. Functions without a caller are kept.
+  std::vector<std::string> words{"-O1",
+                                 "-g",
+                                 "-Xclang",
+                                 "-disable-llvm-passes",
+                                 "-Xclang",
+                                 "-femit-all-decls",
+                                 "-I" + header_folder()};
+  words.insert(words.end(), flags.begin(), flags.end());
+  words.insert(words.end(), {"-fno-caret-diagnostics", "-Werror=array-bounds", "-ffp-contract=off",
+                             "-fno-math-errno", "-emit-llvm", "-c", "-o", bitcode_, "--", file_});
+  if (const ProgramEnd end = of_clang(words); !end.succeeded) {
+    folder_->check_room();
+    throw BadSource(file_ + ": clang does not compile it (" + end.how +
+                    "): " + program::one_line(end.errors));
+  }
+}
+
+void Compiled::link(const std::string& fault) {
   const std::string alone = folder_->file("index.bc"), wrapper = folder_->file("subject.c");
   const ProgramEnd end =
       of_reader({bitcode_, function_, "export", alone, fault.empty() ? "none" : fault, shifts_});
   if (!end.succeeded) folder_->check_room();
   if (end.how == "exit code 3") throw UnknownInstruction(said(end));
-  if (!end.succeeded) throw BadSource(file + ": " + said(end));
+  if (!end.succeeded) throw BadSource(file_ + ": " + said(end));
   exported_ = bytes_of(alone);
   std::ofstream(wrapper) << behind_the_header;
   library_ = folder_->file("index.so");
@@ -170,8 +187,8 @@ Compiled::Compiled(const std::string& file, const std::string& function,
                 "-I" + header_folder(), wrapper, alone, "-lm", "-o", library_});
   if (!linked.succeeded) folder_->check_room();
   if (!linked.succeeded)
-    throw BadSource(file + ": clang makes no shared library of it (" + linked.how + "):\n" +
-                    program::one_line(linked.errors));
+    throw BadSource(file_ + ": clang makes no shared library of it (" + linked.how +
+                    "): " + program::one_line(linked.errors));
 }
 
 std::string Compiled::said(const program::ProgramEnd& end) const {

@@ -21,7 +21,7 @@ struct BadSource : std::runtime_error {
 struct NotAvailable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// An instruction that no operation models; what() begins with file and line.
+/// What no operation models: an instruction, a promise, a flag; what() begins with file and line.
 struct UnknownInstruction : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -49,6 +49,10 @@ class Compiled {
   std::shared_ptr<const program::Folder> files() const { return folder_; }
 
  private:
+  /// Makes bitcode of the file by clang.
+  void compile(const std::vector<std::string>& flags);
+  /// Makes the library of the function alone.
+  void link(const std::string& fault);
   /// The reader's error message, with the name of the original file.
   std::string said(const program::ProgramEnd& end) const;
 

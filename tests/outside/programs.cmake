@@ -68,7 +68,9 @@ endif()
 if(NOT MMVERIFY_SANITIZE)
   add_test(NAME source_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/source_test.sh $<TARGET_FILE:mmverify-prove> ${PROJECT_SOURCE_DIR}
     $<$<BOOL:${MMVERIFY_BRIEF}>:--brief> $<$<BOOL:${MMVERIFY_EVERY_TEST}>:--every> COMMAND_EXPAND_LISTS)
-  set_tests_properties(source_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 900 COST 1000)
+  add_test(NAME source_promises_test
+    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/source_promises_test.sh $<TARGET_FILE:mmverify-prove>)
+  set_tests_properties(source_test source_promises_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 900 COST 1000)
 endif()
 
 # Implementations of others, by stand-ins of the same shape.

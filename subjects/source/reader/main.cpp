@@ -17,6 +17,7 @@
 #include <string>
 
 #include "subjects/source/reader/module.hpp"
+#include "subjects/source/reader/refused/refused.hpp"
 
 namespace {
 
@@ -52,6 +53,7 @@ int run(int count, char** words) {
   const std::unique_ptr<llvm::Module> module = read_module(file, name, context, planted, shifts_wrap);
   llvm::Function& index = index_function(*module, name);
   if (exports) {
+    refuse_what_is_not_judged(*module, index);
     export_index(*module, index);
     std::error_code error;
     llvm::raw_fd_ostream out(count > 4 ? words[4] : "-", error);

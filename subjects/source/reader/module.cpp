@@ -2,15 +2,10 @@
 
 #include <llvm/ADT/SmallVector.h>
 #include <llvm/Analysis/CFG.h>
-#include <llvm/Analysis/CGSCCPassManager.h>
-#include <llvm/Analysis/LoopAnalysisManager.h>
 #include <llvm/Demangle/Demangle.h>
-#include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/IRBuilder.h>
-#include <llvm/IR/PassManager.h>
 #include <llvm/IR/Verifier.h>
 #include <llvm/IRReader/IRReader.h>
-#include <llvm/Passes/PassBuilder.h>
 #include <llvm/Support/SourceMgr.h>
 #include <llvm/Support/raw_ostream.h>
 #include <llvm/Transforms/Utils/Local.h>
@@ -21,6 +16,7 @@
 
 #include "subjects/source/reader/accesses.hpp"
 #include "subjects/source/reader/certain.hpp"
+#include "subjects/source/reader/passes.hpp"
 #include "subjects/source/reader/spirv/module.hpp"
 #include "subjects/source/reader/spirv/spirv.hpp"
 #include "subjects/source/reader/undefined.hpp"
@@ -100,23 +96,6 @@ void hide_all_but(llvm::Module& module, const llvm::Function& shown) {
   }
 }
 
-void run_passes(llvm::Module& module, const std::string& pipeline) {
-  llvm::LoopAnalysisManager loops;
-  llvm::FunctionAnalysisManager functions;
-  llvm::CGSCCAnalysisManager calls;
-  llvm::ModuleAnalysisManager modules;
-  llvm::PassBuilder passes;
-  passes.registerModuleAnalyses(modules);
-  passes.registerCGSCCAnalyses(calls);
-  passes.registerFunctionAnalyses(functions);
-  passes.registerLoopAnalyses(loops);
-  passes.crossRegisterProxies(loops, functions, calls, modules);
-  llvm::ModulePassManager all;
-  if (llvm::Error error = passes.parsePassPipeline(all, pipeline))
-    throw CannotRead("LLVM's passes: " + llvm::toString(std::move(error)));
-  all.run(module, modules);
-}
-
 /// Throws NotKnown for a thread_local variable that the index function uses: it keeps values between calls, and
 /// no shared library can have it as the front end wrote it.
 void refuse_thread_locals(llvm::Module& module) {
@@ -125,13 +104,7 @@ void refuse_thread_locals(llvm::Module& module) {
   run_passes(module, "globaldce");
   const auto found = std::find_if(module.global_begin(), module.global_end(), of_threads);
   if (found == module.global_end()) return;
-  llvm::SmallVector<llvm::DIGlobalVariableExpression*, 1> declared;
-  found->getDebugInfo(declared);
-  std::string place = module.getSourceFileName();
-  if (!declared.empty())
-    place = declared[0]->getVariable()->getFilename().str() + ":" +
-            std::to_string(declared[0]->getVariable()->getLine());
-  throw NotKnown(place + ": " + found->getName().str() + " is thread_local");
+  throw NotKnown(place_of(*found) + ": " + found->getName().str() + " is thread_local");
 }
 
 }  // namespace
@@ -147,6 +120,9 @@ std::unique_ptr<llvm::Module> read_module(const std::string& file, const std::st
   std::string why;
   llvm::raw_string_ostream out(why);
   if (llvm::verifyModule(*module, &out)) throw CannotRead(file + ": " + out.str());
+  for (const llvm::GlobalValue& value : module->global_values())
+    if (value.getName().contains("mmverify."))
+      throw NotKnown(module->getSourceFileName() + ": a name that the reader gives, " + value.getName().str());
   return module;
 }
 
@@ -196,6 +172,7 @@ void export_index(llvm::Module& module, llvm::Function& index) {
   if (llvm::GlobalValue* other = module.getNamedValue(exported)) other->setName("other");
   hide_all_but(module, calling(module, index, exported, nullptr));
   refuse_thread_locals(module);
+  define_unset(module);
 }
 
 llvm::Function& at_level(llvm::Module& module, llvm::Function& index, unsigned level) {

@@ -84,6 +84,21 @@ void guard_pointers_read(I& at) {
     if (of->getType()->isPointerTy() && !llvm::isa<llvm::Constant>(of)) require(build, of, Required::set, 0);
 }
 
+void guard_pointer_loaded(I& at) {
+  auto* load = llvm::dyn_cast<llvm::LoadInst>(&at);
+  if (load == nullptr || !load->getType()->isPointerTy()) return;
+  const auto number = [&](unsigned kind) -> std::uint64_t {
+    const llvm::MDNode* node = load->getMetadata(kind);
+    return node == nullptr ? 0 : llvm::mdconst::extract<llvm::ConstantInt>(node->getOperand(0))->getZExtValue();
+  };
+  using K = llvm::LLVMContext;
+  const auto has = [&](unsigned kind) { return load->getMetadata(kind) != nullptr; };
+  llvm::IRBuilder<> build(load->getNextNode());
+  build.SetCurrentDebugLocation(load->getDebugLoc());
+  require_all(build, load,
+              {has(K::MD_nonnull), has(K::MD_noundef), number(K::MD_dereferenceable), number(K::MD_align)});
+}
+
 void guard_promises(llvm::CallBase& call) {
   const auto* to = llvm::dyn_cast<llvm::Function>(call.getCalledOperand()->stripPointerCasts());
   const llvm::AttributeList of_call = call.getAttributes(),

@@ -12,6 +12,8 @@ namespace mmverify::source {
 void guard_step(llvm::GetElementPtrInst& step);
 /// Guards pointers that an instruction reads from a variable, compares or converts: they must be set.
 void guard_pointers_read(llvm::Instruction& at);
+/// Guards what a load's metadata says of the pointer that it loads. Call it before the metadata is dropped.
+void guard_pointer_loaded(llvm::Instruction& at);
 /// Guards the attributes of a call's arguments and of its result.
 void guard_promises(llvm::CallBase& call);
 /// Guards what an assumption says of pointers. Throws NotKnown for what is not known.

@@ -27,8 +27,7 @@ using Number = std::uint32_t;
 
 /// The file and line; empty if unknown.
 std::string place(const llvm::Instruction& at) {
-  const llvm::DILocation* line = at.getDebugLoc();
-  return line == nullptr || line->getLine() == 0 ? std::string() : place_of(at);
+  return line_of(at) == nullptr ? std::string() : place_of(at);
 }
 
 std::string name_of(const llvm::Instruction& at) {

@@ -267,10 +267,10 @@ void guard_branch(I& at) {
     call_opaque(build, branch, build.getVoidTy(), {on}, false);
 }
 
-/// Guards the range of a loaded value: a bool's byte is 0 or 1.
-void guard_range(llvm::LoadInst& load, const llvm::MDNode& range) {
-  llvm::IRBuilder<> build(load.getNextNode());
-  build.SetCurrentDebugLocation(load.getDebugLoc());
+/// Guards the range of a value that is loaded or returned: a bool's byte is 0 or 1.
+void guard_range(I& at, const llvm::MDNode& range) {
+  llvm::IRBuilder<> build(at.getNextNode());
+  build.SetCurrentDebugLocation(at.getDebugLoc());
   llvm::Value* none = build.getTrue();
   for (unsigned k = 0; k + 1 < range.getNumOperands(); k += 2) {
     const auto number = [&](unsigned of) {
@@ -278,8 +278,8 @@ void guard_range(llvm::LoadInst& load, const llvm::MDNode& range) {
     };
     const llvm::APInt first = number(k), size = number(k + 1) - first;
     none = build.CreateAnd(
-        none, build.CreateICmpUGE(build.CreateSub(&load, llvm::ConstantInt::get(load.getType(), first)),
-                                  llvm::ConstantInt::get(load.getType(), size)));
+        none, build.CreateICmpUGE(build.CreateSub(&at, llvm::ConstantInt::get(at.getType(), first)),
+                                  llvm::ConstantInt::get(at.getType(), size)));
   }
   forbid_outside(build, none, Outside::of_type);
 }
@@ -297,6 +297,7 @@ void guard_instruction(I& at) {
     llvm::IRBuilder<> build(&at);
     refuse(build, Refusal::scopes);
   }
+  guard_pointer_loaded(at);
   // apart.hpp checks types after calls are inlined.
   at.dropUnknownNonDebugMetadata({llvm::LLVMContext::MD_tbaa, llvm::LLVMContext::MD_tbaa_struct});
   if (llvm::isa<llvm::DbgInfoIntrinsic>(at)) return;
@@ -306,6 +307,7 @@ void guard_instruction(I& at) {
       math != nullptr && math->getFastMathFlags().any())
     throw NotKnown(place_of(at) + ": " + at.getOpcodeName() +
                    ": fast-math flags, which leave its value open");
+  if (range != nullptr) guard_range(at, *range);
   guard_pointers_read(at);
   if (auto* step = llvm::dyn_cast<llvm::GetElementPtrInst>(&at)) {
     guard_step(*step);
@@ -314,7 +316,6 @@ void guard_instruction(I& at) {
   if (auto* variable = llvm::dyn_cast<llvm::AllocaInst>(&at)) return guard_variable(*variable);
   if (auto* end = llvm::dyn_cast<llvm::UnreachableInst>(&at)) return guard_end(*end);
   if (auto* load = llvm::dyn_cast<llvm::LoadInst>(&at)) {
-    if (range != nullptr) guard_range(*load, *range);
     return guard_load(*load);
   }
   if (llvm::isa<llvm::BranchInst>(at) || llvm::isa<llvm::SwitchInst>(at)) return guard_branch(at);
@@ -380,9 +381,21 @@ unsigned flags_of(const I& at) {
   return flags;
 }
 
-std::string place_of(const llvm::Instruction& at) {
+const llvm::DILocation* line_of(const llvm::Instruction& at) {
   const llvm::DILocation* line = at.getDebugLoc();
-  if (line == nullptr || line->getLine() == 0) return at.getModule()->getSourceFileName();
+  const auto* variable = llvm::dyn_cast<llvm::AllocaInst>(&at);
+  if (line == nullptr && variable != nullptr) line = declared_at(const_cast<llvm::AllocaInst&>(*variable));
+  if (line != nullptr && line->getLine() != 0) return line;
+  if (variable == nullptr) return nullptr;
+  for (const llvm::User* user : variable->users())
+    if (const auto* use = llvm::dyn_cast<I>(user); use != nullptr && !llvm::isa<llvm::AllocaInst>(use))
+      if (line = use->getDebugLoc(); line != nullptr && line->getLine() != 0) return line;
+  return nullptr;
+}
+
+std::string place_of(const llvm::Instruction& at) {
+  const llvm::DILocation* line = line_of(at);
+  if (line == nullptr) return at.getModule()->getSourceFileName();
   return line->getFilename().str() + ":" + std::to_string(line->getLine());
 }
 
@@ -390,6 +403,15 @@ std::string place_of(const llvm::Function& f) {
   const llvm::DISubprogram* at = f.getSubprogram();
   return at == nullptr ? f.getParent()->getSourceFileName()
                        : at->getFilename().str() + ":" + std::to_string(at->getLine());
+}
+
+std::string place_of(const llvm::GlobalValue& value) {
+  if (const auto* f = llvm::dyn_cast<llvm::Function>(&value)) return place_of(*f);
+  llvm::SmallVector<llvm::DIGlobalVariableExpression*, 1> declared;
+  if (const auto* variable = llvm::dyn_cast<llvm::GlobalVariable>(&value)) variable->getDebugInfo(declared);
+  if (declared.empty()) return value.getParent()->getSourceFileName();
+  const llvm::DIGlobalVariable& at = *declared[0]->getVariable();
+  return at.getFilename().str() + ":" + std::to_string(at.getLine());
 }
 
 Guarded guarded(const llvm::CallInst& call) {
@@ -409,6 +431,15 @@ Guarded guarded(const llvm::CallInst& call) {
 
 llvm::CallInst* never_set(llvm::IRBuilder<>& build, llvm::Type* type) {
   return call_opaque(build, unset, type, {}, true);
+}
+
+void define_unset(llvm::Module& module) {
+  for (llvm::Function& f : module) {
+    if (!f.isDeclaration() || !f.getName().startswith(unset)) continue;
+    llvm::IRBuilder<> build(llvm::BasicBlock::Create(module.getContext(), "", &f));
+    build.CreateRet(build.CreateFreeze(llvm::UndefValue::get(f.getReturnType())));
+    f.setLinkage(llvm::GlobalValue::InternalLinkage);
+  }
 }
 
 void forbid_outside(llvm::IRBuilder<>& build, llvm::Value* condition, Outside what) {

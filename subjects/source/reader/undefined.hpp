@@ -3,6 +3,7 @@
 // counts.
 #pragma once
 
+#include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/InstrTypes.h>
 #include <llvm/IR/Instructions.h>
@@ -58,6 +59,8 @@ void guard(llvm::Module& module);
 
 /// A value that was never set: an opaque call.
 llvm::CallInst* never_set(llvm::IRBuilder<>& build, llvm::Type* type);
+/// Gives the opaque functions of such values bodies, so that the module can be run: any value will do.
+void define_unset(llvm::Module& module);
 void forbid_outside(llvm::IRBuilder<>& build, llvm::Value* condition, Outside what);
 void refuse(llvm::IRBuilder<>& build, Refusal why);
 void require(llvm::IRBuilder<>& build, llvm::Value* pointer, Required what, std::uint64_t number);
@@ -73,8 +76,11 @@ bool divides(unsigned opcode);
 /// The instruction's flags, as in subjects/source/program.hpp.
 unsigned flags_of(const llvm::Instruction& at);
 
+/// The line; null if unknown. A variable's is that of its declaration, or else of its first use with one.
+const llvm::DILocation* line_of(const llvm::Instruction& at);
 /// The place, "mine.c:12", or the module's file.
 std::string place_of(const llvm::Instruction& at);
 std::string place_of(const llvm::Function& f);
+std::string place_of(const llvm::GlobalValue& value);
 
 }  // namespace mmverify::source

@@ -1,5 +1,6 @@
 // GLSL.std.450: the built-in functions of shading languages.
 #include "subjects/source/reader/module.hpp"
+#include "subjects/source/reader/spirv/names.hpp"
 #include "subjects/source/reader/spirv/values.hpp"
 
 namespace mmverify::source {
@@ -104,7 +105,7 @@ void Values::extended(const Instruction& i) {
     case spv::FindSMsb:
       return first_bit(i, which);
     default:
-      throw NotKnown("OpExtInst, instruction " + std::to_string(which) + " of GLSL.std.450");
+      throw NotKnown(extended_name(which) + " of GLSL.std.450");
   }
 }
 

@@ -1,5 +1,6 @@
 #include "subjects/source/reader/spirv/module.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "subjects/source/reader/module.hpp"
@@ -9,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t magic = 0x07230203, swapped_magic = 0x03022307;
 constexpr std::size_t header_words = 5;
-constexpr std::uint32_t relaxed_precision = 0, fast_math = 40;  // decorations
+constexpr std::uint32_t fast_math = 40;  // a decoration
 
 std::uint32_t swapped(std::uint32_t w) { return w << 24 | (w & 0xff00) << 8 | (w >> 8 & 0xff00) | w >> 24; }
 
@@ -63,32 +64,70 @@ std::string text_at(const std::vector<std::uint32_t>& operands, std::size_t at) 
   throw CannotRead("no valid SPIR-V: a text without an end");
 }
 
-std::string opcode_name(std::uint16_t opcode) {
-  static const std::map<std::uint16_t, const char*> names{{87, "OpImageSampleImplicitLod"},
-                                                          {88, "OpImageSampleExplicitLod"},
-                                                          {95, "OpImageFetch"},
-                                                          {spv::ExtInst, "OpExtInst"},
-                                                          {136, "OpFDiv"},
-                                                          {140, "OpFRem"},
-                                                          {141, "OpFMod"},
-                                                          {148, "OpDot"},
-                                                          {144, "OpVectorTimesMatrix"},
-                                                          {145, "OpMatrixTimesVector"},
-                                                          {149, "OpIAddCarry"},
-                                                          {150, "OpISubBorrow"},
-                                                          {151, "OpUMulExtended"},
-                                                          {152, "OpSMulExtended"},
-                                                          {252, "OpKill"},
-                                                          {spv::Load, "OpLoad"},
-                                                          {spv::Store, "OpStore"},
-                                                          {spv::AccessChain, "OpAccessChain"},
-                                                          {spv::FunctionCall, "OpFunctionCall"}};
-  const auto found = names.find(opcode);
-  return found != names.end() ? found->second : "opcode " + std::to_string(opcode);
+bool SpirvModule::is_decorated(std::uint32_t id, std::uint32_t decoration) const {
+  const auto found = decorations.find(id);
+  return found != decorations.end() &&
+         std::any_of(found->second.begin(), found->second.end(),
+                     [&](const Instruction& i) { return i.operands[1] == decoration; });
 }
 
+namespace {
+
+[[noreturn]] void bad(const std::string& why) { throw CannotRead("no valid SPIR-V: " + why); }
+
+void decorate(SpirvModule& module, const Instruction& i) {
+  if (i.operands.size() < 2) bad("a decoration has too few operands");
+  module.decorations[i.operands[0]].push_back(i);
+  if (i.operands[1] == fast_math)
+    module.foreign_promises.push_back("FPFastMathMode, which leaves values open");
+}
+
+void decorate_member(SpirvModule& module, const Instruction& i) {
+  if (i.operands.size() < 3) bad("a decoration has too few operands");
+  module.members[i.operands[0]].push_back(i);
+  if (i.operands[2] == spv::RelaxedPrecision)
+    module.foreign_promises.push_back("RelaxedPrecision of a member: a device may compute in 16 bits");
+}
+
+/// Gives the decorations of a group to all that the instruction names: ids, or structures with members.
+void decorate_by_group(SpirvModule& module, const Instruction& i) {
+  const bool members = i.opcode == spv::GroupMemberDecorate;
+  const std::vector<Instruction> group = i.operands.empty() ? std::vector<Instruction>()
+                                                            : module.decorations[i.operands[0]];
+  for (std::size_t k = 1; k + (members ? 1 : 0) < i.operands.size(); k += members ? 2 : 1)
+    for (Instruction one : group) {
+      one.opcode = members ? spv::MemberDecorate : spv::Decorate;
+      one.operands[0] = i.operands[k];
+      if (members) one.operands.insert(one.operands.begin() + 1, i.operands[k + 1]);
+      members ? decorate_member(module, one) : decorate(module, one);
+    }
+}
+
+/// Records a decoration, or an execution mode that changes binary32 operations.
+void annotate(SpirvModule& module, const Instruction& i) {
+  constexpr std::uint32_t flush_to_zero = 4460, round_to_zero = 4463;
+  switch (i.opcode) {
+    case spv::ExecutionMode:
+      if (i.operands.size() < 3 || i.operands[2] < 32) return;
+      if (i.operands[1] == flush_to_zero)
+        module.foreign_promises.push_back("DenormFlushToZero: subnormal numbers are not kept");
+      if (i.operands[1] == round_to_zero)
+        module.foreign_promises.push_back("RoundingModeRTZ: numbers are not rounded to nearest");
+      return;
+    case spv::MemberDecorate:
+    case spv::MemberDecorateString:
+      return decorate_member(module, i);
+    case spv::GroupDecorate:
+    case spv::GroupMemberDecorate:
+      return decorate_by_group(module, i);
+    default:
+      return decorate(module, i);
+  }
+}
+
+}  // namespace
+
 SpirvModule read_spirv_module(const std::string& bytes) {
-  const auto bad = [](const std::string& why) { throw CannotRead("no valid SPIR-V: " + why); };
   if (bytes.size() % 4 != 0 || bytes.size() < 4 * header_words) bad("it is cut short");
   std::vector<std::uint32_t> words(bytes.size() / 4);
   std::memcpy(words.data(), bytes.data(), bytes.size());
@@ -137,25 +176,15 @@ SpirvModule read_spirv_module(const std::string& bytes) {
       case spv::NoLine:
         file = line = 0;
         break;
-      case spv::ExecutionMode: {
-        constexpr std::uint32_t flush_to_zero = 4460, round_to_zero = 4463;
-        if (i.operands.size() < 3 || i.operands[2] < 32) break;
-        if (i.operands[1] == flush_to_zero)
-          module.foreign_promises.push_back("DenormFlushToZero: subnormal numbers are not kept");
-        if (i.operands[1] == round_to_zero)
-          module.foreign_promises.push_back("RoundingModeRTZ: numbers are not rounded to nearest");
-        break;
-      }
+      case spv::ExecutionMode:
       case spv::Decorate:
-        needs(2);
-        if (i.operands[1] == relaxed_precision) module.relaxed.insert(i.operands[0]);
-        if (i.operands[1] == fast_math)
-          module.foreign_promises.push_back("FPFastMathMode, which leaves values open");
-        break;
+      case spv::DecorateId:
+      case spv::DecorateString:
       case spv::MemberDecorate:
-        needs(3);
-        if (i.operands[2] == relaxed_precision)
-          module.foreign_promises.push_back("RelaxedPrecision of a member: a device may compute in 16 bits");
+      case spv::MemberDecorateString:
+      case spv::GroupDecorate:
+      case spv::GroupMemberDecorate:
+        annotate(module, i);
         break;
       case spv::Function:
         if (inside != nullptr) bad("a function in a function");

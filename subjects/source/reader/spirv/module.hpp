@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -50,6 +49,8 @@ enum Opcode : std::uint16_t {
   InBoundsAccessChain = 66,
   Decorate = 71,
   MemberDecorate = 72,
+  GroupDecorate = 74,
+  GroupMemberDecorate = 75,
   VectorExtractDynamic = 77,
   VectorShuffle = 79,
   CompositeConstruct = 80,
@@ -133,6 +134,9 @@ enum Opcode : std::uint16_t {
   ReturnValue = 254,
   Unreachable = 255,
   NoLine = 317,
+  DecorateId = 332,
+  DecorateString = 5632,
+  MemberDecorateString = 5633,
 };
 enum Extended : std::uint32_t {
   RoundEven = 2,
@@ -162,6 +166,7 @@ enum Extended : std::uint32_t {
   NClamp = 81,
 };
 enum Storage : std::uint32_t { Private = 6, FunctionStorage = 7 };
+enum Decoration : std::uint32_t { RelaxedPrecision = 0, NoSignedWrap = 4469, NoUnsignedWrap = 4470 };
 }  // namespace spv
 
 struct Instruction {
@@ -180,9 +185,12 @@ struct SpirvModule {
   std::map<std::uint32_t, std::string> names, strings, sets;  ///< sets: of extended instructions
   std::map<std::uint32_t, Instruction> globals;  ///< types, constants, variables outside of functions
   std::vector<SpirvFunction> functions;
-  std::set<std::uint32_t> relaxed;            ///< ids with RelaxedPrecision
+  /// Decorations by what they decorate: operand 0 of each is an id, and of `members` a structure's.
+  std::map<std::uint32_t, std::vector<Instruction>> decorations, members;
   std::vector<std::string> foreign_promises;  ///< messages on modes that change binary32 operations
   bool shifts_wrap = false;                   ///< shifts take the amount modulo the width
+
+  bool is_decorated(std::uint32_t id, std::uint32_t decoration) const;
 };
 
 /// Whether the bytes begin as SPIR-V does, in either byte order.
@@ -193,8 +201,5 @@ SpirvModule read_spirv_module(const std::string& bytes);
 
 /// The operands from `at` on as a string, which SPIR-V packs in words.
 std::string text_at(const std::vector<std::uint32_t>& operands, std::size_t at);
-
-/// The name of an opcode, "OpFDiv"; "opcode 4711" for an uncommon one.
-std::string opcode_name(std::uint16_t opcode);
 
 }  // namespace mmverify::source

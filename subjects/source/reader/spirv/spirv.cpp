@@ -10,8 +10,10 @@
 #include <set>
 
 #include "subjects/source/reader/module.hpp"
+#include "subjects/source/reader/spirv/decorations.hpp"
 #include "subjects/source/reader/spirv/functions.hpp"
 #include "subjects/source/reader/spirv/module.hpp"
+#include "subjects/source/reader/spirv/names.hpp"
 #include "subjects/source/reader/spirv/types.hpp"
 #include "subjects/source/reader/spirv/values.hpp"
 
@@ -20,8 +22,6 @@ namespace {
 
 /// The name without glslang's parameters: "index" for "index(u1;f1;f1;".
 std::string plain_name(const std::string& name) { return name.substr(0, name.find('(')); }
-
-constexpr const char* relaxed = "RelaxedPrecision (mediump): a device may compute in 16 bits";
 
 /// The body of one function.
 class Body {
@@ -40,12 +40,19 @@ class Body {
 
   void make() {
     lines_.begin(into_);
+    look_at(from_.head, [&] {
+      refuse_function_control(from_.head);
+      refuse_promises_of(module_, from_.head.result);
+    });
     unsigned argument = 0;
     for (const Instruction& p : from_.parameters) {
       Scalars all;
       for (std::size_t k = functions_.arguments(p.type); k > 0; --k) all.push_back(into_.getArg(argument++));
-      if (module_.relaxed.count(p.result) != 0) throw NotKnown(lines_.text(p) + ": " + relaxed);
-      values_.set(p, std::move(all));
+      look_at(p, [&] {
+        if (module_.is_decorated(p.result, spv::RelaxedPrecision)) throw NotKnown(relaxed);
+        refuse_promises_of(module_, p.result);
+        values_.set(p, std::move(all));
+      });
     }
     find_tables();
     for (const Instruction& i : from_.body)
@@ -54,17 +61,23 @@ class Body {
     if (blocks_.empty()) invalid("a function without a body");
     for (const Instruction& i : from_.body) {
       build_.SetCurrentDebugLocation(lines_.at(i));
-      try {
-        instruction(i);
-      } catch (const NotKnown& why) {
-        throw NotKnown(lines_.text(i) + ": " + why.what());
-      }
+      look_at(i, [&] { instruction(i); });
     }
     for (const auto& [i, phis] : phis_) join(*i, phis);
   }
 
  private:
   static std::uint32_t operand(const Instruction& i, std::size_t k) { return Types::operand(i, k); }
+
+  /// Adds the instruction's place to what is not known of it.
+  template <class Look>
+  void look_at(const Instruction& i, const Look& look) const {
+    try {
+      look();
+    } catch (const NotKnown& why) {
+      throw NotKnown(lines_.text(i) + ": " + why.what());
+    }
+  }
 
   llvm::BasicBlock* block(Id id) const {
     const auto found = blocks_.find(id);
@@ -273,6 +286,7 @@ class Body {
   }
 
   void instruction(const Instruction& i) {
+    refuse_promises_in(module_, i);
     switch (i.opcode) {
       case spv::Label:
         build_.SetInsertPoint(block(i.result));
@@ -286,7 +300,7 @@ class Body {
       default:
         break;
     }
-    if (i.result != 0 && module_.relaxed.count(i.result) != 0) throw NotKnown(relaxed);
+    if (i.result != 0 && module_.is_decorated(i.result, spv::RelaxedPrecision)) throw NotKnown(relaxed);
     if (build_.GetInsertBlock() == nullptr || build_.GetInsertBlock()->getTerminator() != nullptr)
       invalid("an instruction outside of a block");
     switch (i.opcode) {

@@ -4,6 +4,8 @@
 #include <llvm/IR/DerivedTypes.h>
 
 #include "subjects/source/reader/module.hpp"
+#include "subjects/source/reader/spirv/decorations.hpp"
+#include "subjects/source/reader/spirv/names.hpp"
 
 namespace mmverify::source {
 namespace {
@@ -82,6 +84,7 @@ llvm::Type* Types::llvm_type(Id type) const {
       scalars(type);
       return llvm::ArrayType::get(llvm_type(part(type, 0)), parts(type));
     case spv::TypeStruct: {
+      refuse_promises_of_members(module_, type);
       std::vector<llvm::Type*> members;
       for (std::uint32_t k = 0; k < parts(type); ++k) members.push_back(llvm_type(part(type, k)));
       return llvm::StructType::get(context_, members);
@@ -93,6 +96,8 @@ llvm::Type* Types::llvm_type(Id type) const {
 
 Scalars Types::constant(Id id) const {
   const Instruction& c = global(id);
+  if (module_.is_decorated(id, spv::RelaxedPrecision)) throw NotKnown(relaxed);
+  refuse_promises_of(module_, id);
   switch (c.opcode) {
     case spv::SpecConstantTrue:
     case spv::SpecConstantFalse:

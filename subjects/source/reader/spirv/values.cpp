@@ -1,6 +1,7 @@
 #include "subjects/source/reader/spirv/values.hpp"
 
 #include "subjects/source/reader/module.hpp"
+#include "subjects/source/reader/spirv/decorations.hpp"
 #include "subjects/source/reader/undefined.hpp"
 
 namespace mmverify::source {
@@ -97,10 +98,22 @@ void Values::shifts(const Instruction& i, llvm::Instruction::BinaryOps how) {
   set(i, std::move(a));
 }
 
+/// An operation on words. One that is decorated not to wrap is no constant, even of constants: it is undefined
+/// where it wraps.
+llvm::Value* Values::of_words(const Instruction& i, llvm::Instruction::BinaryOps how, llvm::Value* a,
+                              llvm::Value* b) {
+  const unsigned flags = wrap_flags(module_, i.result);
+  if (flags == 0) return build_.CreateBinOp(how, a, b);
+  auto* made = llvm::BinaryOperator::Create(how, a, b);
+  made->setHasNoUnsignedWrap((flags & no_unsigned_wrap) != 0);
+  made->setHasNoSignedWrap((flags & no_signed_wrap) != 0);
+  return build_.Insert(made);
+}
+
 bool Values::arithmetic(const Instruction& i) {
   using P = llvm::CmpInst::Predicate;
   using O = llvm::Instruction::BinaryOps;
-  static const std::map<std::uint16_t, O> of_words{
+  static const std::map<std::uint16_t, O> word_operations{
       {spv::IAdd, O::Add},     {spv::ISub, O::Sub},       {spv::IMul, O::Mul},
       {spv::UDiv, O::UDiv},    {spv::SDiv, O::SDiv},      {spv::UMod, O::URem},
       {spv::BitwiseOr, O::Or}, {spv::BitwiseXor, O::Xor}, {spv::BitwiseAnd, O::And},
@@ -133,8 +146,8 @@ bool Values::arithmetic(const Instruction& i) {
                                                             {spv::FUnordLessThanEqual, P::FCMP_ULE},
                                                             {spv::FOrdGreaterThanEqual, P::FCMP_OGE},
                                                             {spv::FUnordGreaterThanEqual, P::FCMP_UGE}};
-  if (const auto f = of_words.find(i.opcode); f != of_words.end()) {
-    pairs(i, 0, Sort::words, [&](auto* a, auto* b) { return build_.CreateBinOp(f->second, a, b); });
+  if (const auto f = word_operations.find(i.opcode); f != word_operations.end()) {
+    pairs(i, 0, Sort::words, [&](auto* a, auto* b) { return of_words(i, f->second, a, b); });
   } else if (const auto f = of_floats.find(i.opcode); f != of_floats.end()) {
     pairs(i, 0, Sort::floats, [&](auto* a, auto* b) { return build_.CreateBinOp(f->second, a, b); });
   } else if (const auto f = shifted.find(i.opcode); f != shifted.end()) {
@@ -291,7 +304,8 @@ bool Values::composite(const Instruction& i) {
 bool Values::of_bits(const Instruction& i) {
   switch (i.opcode) {
     case spv::SNegate:
-      return each(i, 0, Sort::words, [&](auto* a) { return build_.CreateNeg(a); }), true;
+      each(i, 0, Sort::words, [&](auto* a) { return of_words(i, llvm::Instruction::Sub, whole(a, 0), a); });
+      return true;
     case spv::FNegate:
       return each(i, 0, Sort::floats, [&](auto* a) { return build_.CreateFNeg(a); }), true;
     case spv::LogicalNot:

@@ -47,6 +47,8 @@ class Values {
   void each(const Instruction& i, std::size_t at, Sort sort, const Unary& make);
   void pairs(const Instruction& i, std::size_t at, Sort sort, const Binary& make);
   void shifts(const Instruction& i, llvm::Instruction::BinaryOps how);
+  llvm::Value* of_words(const Instruction& i, llvm::Instruction::BinaryOps how, llvm::Value* a,
+                        llvm::Value* b);
   void clamp(const Instruction& i, Sort sort, llvm::Intrinsic::ID most, llvm::Intrinsic::ID least,
              bool orders);
   void first_bit(const Instruction& i, std::uint32_t which);
