@@ -381,6 +381,12 @@ std::string Worker::misdeed() const {
       return "left the rounding or flush mode changed" + (message_.empty() ? "" : " " + message_);
     case Outcome::unmasked_exceptions:
       return "left floating-point exceptions unmasked" + (message_.empty() ? "" : " " + message_);
+    case Outcome::left_registers:
+      return "left values in the x87 or MMX registers" + (message_.empty() ? "" : " " + message_);
+    case Outcome::changed_signals:
+      return "left the signal mask changed" + (message_.empty() ? "" : " " + message_);
+    case Outcome::changed_struct:
+      return message_;
     case Outcome::wrote_before:
       return "wrote before the start of its output";
     case Outcome::wrote_behind:
