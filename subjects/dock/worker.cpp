@@ -20,6 +20,7 @@
 #include "subjects/dock/clean_text.hpp"
 #include "subjects/dock/description.hpp"
 #include "subjects/dock/futex.hpp"
+#include "subjects/dock/later.hpp"
 #include "subjects/dock/sanitizer.hpp"
 
 namespace mmverify::dock {
@@ -296,7 +297,7 @@ void Worker::take_report() {
 }
 
 bool Worker::report_is_possible() const {
-  if (report_.outcome < Outcome::answered || report_.outcome > Outcome::no_resources) return false;
+  if (report_.outcome < Outcome::answered || report_.outcome > changed_struct) return false;
   const Signature& signature = entry_point(sent_.call).signature;
   if (!signature.of_blob || report_.outcome != Outcome::answered) return true;
   if ((report_.taken != 0) != (report_.answer_bytes != 0)) return false;
@@ -374,6 +375,9 @@ void Worker::pin_down(Call call, std::uint32_t level, std::uint32_t format, std:
 }
 
 std::string Worker::misdeed() const {
+  if (report_.outcome == left_registers) return "left values in the x87 or MMX registers" + (message_.empty() ? "" : " " + message_);
+  if (report_.outcome == changed_signals) return "left the signal mask changed" + (message_.empty() ? "" : " " + message_);
+  if (report_.outcome == changed_struct) return message_;
   switch (report_.outcome) {
     case Outcome::threw:
       return message_.empty() ? "threw an exception" : "threw an exception: " + message_;
@@ -381,16 +385,10 @@ std::string Worker::misdeed() const {
       return "left the rounding or flush mode changed" + (message_.empty() ? "" : " " + message_);
     case Outcome::unmasked_exceptions:
       return "left floating-point exceptions unmasked" + (message_.empty() ? "" : " " + message_);
-    case Outcome::left_registers:
-      return "left values in the x87 or MMX registers" + (message_.empty() ? "" : " " + message_);
-    case Outcome::changed_signals:
-      return "left the signal mask changed" + (message_.empty() ? "" : " " + message_);
-    case Outcome::changed_struct:
-      return message_;
     case Outcome::wrote_before:
-      return "wrote before the start of its output";
+      return "wrote before the start of its output" + (message_.empty() ? "" : ", " + message_);
     case Outcome::wrote_behind:
-      return "wrote behind the end of its output";
+      return "wrote behind the end of its output" + (message_.empty() ? "" : ", " + message_);
     case Outcome::unwritten:
       return "left its output unwritten";
     case Outcome::non_deterministic:

@@ -58,9 +58,9 @@ class Desk {
   void check_fence(const Fenced& out, std::uint64_t element);
   /// Stops the command if a thread's calls left something changed.
   void check_left(const Left& left, std::uint64_t element, const char* where);
-  /// Stops the command if the subject's struct is no longer what it was. Commands 0, 1, 3, 7, ... also call
-  /// mmverify_subject_v1() again.
-  void check_struct(std::uint64_t number);
+  /// Stops the command if the signal mask or the subject's struct is no longer what it was: after the first
+  /// commands and later one in some. Commands 0, 1, 2, 4, 8, ... also call mmverify_subject_v1() again.
+  void check_the_process(std::uint64_t number);
 
   /// Marks the bytes before an output.
   static void set_canary(std::byte* out);
