@@ -20,7 +20,6 @@
 #include "subjects/dock/clean_text.hpp"
 #include "subjects/dock/description.hpp"
 #include "subjects/dock/futex.hpp"
-#include "subjects/dock/later.hpp"
 #include "subjects/dock/sanitizer.hpp"
 
 namespace mmverify::dock {
@@ -297,7 +296,7 @@ void Worker::take_report() {
 }
 
 bool Worker::report_is_possible() const {
-  if (report_.outcome < Outcome::answered || report_.outcome > changed_struct) return false;
+  if (report_.outcome < Outcome::answered || report_.outcome > Outcome::no_resources) return false;
   const Signature& signature = entry_point(sent_.call).signature;
   if (!signature.of_blob || report_.outcome != Outcome::answered) return true;
   if ((report_.taken != 0) != (report_.answer_bytes != 0)) return false;
@@ -375,24 +374,27 @@ void Worker::pin_down(Call call, std::uint32_t level, std::uint32_t format, std:
 }
 
 std::string Worker::misdeed() const {
-  if (report_.outcome == left_registers) return "left values in the x87 or MMX registers" + (message_.empty() ? "" : " " + message_);
-  if (report_.outcome == changed_signals) return "left the signal mask changed" + (message_.empty() ? "" : " " + message_);
-  if (report_.outcome == changed_struct) return message_;
+  const std::string where = message_.empty() ? "" : " " + message_;
   switch (report_.outcome) {
     case Outcome::threw:
       return message_.empty() ? "threw an exception" : "threw an exception: " + message_;
     case Outcome::changed_mode:
-      return "left the rounding or flush mode changed" + (message_.empty() ? "" : " " + message_);
+      return "left the rounding or flush mode changed" + where;
     case Outcome::unmasked_exceptions:
-      return "left floating-point exceptions unmasked" + (message_.empty() ? "" : " " + message_);
+      return "left floating-point exceptions unmasked" + where;
+    case Outcome::left_registers:
+      return "left values in the x87 or MMX registers" + where;
+    case Outcome::changed_signals:
+      return "left the signal mask changed" + where;
     case Outcome::wrote_before:
-      return "wrote before the start of its output" + (message_.empty() ? "" : ", " + message_);
+      return "wrote before the start of its output" + where;
     case Outcome::wrote_behind:
-      return "wrote behind the end of its output" + (message_.empty() ? "" : ", " + message_);
+      return "wrote behind the end of its output" + where;
     case Outcome::unwritten:
       return "left its output unwritten";
     case Outcome::non_deterministic:
       return "non-deterministic, " + message_;
+    case Outcome::changed_struct:
     case Outcome::too_large:
       return message_;
     default:

@@ -14,7 +14,6 @@
 #include "subjects/dock/desk/call.hpp"
 #include "subjects/dock/desk/float_mode.hpp"
 #include "subjects/dock/futex.hpp"
-#include "subjects/dock/later.hpp"
 
 namespace mmverify::dock {
 namespace {
@@ -131,8 +130,8 @@ void Desk::check_mode(std::uint64_t left, std::uint64_t element, const char* whe
 
 void Desk::check_left(const Left& left, std::uint64_t element, const char* where) {
   if (left.mode) check_mode(*left.mode, element, where);
-  if (left.registers) stop(left_registers, element, where);
-  if (left.signals) stop(changed_signals, element, where);
+  if (left.registers) stop(Outcome::left_registers, element, where);
+  if (left.signals) stop(Outcome::changed_signals, element, where);
 }
 
 void Desk::check_the_process(std::uint64_t number) {
@@ -142,7 +141,7 @@ void Desk::check_the_process(std::uint64_t number) {
   if (blocked_signals() != signals_) check_left({{}, false, true}, 0, "");
   std::string change = promised_.change();
   if (change.empty() && (number == 0 || std::has_single_bit(number))) change = promised_.change_when_asked_again();
-  if (!change.empty()) stop(changed_struct, 0, change);
+  if (!change.empty()) stop(Outcome::changed_struct, 0, change);
 }
 
 std::uint64_t Desk::guarded(Arguments a, Fenced& out, std::uint64_t element) {
