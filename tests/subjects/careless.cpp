@@ -25,21 +25,23 @@ mmverify_subject_t* page_of_struct = nullptr;
 
 bool is_below(const void* at, unsigned bits) { return reinterpret_cast<std::uintptr_t>(at) >> bits == 0; }
 
-/// Whether a byte of `bytes` of the stack below is not zero, or has the value.
+/// Whether some of `bytes` bytes of the stack below, which nobody has set, has the value.
 template <std::size_t bytes>
 [[gnu::noinline]] bool stack_holds(unsigned char value) {
   volatile unsigned char room[bytes];
+  asm volatile("" : "=m"(room));  // the compiler takes it for set
   bool found = false;
   for (std::size_t k = 0; k < bytes; k += bytes / 512) found = found || room[k] == value;
   return found;
 }
 
-/// Answers into the words around the output as they were before the call.
+/// The whole words that an output touches.
 class Words {
  public:
   Words(void* out, std::size_t bytes)
       : at_(reinterpret_cast<std::uint64_t*>(reinterpret_cast<std::uintptr_t>(out) & ~std::uintptr_t{7})),
         end_(reinterpret_cast<std::uint64_t*>((reinterpret_cast<std::uintptr_t>(out) + bytes + 7) & ~std::uintptr_t{7})) {}
+  /// Reads each, and writes it as it was some moments later.
   void write_back() const {
     for (volatile std::uint64_t* word = at_; word != end_; ++word) {
       const std::uint64_t before = *word;
@@ -52,7 +54,7 @@ class Words {
   std::uint64_t *at_, *end_;
 };
 
-/// What is wrong with an answer because of the caller's state.
+/// Whether the caller's state makes the answer wrong.
 bool is_disturbed() {
   const int error = errno;
   return (wrong_is("decide_errno_range") && error == ERANGE) ||
@@ -101,9 +103,8 @@ void decide_wide(std::uint64_t api, const std::uint32_t* candidate, const std::u
 int decode(std::uint32_t level, std::uint32_t format, const std::uint8_t* code, std::size_t size,
            std::uint8_t* map) {
   static thread_local const volatile std::uint8_t* last = nullptr;
-  static volatile std::uint8_t read = 0;
   if (wrong_is("decode_reads_on")) {
-    if (last != nullptr) read = *last;
+    if (last != nullptr) static_cast<void>(*last);
     last = size != 0 ? code : nullptr;
   }
   const int taken = right_tree()->tree_decode(level, format, code, size, map);
