@@ -20,6 +20,9 @@ enum class Outcome : std::uint32_t {
   threw,
   changed_mode,
   unmasked_exceptions,
+  left_registers,  ///< values in the x87 or MMX registers
+  changed_signals,
+  changed_struct,
   wrote_before,
   wrote_behind,
   unwritten,

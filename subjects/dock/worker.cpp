@@ -374,21 +374,27 @@ void Worker::pin_down(Call call, std::uint32_t level, std::uint32_t format, std:
 }
 
 std::string Worker::misdeed() const {
+  const std::string where = message_.empty() ? "" : " " + message_;
   switch (report_.outcome) {
     case Outcome::threw:
       return message_.empty() ? "threw an exception" : "threw an exception: " + message_;
     case Outcome::changed_mode:
-      return "left the rounding or flush mode changed" + (message_.empty() ? "" : " " + message_);
+      return "left the rounding or flush mode changed" + where;
     case Outcome::unmasked_exceptions:
-      return "left floating-point exceptions unmasked" + (message_.empty() ? "" : " " + message_);
+      return "left floating-point exceptions unmasked" + where;
+    case Outcome::left_registers:
+      return "left values in the x87 or MMX registers" + where;
+    case Outcome::changed_signals:
+      return "left the signal mask changed" + where;
     case Outcome::wrote_before:
-      return "wrote before the start of its output";
+      return "wrote before the start of its output" + where;
     case Outcome::wrote_behind:
-      return "wrote behind the end of its output";
+      return "wrote behind the end of its output" + where;
     case Outcome::unwritten:
       return "left its output unwritten";
     case Outcome::non_deterministic:
       return "non-deterministic, " + message_;
+    case Outcome::changed_struct:
     case Outcome::too_large:
       return message_;
     default:

@@ -52,14 +52,15 @@ int main(int argc, char** argv) {
 
   const std::uint64_t mode_before_loading = float_mode();
   mmverify_subject_t subject{};
+  Promised promised;
   Outcome outcome = Outcome::cannot_load;
   mailbox.report.outcome = outcome;
-  const std::string why = cannot_load(mailbox.description, argv[1], subject, outcome);
+  const std::string why = cannot_load(mailbox.description, argv[1], subject, promised, outcome);
   mailbox.report.outcome = outcome;
   std::snprintf(mailbox.report.message, sizeof mailbox.report.message, "%s", why.c_str());
   mailbox.turn.store(0, std::memory_order_release);
   futex_wake(mailbox.turn);
   if (!why.empty()) return 0;
   explain_faults(base, layout);
-  Desk(base, layout, subject, mode_before_loading).serve();
+  Desk(base, layout, subject, promised, mode_before_loading).serve();
 }

@@ -1,6 +1,9 @@
 // [release alone, night] Shared libraries that are right wherever a law asks, and wrong by what lies around a question, judged by the built
 // program.
+#include <clocale>
 #include <string>
+#include <thread>
+#include <utility>
 
 #include "tests/dock/plugin.hpp"
 #include "tests/sanitized.hpp"
@@ -52,6 +55,57 @@ INSTANTIATE_TEST_SUITE_P(
                     Touchy{"lookup_shares_level", "tree.lookup_is_decode --levels 1..2", beside},
                     Touchy{"encode_asks_for_twice", trip, " bytes, then, with room for 1, of "}),
     [](const auto& info) { return std::string(info.param.name); });
+
+constexpr char decision[] = "traverse.decision";
+
+INSTANTIATE_TEST_SUITE_P(
+    Careless, TouchySubject,
+    testing::Values(
+        Touchy{"decide_errno_range", decision, "asked while errno is ERANGE: "},
+        Touchy{"decide_errno_invalid", decision, "asked while errno is EINVAL: "},
+        Touchy{"decide_flags", decision, "asked while all floating-point exceptions are flagged: "},
+        Touchy{"decide_deep_stack", decision, "asked with garbage in 1 MiB of the stack: "},
+        Touchy{"decide_shallow_stack", decision, "asked with garbage in "},
+        Touchy{"decide_signals", decision, "left the signal mask changed"},
+        Touchy{"decide_changes_struct", decision, "its mmverify_subject_t changed in its field traverse_decide"},
+        Touchy{"decide_takes_struct_back", decision, "its mmverify_subject_t can no longer be read"},
+        Touchy{"decide_another_time", decision,
+               "mmverify_subject_v1 was called again, and its mmverify_subject_t changed in its field traverse_decide"},
+        Touchy{"decide_for_2", decision, "asked from 20 threads at once: "},
+        Touchy{"decide_for_19", decision, "asked from 20 threads at once: "},
+        Touchy{"decide_below_4_gib", decision, "asked with its memory below "},
+        Touchy{"decide_one_array", decision, "asked with one array for inputs that are equal: "},
+        Touchy{"decimate_one_array", "attribute.decimation_watertight --levels 1..2",
+               "asked with one array for inputs that are equal: "},
+        Touchy{"decode_reads_on", trip, "it touched the memory of an earlier call"},
+        Touchy{"decode_below_2_gib", trip, "asked with its memory below 2 GiB: "},
+        Touchy{"decode_errno", trip, "asked while errno is ERANGE: "}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+#if defined(__x86_64__)
+constexpr char in_registers[] = "left values in the x87 or MMX registers";
+INSTANTIATE_TEST_SUITE_P(
+    CarelessOnX86, TouchySubject,
+    testing::Values(Touchy{"decide_x87", decision, in_registers}, Touchy{"decide_mmx", decision, in_registers},
+                    Touchy{"decide_wide", decision, "asked with garbage in the upper halves of registers: "}),
+    [](const auto& info) { return std::string(info.param.name); });
+#endif
+
+TEST(CarelessSubject, of_one_locale_is_broken) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  const locale_t utf_8 = newlocale(LC_ALL_MASK, "C.UTF-8", nullptr);
+  if (utf_8 == nullptr) GTEST_SKIP() << "the system has no locale C.UTF-8";
+  freelocale(utf_8);
+  EXPECT_THAT(judge("decide_characters", decision).out, HasSubstr("asked in the locale C.UTF-8: "));
+}
+
+TEST(CarelessSubject, that_writes_whole_words_is_broken) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "two threads never meet on one processor";
+  for (const auto& [name, law] : {std::pair{"decide_writes_words", decision}, {"decode_writes_words", trip}})
+    EXPECT_THAT(judge(name, law).out, HasSubstr("its output over what another thread wrote there meanwhile"))
+        << name;
+}
 
 TEST(TouchySubjects, with_nothing_wrong_are_proved) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <vector>
 
+#include "subjects/dock/desk/manner.hpp"
 #include "subjects/dock/entry_points.hpp"
 
 namespace mmverify::dock {
@@ -19,6 +21,10 @@ struct Arguments {
   std::size_t count;
   std::byte* out;
   std::size_t room;  ///< bytes of the answer to a blob; for an encoder, the most that it may write
+  Manner manner = Manner::plain;
+  /// Memory for the case's struct and what it points to besides the blob, aligned, of room_for_case() bytes;
+  /// null: the call has its own.
+  std::byte* case_room = nullptr;
 
   const float* floats(std::size_t k) const { return reinterpret_cast<const float*>(arrays[k]); }
   const double* doubles(std::size_t k) const { return reinterpret_cast<const double*>(arrays[k]); }
@@ -33,53 +39,82 @@ struct Arguments {
   std::uint8_t* bytes() const { return reinterpret_cast<std::uint8_t*>(out); }
 };
 
+/// A value in the case's room if the call has one, else here.
+template <class T>
+class InCaseRoom {
+ public:
+  /// Domain: `at` bytes of the room are taken.
+  InCaseRoom(const Arguments& a, std::size_t at)
+      : value_(a.case_room != nullptr ? new (a.case_room + at) T : &own_) {}
+  T* operator->() const { return value_; }
+  T* get() const { return value_; }
+
+ private:
+  T own_;
+  T* value_;
+};
+
+/// Bytes of a case's room: the blob holds the struct and whatever is copied besides; a copy of hits has room
+/// for more than the blob's.
+constexpr std::size_t case_alignment = 16;
+constexpr std::size_t room_for_case(std::size_t blob_bytes) { return blob_bytes + 512; }
+template <class Case>
+constexpr std::size_t behind_case = (sizeof(Case) + case_alignment - 1) / case_alignment * case_alignment;
+
 /// The case at the start of a blob; the rest of the blob is its texels.
 template <class Case>
 class CaseOf {
  public:
-  explicit CaseOf(const Arguments& a) {
-    std::memcpy(&what_, a.blob, sizeof what_);
-    what_.texels = a.blob + sizeof what_;
+  explicit CaseOf(const Arguments& a) : what_(a, 0) {
+    std::memcpy(what_.get(), a.blob, sizeof(Case));
+    what_->texels = a.blob + sizeof(Case);
   }
-  operator const Case*() const { return &what_; }
+  operator const Case*() const { return what_.get(); }
 
  private:
-  Case what_;
+  InCaseRoom<Case> what_;
 };
 
 /// The case at the start of a blob; the rest of the blob is its hits.
 class HitsOf {
  public:
-  explicit HitsOf(const Arguments& a) {
-    std::memcpy(&what_, a.blob, sizeof what_);
+  explicit HitsOf(const Arguments& a) : what_(a, 0), hits_(a, behind_case<mmverify_blend_case_t>) {
+    std::memcpy(what_.get(), a.blob, sizeof(mmverify_blend_case_t));
     // A copy, since hits in the blob may not be aligned.
-    std::memcpy(hits_.data(), a.blob + sizeof what_, a.blob_bytes - sizeof what_);
-    what_.hits = hits_.data();
+    std::memcpy(hits_.get(), a.blob + sizeof(mmverify_blend_case_t),
+                a.blob_bytes - sizeof(mmverify_blend_case_t));
+    what_->hits = hits_->data();
   }
-  operator const mmverify_blend_case_t*() const { return &what_; }
+  operator const mmverify_blend_case_t*() const { return what_.get(); }
 
  private:
   static constexpr std::size_t most = 16;
-  mmverify_blend_case_t what_;
-  std::array<mmverify_hit_t, most> hits_;
+  InCaseRoom<mmverify_blend_case_t> what_;
+  InCaseRoom<std::array<mmverify_hit_t, most>> hits_;
 };
 
 /// The case at the start of a blob; its triangles and then their maps are the rest of the blob.
 class TrianglesOf {
  public:
-  explicit TrianglesOf(const Arguments& a) {
-    std::memcpy(&what_, a.blob, sizeof what_);
+  explicit TrianglesOf(const Arguments& a) : what_(a, 0) {
+    std::memcpy(what_.get(), a.blob, sizeof(mmverify_array_case_t));
     // A copy, since triangles in the blob may not be aligned.
-    triangles_.resize(what_.count);
-    const std::size_t bytes = triangles_.size() * sizeof(mmverify_array_triangle_t);
-    if (bytes != 0) std::memcpy(triangles_.data(), a.blob + sizeof what_, bytes);
-    what_.triangles = triangles_.data();
-    what_.maps = a.blob + sizeof what_ + bytes;
+    const std::size_t bytes = what_->count * sizeof(mmverify_array_triangle_t);
+    void* triangles = nullptr;
+    if (a.case_room != nullptr) {
+      triangles = a.case_room + behind_case<mmverify_array_case_t>;
+    } else {
+      triangles_.resize(what_->count);
+      triangles = triangles_.data();
+    }
+    if (bytes != 0) std::memcpy(triangles, a.blob + sizeof(mmverify_array_case_t), bytes);
+    what_->triangles = static_cast<const mmverify_array_triangle_t*>(triangles);
+    what_->maps = a.blob + sizeof(mmverify_array_case_t) + bytes;
   }
-  operator const mmverify_array_case_t*() const { return &what_; }
+  operator const mmverify_array_case_t*() const { return what_.get(); }
 
  private:
-  mmverify_array_case_t what_;
+  InCaseRoom<mmverify_array_case_t> what_;
   std::vector<mmverify_array_triangle_t> triangles_;
 };
 

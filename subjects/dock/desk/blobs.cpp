@@ -52,7 +52,7 @@ bool Desk::thorough() const {
   return before < first_thorough || before % later_one_in == 0;
 }
 
-Desk::FromThreads Desk::blob_from_threads_first() {
+FromThreads Desk::blob_from_threads_first() {
   if (std::max(mailbox_.blob_bytes, mailbox_.room) > most_thorough || mailbox_.asked_before != 0) return {};
   const Asked question{whole(nullptr, mailbox_.room), static_cast<std::size_t>(mailbox_.room), {}};
   return answers_from_threads(question, question, {1, 1}, 0);
@@ -193,6 +193,7 @@ void Desk::encode(bool thorough) {
     ask_blob_after_another_format(blob, size);
     ask_blob_after_kept_formats(blob, size);
     ask_blob_from_threads(size);
+    ask_blob_as_other_callers(blob, size);
   }
   mailbox_.report.taken = size != 0 ? 1 : 0;
   mailbox_.report.answer_bytes = size;
@@ -217,9 +218,17 @@ void Desk::answer(bool thorough) {
     ask_blob_after_another_format(blob, first);
     ask_blob_after_kept_formats(blob, first);
     ask_blob_from_threads(first);
+    ask_blob_as_other_callers(blob, first);
   }
   mailbox_.report.taken = first != 0 ? 1 : 0;
   mailbox_.report.answer_bytes = first;
+}
+
+void Desk::ask_blob_as_other_callers(const std::uint8_t* blob, std::uint64_t size) {
+  ask_blob_in_circumstances(blob, size);
+  ask_blob_with_one_array(blob);
+  ask_blob_beside_a_writer(blob, size);
+  ask_blob_from_many_threads(blob, size);
 }
 
 void Desk::ask_blob_after(const Arguments& before, Fenced& out, const std::uint8_t* blob, std::uint64_t size,

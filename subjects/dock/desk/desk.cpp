@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -48,12 +49,13 @@ std::string number_at(const std::byte* bytes) {
 }  // namespace
 
 Desk::Desk(std::byte* base, const Layout& layout, const mmverify_subject_t& subject,
-           std::uint64_t mode_before_loading)
+           const Promised& promised, std::uint64_t mode_before_loading)
     : base_(base),
       layout_(layout),
       mailbox_(*reinterpret_cast<Mailbox*>(base)),
       subject_(subject),
       mode_(mode_before_loading),
+      promised_(promised),
       mode_of_loading_(float_mode()) {
   CPU_ZERO(&everywhere_);
   sched_getaffinity(0, sizeof everywhere_, &everywhere_);
@@ -78,6 +80,7 @@ void Desk::run(std::uint64_t number) {
       run_on_blob();
     else
       run_on_numbers(number);
+    check_the_process(number);
   } catch (const Stop&) {
   } catch (const std::system_error& e) {  // from std::thread; guarded() catches the subject's exceptions
     finish(Outcome::no_resources, 0, std::string("cannot start a thread: ") + e.what());
@@ -115,6 +118,7 @@ std::uint64_t Desk::guarded(const Arguments& a, std::uint64_t element) {
     stop(Outcome::threw, element, "");
   }
   check_mode(float_mode(), element, "");
+  if (!x87_registers_are_free()) check_left({{}, true, false}, element, "");
   return size;
 }
 
@@ -122,6 +126,22 @@ void Desk::check_mode(std::uint64_t left, std::uint64_t element, const char* whe
   if (left == mode_) return;
   stop(differ_in_masks_alone(left, mode_) ? Outcome::unmasked_exceptions : Outcome::changed_mode, element,
        where);
+}
+
+void Desk::check_left(const Left& left, std::uint64_t element, const char* where) {
+  if (left.mode) check_mode(*left.mode, element, where);
+  if (left.registers) stop(Outcome::left_registers, element, where);
+  if (left.signals) stop(Outcome::changed_signals, element, where);
+}
+
+void Desk::check_the_process(std::uint64_t number) {
+  // What a subject changes here stays changed, so that a later look finds it, too; each costs system calls.
+  constexpr std::uint64_t first = 64, one_in = 16;
+  if (number >= first && number % one_in != 0) return;
+  if (blocked_signals() != signals_) check_left({{}, false, true}, 0, "");
+  std::string change = promised_.change();
+  if (change.empty() && (number == 0 || std::has_single_bit(number))) change = promised_.change_when_asked_again();
+  if (!change.empty()) stop(Outcome::changed_struct, 0, change);
 }
 
 std::uint64_t Desk::guarded(Arguments a, Fenced& out, std::uint64_t element) {
@@ -142,7 +162,20 @@ void Desk::check_canary(const std::byte* out, std::uint64_t element) {
   if (!all(out - canary_size, canary_size, canary)) stop(Outcome::wrote_before, element, "");
 }
 
-Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& there, const Rounds& rounds,
+bool Desk::call_in_thread(const Arguments& a, Answers& mine) const {
+  mailbox_.calls.fetch_add(1, std::memory_order_relaxed);
+  try {
+    mine.sizes.push_back(call(subject_, mailbox_.call, a));
+  } catch (...) {
+    mine.threw = true;
+    return false;
+  }
+  if (const std::uint64_t left = float_mode(); left != mode_) mine.left.mode = left;
+  mine.left.registers = mine.left.registers || !x87_registers_are_free();
+  return true;
+}
+
+FromThreads Desk::answers_from_threads(const Asked& here, const Asked& there, const Rounds& rounds,
                                              std::uint64_t element) {
   FromThreads answers;
   if ((subject_.flags & MMVERIFY_SINGLE_THREADED) != 0) return answers;
@@ -161,15 +194,9 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
       const std::size_t behind = place_behind_line(mine.first_address + k, mine.value_bytes);
       own.out = mine.rooms.emplace_back(what.bytes, blank_again, behind, Fenced::wide_margin).data();
       mine.sizes.reserve(k + 1);
-      mailbox_.calls.fetch_add(1, std::memory_order_relaxed);
-      try {
-        mine.sizes.push_back(call(subject_, mailbox_.call, own));
-      } catch (...) {
-        mine.threw = true;
-        return;
-      }
-      if (const std::uint64_t left = float_mode(); left != mode_) mine.mode = left;
+      if (!call_in_thread(own, mine)) return;
     }
+    mine.left.signals = blocked_signals() != signals_;
   };
   const auto ask_within_memory = [&](const Asked& what, Answers& mine) {
     try {
@@ -196,7 +223,7 @@ Desk::FromThreads Desk::answers_from_threads(const Asked& here, const Asked& the
   for (const Answers& mine : answers) {
     if (mine.lacks_memory) throw std::bad_alloc();
     // Threads inherit this thread's mode. Exceptions are reported when the answers are compared.
-    if (mine.mode) check_mode(*mine.mode, element, "in a thread");
+    check_left(mine.left, element, "in a thread");
     for (const Fenced& room : mine.rooms) check_fence(room, element);
   }
   return answers;

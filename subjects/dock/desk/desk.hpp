@@ -13,47 +13,26 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "subjects/dock/desk/arguments.hpp"
-#include "subjects/dock/desk/fenced.hpp"
+#include "subjects/dock/desk/left.hpp"
+#include "subjects/dock/desk/lent.hpp"
 #include "subjects/dock/desk/places.hpp"
+#include "subjects/dock/desk/promised.hpp"
+#include "subjects/dock/desk/questions.hpp"
 #include "subjects/dock/layout.hpp"
 
 namespace mmverify::dock {
-
-/// More elements than 16 bits count, and no multiple of a vector's length.
-constexpr std::size_t odd_batch = large_batch_size + 7;
-
-/// The element, of `count`, at place k of a longer batch: all in order, then all from the second on, and so
-/// forth. If each turn began with the first, places a power of two apart would have the same element.
-constexpr std::size_t element_over_and_over(std::size_t k, std::size_t count) {
-  return (k + k / count) % count;
-}
-
-/// `count` elements of `bytes` bytes each: at place k the element of(k).
-template <class Of>
-std::vector<std::byte> gathered(const std::byte* elements, std::size_t bytes, std::size_t count, Of of) {
-  std::vector<std::byte> all(count * bytes);
-  for (std::size_t k = 0; k < count; ++k)
-    std::memcpy(all.data() + k * bytes, elements + of(k) * bytes, bytes);
-  return all;
-}
-
-/// The longest code, in bytes, whose lookups are repeated: a lookup in a longer one takes more time.
-constexpr std::uint64_t longest_code = 512;
-
-constexpr char asked_from_threads[] = "asked from two threads at once",
-               in_another_kind[] = ", one of them at another level or in another format, order or mode";
 
 class Desk {
  public:
   /// Domain: `base` is from map(), `subject` from cannot_load(); mode_before_loading is this thread's
   /// float_mode() before the library was loaded.
   Desk(std::byte* base, const Layout& layout, const mmverify_subject_t& subject,
-       std::uint64_t mode_before_loading);
+       const Promised& promised, std::uint64_t mode_before_loading);
 
   /// Runs commands until the tool ends the process.
   [[noreturn]] void serve();
@@ -77,39 +56,24 @@ class Desk {
   /// Stops the command if `left` is not the floating-point mode that every call must leave.
   void check_mode(std::uint64_t left, std::uint64_t element, const char* where);
   void check_fence(const Fenced& out, std::uint64_t element);
+  /// Stops the command if a thread's calls left something changed.
+  void check_left(const Left& left, std::uint64_t element, const char* where);
+  /// Stops the command if the signal mask or the subject's struct is no longer what it was: after the first
+  /// commands and later one in some. Commands 0, 1, 2, 4, 8, ... also call mmverify_subject_v1() again.
+  void check_the_process(std::uint64_t number);
 
   /// Marks the bytes before an output.
   static void set_canary(std::byte* out);
   void check_canary(const std::byte* out, std::uint64_t element);
 
-  /// The question of one of two threads. `see` gets each answer of up to `bytes` bytes, written over
-  /// `blank_again`.
-  struct Asked {
-    Arguments arguments;
-    std::size_t bytes;
-    std::function<void(const std::byte* answer, std::uint64_t size)> see;
-  };
-  /// The answers that a thread got, round by round.
-  struct Answers {
-    std::vector<Fenced> rooms;
-    std::vector<std::uint64_t> sizes;
-    bool threw = false, lacks_memory = false;
-    std::optional<std::uint64_t> mode;               ///< a changed floating-point mode
-    std::size_t first_address = 0, value_bytes = 1;  ///< answers take each place in turn
-    const std::byte* in_round(std::size_t round) const { return rooms[round].data(); }
-  };
-  using FromThreads = std::array<Answers, 2>;
-  /// The number of rounds in a thread: at least `least`, then more until `within` is over, up to `most`.
-  struct Rounds {
-    std::size_t least = 2, most = 2;
-    std::chrono::microseconds within{0};
-  };
   /// Rounds for a level's first batch: a race shows only if one thread reads between two stores of the other.
   static constexpr Rounds often{2, 256, std::chrono::milliseconds(4)};
   /// Two threads at once repeat a question each. Empty if the subject is single-threaded. A mode
   /// that is left changed counts against `element`. Throws std::system_error if no thread can be started.
   FromThreads answers_from_threads(const Asked& here, const Asked& there, const Rounds& rounds,
                                    std::uint64_t element);
+  /// Makes a call in a thread, and adds the result and what it left behind to `mine`. False if it threw.
+  bool call_in_thread(const Arguments& a, Answers& mine) const;
   /// Asks from two threads and lets the questions see the answers. Exceptions count against `element`.
   void ask_from_threads(const Asked& here, const Asked& there, const Rounds& rounds, std::uint64_t element);
 
@@ -182,6 +146,36 @@ class Desk {
   /// Repeats a batch in one thread, and the first batches of earlier levels and formats in another one; then
   /// keeps this one (two_questions.cpp).
   void ask_slot_beside_another_kind(std::size_t slot);
+  /// Repeats a batch as other callers ask: with memory that is theirs for the call only, below 2 and 4 GiB
+  /// too, and in each manner (circumstances.cpp).
+  void ask_slot_in_circumstances(std::size_t slot);
+  /// The same for a question on a blob: the first ones in all ways, later ones in one of them in turn.
+  /// Domain: as ask_blob_into().
+  void ask_blob_in_circumstances(const std::uint8_t* blob, std::uint64_t size);
+  /// Makes the call with copies of its inputs, and its output, in memory that is taken back afterwards. The
+  /// answer, of `bytes` bytes, is copied to lent_answer_.
+  std::uint64_t guarded_in_lent(const Arguments& question, std::size_t bytes, Lent::Where where,
+                                std::uint64_t element);
+  /// Repeats elements that have the same number in two arrays with one array for both (one_array.cpp).
+  void ask_slot_with_one_array(std::size_t slot);
+  void ask_blob_with_one_array(const std::uint8_t* blob);
+  /// Asks elements `order` with one array for all arrays of `same`; `right` are the answers in their order.
+  void ask_with_one_array(const Arguments& question, const std::vector<std::size_t>& same,
+                          const std::vector<std::size_t>& order, const std::byte* right, std::uint64_t from);
+  /// Asks points (u, u) with two arrays and with one.
+  void ask_diagonal_with_one_array(Arguments question, std::size_t first);
+  /// Repeats a short question while another thread writes the bytes next to its output (beside.cpp).
+  void ask_slot_beside_a_writer(std::size_t slot);
+  void ask_blob_beside_a_writer(const std::uint8_t* blob, std::uint64_t size);
+  void ask_beside_a_writer(const Arguments& question, const std::byte* right, std::size_t bytes,
+                           std::uint64_t size, std::uint64_t element);
+  /// Asks a short question from many new threads that are in the subject at once (many_threads.cpp).
+  void ask_slot_from_many_threads(std::size_t slot);
+  void ask_blob_from_many_threads(const std::uint8_t* blob, std::uint64_t size);
+  void ask_from_many_threads(const Arguments& question, const std::byte* right, std::size_t bytes,
+                             std::uint64_t size, std::uint64_t element);
+  /// Repeats a question in all of these ways. Domain: as ask_blob_into().
+  void ask_blob_as_other_callers(const std::uint8_t* blob, std::uint64_t size);
   bool first_at_this_level() const;
   void mark_level();
 
@@ -248,12 +242,7 @@ class Desk {
   /// thread: the last one, or one in another level, format, order or mode, in turn.
   /// Domain: the answer of `size` bytes is in its place.
   void ask_blob_from_threads(std::uint64_t size);
-  /// A question on a blob, with its answer.
-  struct Question {
-    Arguments arguments{};
-    std::vector<std::byte> blob, arrays[most_arrays], answer;
-    std::uint64_t size = 0;  ///< the result of the call
-  };
+  using Question = KeptQuestion;
   /// An earlier question to the entry point at another level or in another format; null: there was none.
   const Question* question_of_another_kind() const;
   /// Keeps the question in the mailbox for later ones of other kinds, in place of the last one of its own kind
@@ -275,6 +264,8 @@ class Desk {
   const mmverify_subject_t& subject_;
   const pid_t self_ = getpid();
   const std::uint64_t mode_;                   ///< floating-point mode that every call must leave
+  const Promised& promised_;
+  const std::uint64_t signals_ = blocked_signals();  ///< mask that every call must leave
   const std::uint64_t mode_of_loading_;        ///< floating-point mode after the library was loaded
   cpu_set_t everywhere_;                       ///< the process's processors before the tool moved it
   std::uint64_t probed_[calls][formats] = {};  ///< bit n: the entry point was called at level n
@@ -289,6 +280,8 @@ class Desk {
   std::optional<Question> earlier_[calls];                ///< the last one that two threads asked
   std::deque<Question> other_kinds_[calls];               ///< questions at other levels and in other formats
   std::vector<std::byte> again_;                          ///< the answer to compare another one with
+  std::unique_ptr<Lent> taken_back_;                      ///< the last call's memory
+  std::vector<std::byte> lent_answer_;                    ///< the answer of that call
   std::vector<std::byte> elsewhere_;                      ///< the copy of blob_elsewhere()
   std::vector<std::byte> arrays_elsewhere_[most_arrays];  ///< the copies of a lookup's arrays
   bool elsewhere_first_[calls] = {};  ///< by entry point: the last question began with the copy

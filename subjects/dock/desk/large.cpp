@@ -62,6 +62,9 @@ void Desk::run_on_large_batches(std::uint64_t number) {
     ask_slot_again(0, 1, one_by_one);
     ask_slot_after_another_level(0, one_by_one);
     ask_slot_many_times_over(0);
+    ask_slot_in_circumstances(0);
+    ask_slot_with_one_array(0);
+    ask_slot_from_many_threads(0);
     mark_level();
   }
   constexpr std::size_t sizes[] = {batch_size, batch_size - 1};

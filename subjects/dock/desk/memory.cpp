@@ -4,9 +4,12 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <string>
+
+#include "subjects/dock/desk/gate.hpp"
 
 namespace mmverify::dock {
 namespace {
@@ -14,9 +17,16 @@ namespace {
 // Static data, since the signal handler can reach nothing else.
 std::byte* mapped = nullptr;
 const Layout* mapped_layout = nullptr;
+const std::byte* taken_back = nullptr;
+std::size_t taken_back_bytes = 0;
 
 /// Writes into the mailbox where a wild access landed, then lets the process crash.
 void on_fault(int signal, siginfo_t* info, void*) {
+  const int error = errno;
+  if (Gate::holds_up(info->si_addr)) {
+    errno = error;
+    return;
+  }
   const auto* at = static_cast<const std::byte*>(info->si_addr);
   if (mapped != nullptr && at >= mapped && at < mapped + mapped_layout->total()) {
     const auto offset = static_cast<std::size_t>(at - mapped);
@@ -26,6 +36,9 @@ void on_fault(int signal, siginfo_t* info, void*) {
         of_inputs ? "it wrote to its input or read past its end" : "it touched memory outside its output";
     std::strcpy(reinterpret_cast<Mailbox*>(mapped)->report.message, what);
   }
+  if (mapped != nullptr && taken_back != nullptr && at >= taken_back && at < taken_back + taken_back_bytes)
+    std::strcpy(reinterpret_cast<Mailbox*>(mapped)->report.message,
+                "it touched the memory of an earlier call, which its caller has taken back");
   std::signal(signal, SIG_DFL);
   raise(signal);
 }
@@ -44,6 +57,11 @@ void explain_faults(std::byte* base, const Layout& layout) {
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigaction(SIGSEGV, &action, nullptr);
   sigaction(SIGBUS, &action, nullptr);
+}
+
+void explain_taken_back(const std::byte* base, std::size_t bytes) {
+  taken_back = base;
+  taken_back_bytes = bytes;
 }
 
 std::byte* map(int fd, const Layout& layout) {

@@ -16,4 +16,7 @@ std::byte* map(int fd, const Layout& layout);
 /// Domain: called once; `base` is from map().
 void explain_faults(std::byte* base, const Layout& layout);
 
+/// The memory that the subject had for an earlier call, which a fault there is explained with; null: none.
+void explain_taken_back(const std::byte* base, std::size_t bytes);
+
 }  // namespace mmverify::dock

@@ -39,6 +39,10 @@ void Desk::run_on_numbers(std::uint64_t number) {
     ask_slot_at_other_places(slot);
     ask_slot_over_answers(slot);
     ask_slot_beside_another_kind(slot);
+    ask_slot_in_circumstances(slot);
+    ask_slot_with_one_array(slot);
+    ask_slot_beside_a_writer(slot);
+    ask_slot_from_many_threads(slot);
   }
   mark_level();
   constexpr std::size_t sizes[] = {batch_size, 7, batch_size - 1, 1};
@@ -269,7 +273,7 @@ void Desk::ask_slot_at_other_places(std::size_t slot) {
   }
 }
 
-Desk::FromThreads Desk::slot_from_threads_first(std::size_t slot) {
+FromThreads Desk::slot_from_threads_first(std::size_t slot) {
   const std::size_t count = in_slot(mailbox_.count, slot);
   mailbox_.begun.store(slot * batch_size, std::memory_order_relaxed);
   const Asked batch{piece(slot, 0, count, nullptr), count * asked().answer_bytes, {}};

@@ -43,13 +43,12 @@ std::array<std::uint8_t, calls> given(const mmverify_subject_t& s) {
 }  // namespace
 
 std::string cannot_load(Description& description, const char* library, mmverify_subject_t& subject,
-                        Outcome& outcome) {
+                        Promised& promised, Outcome& outcome) {
   outcome = Outcome::cannot_open;
   void* handle = dlopen(library, RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) return load_error(library);
   outcome = Outcome::cannot_load;
-  using Get = const mmverify_subject_t* (*)();
-  const auto get = reinterpret_cast<Get>(dlsym(handle, "mmverify_subject_v1"));
+  const auto get = reinterpret_cast<Promised::Get>(dlsym(handle, "mmverify_subject_v1"));
   if (get == nullptr) return "it does not export mmverify_subject_v1";
   const mmverify_subject_t* theirs = get();
   if (theirs == nullptr) {
@@ -65,6 +64,7 @@ std::string cannot_load(Description& description, const char* library, mmverify_
            std::to_string(MMVERIFY_SUBJECT_ABI);
   if (theirs->size < first_size) return "its size field is smaller than mmverify_subject_t";
   subject = as_of_today(*theirs);
+  promised = Promised(get, theirs);
   description.max_level = subject.max_level;
   description.flags = subject.flags;
   description.has = given(subject);

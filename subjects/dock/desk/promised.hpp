@@ -1,0 +1,34 @@
+// The subject's struct, which its library has to keep as it was for the life of the process.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "subjects/sdk/mmverify_subject.h"
+
+namespace mmverify::dock {
+
+class Promised {
+ public:
+  using Get = const mmverify_subject_t* (*)();
+  /// No library yet.
+  Promised() = default;
+  /// Domain: `theirs` is what `get` has returned.
+  Promised(Get get, const mmverify_subject_t* theirs);
+
+  /// A sentence on what has changed since; empty if nothing has.
+  std::string change() const;
+  /// The same after mmverify_subject_v1() was called once more.
+  std::string change_when_asked_again() const;
+
+ private:
+  /// The fields that differ, as a sentence's beginning, and whether the struct can be read at all.
+  std::string difference() const;
+
+  Get get_ = nullptr;
+  const mmverify_subject_t* theirs_ = nullptr;
+  std::vector<std::byte> bytes_;
+};
+
+}  // namespace mmverify::dock
