@@ -17,6 +17,10 @@
  *   - the rounding and flush-to-zero modes are those of a fresh process, and every call restores them.
  *   - numbers lie at multiples of their size; maps, codes and blocks, which are bytes, at any address.
  *   - nothing is thrown across this border.
+ *   - inputs and outputs are the caller's again after the call; another thread may write right beside an output
+ *     during it. Inputs that hold the same numbers may be one array.
+ *   - errno, the flags of past floating-point exceptions, the thread's locale and whatever lies on the stack may be
+ *     anything; the signal mask stays as it is, and registers are left as the platform's ABI says.
  */
 #ifndef MMVERIFY_SUBJECT_H
 #define MMVERIFY_SUBJECT_H
@@ -570,7 +574,8 @@ typedef struct mmverify_subject {
                          const float* u, const float* v, uint8_t* state, size_t count);
 } mmverify_subject_t;
 
-/* The one exported symbol. The result must stay valid for the life of the process; null is an error. */
+/* The one exported symbol. The result must stay valid and unchanged for the life of the process; a later call returns
+ * the same. Null is an error. */
 const mmverify_subject_t* mmverify_subject_v1(void);
 
 /* A library that can run in some places only may export this as well. It is called if mmverify_subject_v1 returned

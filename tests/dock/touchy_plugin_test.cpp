@@ -67,10 +67,12 @@ INSTANTIATE_TEST_SUITE_P(
         Touchy{"decide_deep_stack", decision, "asked with garbage in 1 MiB of the stack: "},
         Touchy{"decide_shallow_stack", decision, "asked with garbage in "},
         Touchy{"decide_signals", decision, "left the signal mask changed"},
-        Touchy{"decide_changes_struct", decision, "its mmverify_subject_t changed in its field traverse_decide"},
+        Touchy{"decide_changes_struct", decision,
+               "its mmverify_subject_t changed in its field traverse_decide"},
         Touchy{"decide_takes_struct_back", decision, "its mmverify_subject_t can no longer be read"},
         Touchy{"decide_another_time", decision,
-               "mmverify_subject_v1 was called again, and its mmverify_subject_t changed in its field traverse_decide"},
+               "mmverify_subject_v1 was called again, and its mmverify_subject_t changed in its field "
+               "traverse_decide"},
         Touchy{"decide_for_2", decision, "asked from 20 threads at once: "},
         Touchy{"decide_for_19", decision, "asked from 20 threads at once: "},
         Touchy{"decide_below_4_gib", decision, "asked with its memory below "},
@@ -84,11 +86,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 #if defined(__x86_64__)
 constexpr char in_registers[] = "left values in the x87 or MMX registers";
-INSTANTIATE_TEST_SUITE_P(
-    CarelessOnX86, TouchySubject,
-    testing::Values(Touchy{"decide_x87", decision, in_registers}, Touchy{"decide_mmx", decision, in_registers},
-                    Touchy{"decide_wide", decision, "asked with garbage in the upper halves of registers: "}),
-    [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(CarelessOnX86, TouchySubject,
+                         testing::Values(Touchy{"decide_x87", decision, in_registers},
+                                         Touchy{"decide_mmx", decision, in_registers},
+                                         Touchy{"decide_wide", decision,
+                                                "asked with garbage in the upper halves of registers: "}),
+                         [](const auto& info) { return std::string(info.param.name); });
 #endif
 
 TEST(CarelessSubject, of_one_locale_is_broken) {

@@ -40,7 +40,8 @@ class Words {
  public:
   Words(void* out, std::size_t bytes)
       : at_(reinterpret_cast<std::uint64_t*>(reinterpret_cast<std::uintptr_t>(out) & ~std::uintptr_t{7})),
-        end_(reinterpret_cast<std::uint64_t*>((reinterpret_cast<std::uintptr_t>(out) + bytes + 7) & ~std::uintptr_t{7})) {}
+        end_(reinterpret_cast<std::uint64_t*>((reinterpret_cast<std::uintptr_t>(out) + bytes + 7) &
+                                              ~std::uintptr_t{7})) {}
   /// Reads each, and writes it as it was some moments later.
   void write_back() const {
     for (volatile std::uint64_t* word = at_; word != end_; ++word) {
@@ -67,8 +68,7 @@ bool is_disturbed() {
 
 void leave_something() {
 #if defined(__x86_64__)
-  if (wrong_is("decide_x87"))
-    asm volatile("fninit\n fld1\n fld1\n fld1\n fld1\n fld1\n fld1\n fld1\n fld1");
+  if (wrong_is("decide_x87")) asm volatile("fninit\n fld1\n fld1\n fld1\n fld1\n fld1\n fld1\n fld1\n fld1");
   if (wrong_is("decide_mmx")) asm volatile("pxor %%mm0, %%mm0" ::: "mm0");
 #endif
   if (wrong_is("decide_signals")) {
@@ -77,7 +77,10 @@ void leave_something() {
     pthread_sigmask(SIG_BLOCK, &all, nullptr);
   }
   if (wrong_is("decide_changes_struct")) subject.traverse_decide = right_traverse()->traverse_decide;
-  if (wrong_is("decide_takes_struct_back") && page_of_struct != nullptr) munmap(page_of_struct, 4096);
+  if (wrong_is("decide_takes_struct_back") && page_of_struct != nullptr) {
+    munmap(page_of_struct, 4096);
+    page_of_struct = nullptr;
+  }
 }
 
 void decide(std::uint32_t api, const std::uint32_t* candidate, const std::uint32_t* instance,
@@ -88,7 +91,8 @@ void decide(std::uint32_t api, const std::uint32_t* candidate, const std::uint32
   right_traverse()->traverse_decide(api, candidate, instance, ray, outcome, count);
   --callers;
   if (disturbed || (wrong_is("decide_for_2") && at_once > 2) || (wrong_is("decide_for_19") && at_once > 19) ||
-      (wrong_is("decide_below_4_gib") && is_below(ray, 32)) || (wrong_is("decide_one_array") && instance == ray))
+      (wrong_is("decide_below_4_gib") && is_below(ray, 32)) ||
+      (wrong_is("decide_one_array") && instance == ray))
     outcome[0] ^= 1;
   if (wrong_is("decide_writes_words")) Words(outcome, count).write_back();
   leave_something();
@@ -129,9 +133,10 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
     subject = *right_traverse();
     subject.name = "careless";
     subject.max_level = 12;
-    subject.traverse_decide = wrong_is("decide_wide") ? reinterpret_cast<decltype(subject.traverse_decide)>(
-                                                            reinterpret_cast<void (*)()>(decide_wide))
-                                                      : decide;
+    subject.traverse_decide =
+        wrong_is("decide_wide")
+            ? reinterpret_cast<decltype(subject.traverse_decide)>(reinterpret_cast<void (*)()>(decide_wide))
+            : decide;
     subject.flags |= MMVERIFY_TREE_STREAM;
     subject.tree_encode = right_tree()->tree_encode;
     subject.tree_decode = decode;

@@ -59,7 +59,7 @@ class InCaseRoom {
 constexpr std::size_t case_alignment = 16;
 constexpr std::size_t room_for_case(std::size_t blob_bytes) { return blob_bytes + 512; }
 template <class Case>
-constexpr std::size_t behind_case = (sizeof(Case) + case_alignment - 1) / case_alignment * case_alignment;
+constexpr std::size_t behind_case = (sizeof(Case) + case_alignment - 1) / case_alignment* case_alignment;
 
 /// The case at the start of a blob; the rest of the blob is its texels.
 template <class Case>

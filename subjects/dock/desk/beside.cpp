@@ -78,7 +78,7 @@ void Desk::ask_beside_a_writer(const Arguments& question, const std::byte* right
   cpu_set_t others = everywhere_;
   if (const int here = sched_getcpu(); here >= 0 && here < CPU_SETSIZE)
     CPU_CLR(static_cast<std::size_t>(here), &others);
-  // On one processor the two threads would never meet.
+  // The two threads would never meet on one processor.
   if (bytes == 0 || size == 0 || CPU_COUNT(&others) == 0) return;
   const std::size_t value = asked().signature.value_bytes;
   // No word of eight bytes or more begins or ends with the output.

@@ -224,13 +224,6 @@ void Desk::answer(bool thorough) {
   mailbox_.report.answer_bytes = first;
 }
 
-void Desk::ask_blob_as_other_callers(const std::uint8_t* blob, std::uint64_t size) {
-  ask_blob_in_circumstances(blob, size);
-  ask_blob_with_one_array(blob);
-  ask_blob_beside_a_writer(blob, size);
-  ask_blob_from_many_threads(blob, size);
-}
-
 void Desk::ask_blob_after(const Arguments& before, Fenced& out, const std::uint8_t* blob, std::uint64_t size,
                           const std::string& how) {
   guarded(before, out, 0);

@@ -46,8 +46,7 @@ std::uint64_t Desk::guarded_in_lent(const Arguments& question, std::size_t bytes
     std::memcpy(lent->piece(array), question.arrays[array], array_bytes);
     a.arrays[array] = lent->piece(array);
   }
-  if (question.blob_bytes != 0)
-    std::memcpy(lent->piece(arrays + 1), question.blob, question.blob_bytes);
+  if (question.blob_bytes != 0) std::memcpy(lent->piece(arrays + 1), question.blob, question.blob_bytes);
   a.blob = reinterpret_cast<const std::uint8_t*>(lent->piece(arrays + 1));
   if (is_case) a.case_room = lent->piece(arrays + 2);
   a.out = lent->piece(arrays);
@@ -85,6 +84,13 @@ void Desk::ask_blob_in_circumstances(const std::uint8_t* blob, std::uint64_t siz
            std::string(how) + ": " + std::to_string(size) + " returned, then " + std::to_string(again));
     if (size != 0) compare(again_.data(), lent_answer_.data(), again_.size(), 0, how);
   }
+}
+
+void Desk::ask_blob_as_other_callers(const std::uint8_t* blob, std::uint64_t size) {
+  ask_blob_in_circumstances(blob, size);
+  ask_blob_with_one_array(blob);
+  ask_blob_beside_a_writer(blob, size);
+  ask_blob_from_many_threads(blob, size);
 }
 
 }  // namespace mmverify::dock

@@ -48,8 +48,8 @@ std::string number_at(const std::byte* bytes) {
 
 }  // namespace
 
-Desk::Desk(std::byte* base, const Layout& layout, const mmverify_subject_t& subject,
-           const Promised& promised, std::uint64_t mode_before_loading)
+Desk::Desk(std::byte* base, const Layout& layout, const mmverify_subject_t& subject, const Promised& promised,
+           std::uint64_t mode_before_loading)
     : base_(base),
       layout_(layout),
       mailbox_(*reinterpret_cast<Mailbox*>(base)),
@@ -135,12 +135,13 @@ void Desk::check_left(const Left& left, std::uint64_t element, const char* where
 }
 
 void Desk::check_the_process(std::uint64_t number) {
-  // What a subject changes here stays changed, so that a later look finds it, too; each costs system calls.
+  // A change stays, so that a later look finds it, too; each look costs system calls.
   constexpr std::uint64_t first = 64, one_in = 16;
   if (number >= first && number % one_in != 0) return;
   if (blocked_signals() != signals_) check_left({{}, false, true}, 0, "");
   std::string change = promised_.change();
-  if (change.empty() && (number == 0 || std::has_single_bit(number))) change = promised_.change_when_asked_again();
+  if (change.empty() && (number == 0 || std::has_single_bit(number)))
+    change = promised_.change_when_asked_again();
   if (!change.empty()) stop(Outcome::changed_struct, 0, change);
 }
 
@@ -176,7 +177,7 @@ bool Desk::call_in_thread(const Arguments& a, Answers& mine) const {
 }
 
 FromThreads Desk::answers_from_threads(const Asked& here, const Asked& there, const Rounds& rounds,
-                                             std::uint64_t element) {
+                                       std::uint64_t element) {
   FromThreads answers;
   if ((subject_.flags & MMVERIFY_SINGLE_THREADED) != 0) return answers;
   std::atomic<int> ready = 0;

@@ -31,8 +31,8 @@ class Desk {
  public:
   /// Domain: `base` is from map(), `subject` from cannot_load(); mode_before_loading is this thread's
   /// float_mode() before the library was loaded.
-  Desk(std::byte* base, const Layout& layout, const mmverify_subject_t& subject,
-       const Promised& promised, std::uint64_t mode_before_loading);
+  Desk(std::byte* base, const Layout& layout, const mmverify_subject_t& subject, const Promised& promised,
+       std::uint64_t mode_before_loading);
 
   /// Runs commands until the tool ends the process.
   [[noreturn]] void serve();
@@ -48,7 +48,7 @@ class Desk {
 
   const EntryPoint& asked() const { return entry_point(mailbox_.call); }
 
-  /// Makes call(), and stops the command if it throws or leaves a mode changed; `element` is blamed.
+  /// Makes call(), and stops the command if it throws, or leaves a mode or register changed; `element` is blamed.
   std::uint64_t guarded(const Arguments& a, std::uint64_t element);
 
   /// The same with the answer in `out`; nothing around it may change.
@@ -263,12 +263,12 @@ class Desk {
   Mailbox& mailbox_;
   const mmverify_subject_t& subject_;
   const pid_t self_ = getpid();
-  const std::uint64_t mode_;                   ///< floating-point mode that every call must leave
+  const std::uint64_t mode_;  ///< floating-point mode that every call must leave
   const Promised& promised_;
   const std::uint64_t signals_ = blocked_signals();  ///< mask that every call must leave
-  const std::uint64_t mode_of_loading_;        ///< floating-point mode after the library was loaded
-  cpu_set_t everywhere_;                       ///< the process's processors before the tool moved it
-  std::uint64_t probed_[calls][formats] = {};  ///< bit n: the entry point was called at level n
+  const std::uint64_t mode_of_loading_;              ///< floating-point mode after the library was loaded
+  cpu_set_t everywhere_;                             ///< the process's processors before the tool moved it
+  std::uint64_t probed_[calls][formats] = {};        ///< bit n: the entry point was called at level n
   /// The first batch of a level.
   struct Batch {
     std::uint32_t level = 0;

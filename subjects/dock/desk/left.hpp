@@ -1,4 +1,4 @@
-// What a call must leave as it was, besides the floating-point mode: registers and the signal mask.
+// Registers and the signal mask, which a call must leave as they were.
 #pragma once
 
 #include <sys/syscall.h>

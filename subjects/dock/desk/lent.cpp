@@ -18,8 +18,8 @@ std::byte* map_from(std::uintptr_t first, std::size_t bytes) {
   constexpr unsigned tries = 8;
   for (unsigned k = 0; k < tries; ++k) {
     void* const wanted = reinterpret_cast<void*>(first + k * step);
-    void* const got = mmap(wanted, bytes, PROT_READ | PROT_WRITE,
-                           MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
+    void* const got =
+        mmap(wanted, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED_NOREPLACE, -1, 0);
     if (got == wanted) return static_cast<std::byte*>(got);
     // Kernels before 4.17 take the address for a hint.
     if (got != MAP_FAILED) munmap(got, bytes);

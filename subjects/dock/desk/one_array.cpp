@@ -66,13 +66,15 @@ void Desk::ask_with_one_array(const Arguments& question, const std::vector<std::
   if (asked().signature.of_blob) a.room = order.size();
   std::vector<std::byte> inputs[most_arrays];
   for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    inputs[array] = gathered(question.arrays[array], bytes, order.size(), [&](std::size_t k) { return order[k]; });
+    inputs[array] =
+        gathered(question.arrays[array], bytes, order.size(), [&](std::size_t k) { return order[k]; });
     a.arrays[array] = inputs[array].data();
   }
   for (const std::size_t array : same) a.arrays[array] = a.arrays[same[0]];
   Fenced out(order.size() * wide, blank_again);
   guarded(a, out, from);
-  const std::vector<std::byte> expected = gathered(right, wide, order.size(), [&](std::size_t k) { return order[k]; });
+  const std::vector<std::byte> expected =
+      gathered(right, wide, order.size(), [&](std::size_t k) { return order[k]; });
   compare(expected.data(), out.data(), order.size(), from, with_one_array);
 }
 
@@ -87,7 +89,8 @@ void Desk::ask_diagonal_with_one_array(Arguments question, std::size_t first) {
     const std::byte* const numbers = question.arrays[std::min(array, first)];
     inputs[array] = gathered(numbers, bytes, order.size(), [&](std::size_t k) { return order[k]; });
   }
-  for (std::size_t array = 0; array < asked().signature.arrays; ++array) question.arrays[array] = inputs[array].data();
+  for (std::size_t array = 0; array < asked().signature.arrays; ++array)
+    question.arrays[array] = inputs[array].data();
   question.count = order.size();
   if (asked().signature.of_blob) question.room = order.size();
   Fenced with_two(order.size() * wide, blank), with_one(order.size() * wide, blank_again);

@@ -48,7 +48,7 @@ struct Asked {
   std::function<void(const std::byte* answer, std::uint64_t size)> see;
 };
 
-/// What a thread's calls left changed.
+/// Changes that a thread's calls left behind.
 struct Left {
   std::optional<std::uint64_t> mode;  ///< the floating-point mode
   bool registers = false;             ///< values in x87 or MMX registers
