@@ -92,8 +92,8 @@ void decorate_member(SpirvModule& module, const Instruction& i) {
 /// Gives the decorations of a group to all that the instruction names: ids, or structures with members.
 void decorate_by_group(SpirvModule& module, const Instruction& i) {
   const bool members = i.opcode == spv::GroupMemberDecorate;
-  const std::vector<Instruction> group = i.operands.empty() ? std::vector<Instruction>()
-                                                            : module.decorations[i.operands[0]];
+  const std::vector<Instruction> group =
+      i.operands.empty() ? std::vector<Instruction>() : module.decorations[i.operands[0]];
   for (std::size_t k = 1; k + (members ? 1 : 0) < i.operands.size(); k += members ? 2 : 1)
     for (Instruction one : group) {
       one.opcode = members ? spv::MemberDecorate : spv::Decorate;
