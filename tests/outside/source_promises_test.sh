@@ -301,6 +301,12 @@ fi
 if command -v glslangValidator >/dev/null; then
   echo 'const mediump float t[2] = float[2](0.25, 0.5); uint index(uint level, float u, float v) { return t[level + 1u] != v ? 0u : 1u; }' >medium.glsl
   refused 'medium.glsl:?[0-9]*: RelaxedPrecision' medium.glsl index
+  for attribute in 'max_iterations(2)' unroll; do
+    printf '#extension GL_EXT_control_flow_attributes : enable\nuint index(uint level, float u, float v) {\n  uint s = 0u; [[%s]] for (uint k = 0u; k < 3u; ++k) s += k; return s ^ 3u; }\n' \
+      "$attribute" >"${attribute%(*}.glsl"
+  done
+  judged 2 "max_iterations.glsl:3: 'max_iterations' : an attribute that nothing checks" max_iterations.glsl index
+  holds unroll.glsl index
 fi
 # The compiler's complaint in one line.
 printf 'float __builtin_canonicalizef(float); unsigned index_of(unsigned level, float u, float v) { return (unsigned)__builtin_canonicalizef(u); }\n' >canonical.c
