@@ -101,9 +101,9 @@ class Compiler {
       const std::size_t at = line.find("attribute requires a SPIR-V");
       constexpr std::string_view begins = "WARNING: ";
       if (at != std::string::npos && line.starts_with(begins))
-        throw BadShader(message("ERROR: " + line.substr(begins.size(), at - begins.size()) +
-                                    "an attribute that nothing checks",
-                                source, file_));
+        throw BadShader(message(
+            "ERROR: " + line.substr(begins.size(), at - begins.size()) + "an attribute that nothing checks",
+            source, file_));
     }
   }
   static Language language_of(const std::string& file) {
