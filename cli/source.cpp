@@ -109,8 +109,8 @@ std::string read_as(const source::Compiled& made, const SourceOptions& options) 
   constexpr std::string_view begins = "undefined symbol: ";
   const std::size_t at = why.find(begins);
   if (at == std::string::npos) throw EnvironmentError(fmt::format("{}: {}", name, why));
-  const std::string symbol = why.substr(at + begins.size(), why.find_first_of(" ,;\n", at + begins.size()) -
-                                                                at - begins.size());
+  const std::string symbol =
+      why.substr(at + begins.size(), why.find_first_of(" ,;\n", at + begins.size()) - at - begins.size());
   throw source::UnknownInstruction(fmt::format("{}: the symbol {} is defined nowhere", name, symbol));
 }
 

@@ -126,7 +126,8 @@ Compiled::Compiled(const std::string& file, const std::string& function,
   if (!fs::exists(file, error)) throw BadSource(file + ": no such file");
   if (!fs::is_regular_file(file, error)) throw BadSource(file + ": it is no file with text or code");
   for (const std::string& flag : flags)
-    if (const auto why = why_not_judged(flag)) throw UnknownInstruction(file + ": --flag=" + flag + ": " + *why);
+    if (const auto why = why_not_judged(flag))
+      throw UnknownInstruction(file + ": --flag=" + flag + ": " + *why);
   const std::string version = of_clang({"--version"}).out;
   const std::size_t from = version.find("clang version");
   compiler_ = from == std::string::npos
@@ -155,13 +156,8 @@ void Compiled::compile(const std::vector<std::string>& flags) {
   bitcode_ = folder_->file("module.bc");
   // clang must report a constant index beyond an array's end: in the bitcode it is an index into the next
   // row. LLVM's passes are left to the reader. Functions without a caller are kept.
-  std::vector<std::string> words{"-O1",
-                                 "-g",
-                                 "-Xclang",
-                                 "-disable-llvm-passes",
-                                 "-Xclang",
-                                 "-femit-all-decls",
-                                 "-I" + header_folder()};
+  std::vector<std::string> words{
+      "-O1", "-g", "-Xclang", "-disable-llvm-passes", "-Xclang", "-femit-all-decls", "-I" + header_folder()};
   words.insert(words.end(), flags.begin(), flags.end());
   words.insert(words.end(), {"-fno-caret-diagnostics", "-Werror=array-bounds", "-ffp-contract=off",
                              "-fno-math-errno", "-emit-llvm", "-c", "-o", bitcode_, "--", file_});

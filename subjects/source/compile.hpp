@@ -21,7 +21,7 @@ struct BadSource : std::runtime_error {
 struct NotAvailable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// What no operation models: an instruction, a promise, a flag; what() begins with file and line.
+/// Something has no operation here: an instruction, a promise, a flag; what() begins with file and line.
 struct UnknownInstruction : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

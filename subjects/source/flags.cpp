@@ -34,8 +34,9 @@ constexpr Refused refused[] = {{"-pg", calls},
                                {"-fsplit-stack", calls},
                                {"-fstack-check", calls},
                                {"-mstack-probe*", calls},
-                               {"-ffixed-point", "sums of fixed-point numbers that overflow are undefined, and "
-                                                 "the bitcode does not say so"},
+                               {"-ffixed-point",
+                                "sums of fixed-point numbers that overflow are undefined, and "
+                                "the bitcode does not say so"},
                                {"-mllvm", other},
                                {"-fplugin*", other},
                                {"-fpass-plugin*", other},

@@ -88,10 +88,24 @@ class Compiler {
     words.insert(words.end(), {"-V", "--target-env", "vulkan1.1", "-o", spirv});
     // Without optimization, since otherwise HLSL's functions are inlined.
     if (all_functions) words.insert(words.end(), {"-g", "--keep-uncalled", "-Od"});
-    printed_by(words, source);
+    const std::string printed = printed_by(words, source);
+    if (all_functions) refuse_dropped(printed, source);
   }
 
  private:
+  /// Throws BadShader if the compiler has dropped an attribute of a loop, such as max_iterations, which other
+  /// compilers take for true.
+  void refuse_dropped(const std::string& printed, const std::string& source) const {
+    std::istringstream in(printed);
+    for (std::string line; std::getline(in, line);) {
+      const std::size_t at = line.find("attribute requires a SPIR-V");
+      constexpr std::string_view begins = "WARNING: ";
+      if (at != std::string::npos && line.starts_with(begins))
+        throw BadShader(message(
+            "ERROR: " + line.substr(begins.size(), at - begins.size()) + "an attribute that nothing checks",
+            source, file_));
+    }
+  }
   static Language language_of(const std::string& file) {
     if (file.ends_with(".hlsl")) return Language::hlsl;
     if (file.ends_with(".slang")) return Language::slang;

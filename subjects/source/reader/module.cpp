@@ -122,7 +122,8 @@ std::unique_ptr<llvm::Module> read_module(const std::string& file, const std::st
   if (llvm::verifyModule(*module, &out)) throw CannotRead(file + ": " + out.str());
   for (const llvm::GlobalValue& value : module->global_values())
     if (value.getName().contains("mmverify."))
-      throw NotKnown(module->getSourceFileName() + ": a name that the reader gives, " + value.getName().str());
+      throw NotKnown(module->getSourceFileName() + ": a name that the reader gives, " +
+                     value.getName().str());
   return module;
 }
 

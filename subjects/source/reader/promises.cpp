@@ -89,7 +89,8 @@ void guard_pointer_loaded(I& at) {
   if (load == nullptr || !load->getType()->isPointerTy()) return;
   const auto number = [&](unsigned kind) -> std::uint64_t {
     const llvm::MDNode* node = load->getMetadata(kind);
-    return node == nullptr ? 0 : llvm::mdconst::extract<llvm::ConstantInt>(node->getOperand(0))->getZExtValue();
+    return node == nullptr ? 0
+                           : llvm::mdconst::extract<llvm::ConstantInt>(node->getOperand(0))->getZExtValue();
   };
   using K = llvm::LLVMContext;
   const auto has = [&](unsigned kind) { return load->getMetadata(kind) != nullptr; };

@@ -54,27 +54,19 @@ bool adds_no_code(const llvm::Attribute& a) {
 }
 
 /// Attributes of LLVM's by which code is put in, or a function is no function of its arguments.
-constexpr std::array unjudged{Kind::Naked,
-                              Kind::SanitizeAddress,
-                              Kind::SanitizeHWAddress,
-                              Kind::SanitizeMemTag,
-                              Kind::SanitizeMemory,
-                              Kind::SanitizeThread,
-                              Kind::SafeStack,
-                              Kind::ShadowCallStack,
-                              Kind::JumpTable,
-                              Kind::InAlloca,
-                              Kind::Preallocated,
-                              Kind::SwiftError,
-                              Kind::Speculatable,
-                              Kind::DereferenceableOrNull};
+constexpr std::array unjudged{Kind::Naked,          Kind::SanitizeAddress,      Kind::SanitizeHWAddress,
+                              Kind::SanitizeMemTag, Kind::SanitizeMemory,       Kind::SanitizeThread,
+                              Kind::SafeStack,      Kind::ShadowCallStack,      Kind::JumpTable,
+                              Kind::InAlloca,       Kind::Preallocated,         Kind::SwiftError,
+                              Kind::Speculatable,   Kind::DereferenceableOrNull};
 
 void refuse_in(const llvm::AttributeSet& all, const std::string& place) {
   for (const llvm::Attribute& a : all) {
     const bool bad = a.isStringAttribute()
                          ? !adds_no_code(a)
                          : std::find(unjudged.begin(), unjudged.end(), a.getKindAsEnum()) != unjudged.end();
-    if (bad) throw NotKnown(place + ": the attribute " + a.getAsString() + ", which the reader does not judge");
+    if (bad)
+      throw NotKnown(place + ": the attribute " + a.getAsString() + ", which the reader does not judge");
   }
 }
 
@@ -88,7 +80,8 @@ bool is_elsewhere(const llvm::Value* v) {
   if (pointer != nullptr && pointer->getAddressSpace() != 0) return true;
   if (llvm::isa<llvm::GlobalValue>(v) || !llvm::isa<llvm::Constant>(v)) return false;
   const auto& constant = llvm::cast<llvm::Constant>(*v);
-  return std::any_of(constant.op_begin(), constant.op_end(), [](const llvm::Use& u) { return is_elsewhere(u); });
+  return std::any_of(constant.op_begin(), constant.op_end(),
+                     [](const llvm::Use& u) { return is_elsewhere(u); });
 }
 
 /// Whether an invariant load is of a constant table.
@@ -113,10 +106,12 @@ void refuse_attributes(const llvm::Function& f) {
   const std::string place = place_of(f);
   refuse_in(f.getAttributes(), place);
   if (f.hasPrologueData() || f.hasPrefixData())
-    throw NotKnown(place + ": " + f.getName().str() + " has bytes of its own before its code (prologue, prefix)");
+    throw NotKnown(place + ": " + f.getName().str() +
+                   " has bytes of its own before its code (prologue, prefix)");
   if (f.hasGC()) throw NotKnown(place + ": " + f.getName().str() + " calls a garbage collector");
   for (const llvm::Instruction& at : llvm::instructions(f))
-    if (const auto* call = llvm::dyn_cast<llvm::CallBase>(&at); call != nullptr && !llvm::isa<llvm::IntrinsicInst>(at))
+    if (const auto* call = llvm::dyn_cast<llvm::CallBase>(&at);
+        call != nullptr && !llvm::isa<llvm::IntrinsicInst>(at))
       refuse_in(call->getAttributes(), place_of(at));
     else if (call != nullptr && call->hasFnAttr("trap-func-name"))
       throw NotKnown(place_of(at) + ": a trap that calls " +

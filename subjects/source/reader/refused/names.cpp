@@ -23,7 +23,8 @@ const std::set<std::string>& called_by_compilers() {
          })
       if (name != nullptr) names.insert(name);
     // Passes make these of loops and of each other.
-    for (const char* name : {"memcmp", "bcmp", "strlen", "mempcpy", "bzero", "memset_pattern16", "fabs", "fabsf", "fabsl"})
+    for (const char* name :
+         {"memcmp", "bcmp", "strlen", "mempcpy", "bzero", "memset_pattern16", "fabs", "fabsf", "fabsl"})
       names.insert(name);
     return names;
   }();

@@ -1,5 +1,3 @@
-#include "subjects/source/reader/refused/refused.hpp"
-
 #include <llvm/IR/Constants.h>
 #include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/InstIterator.h>
@@ -7,6 +5,7 @@
 #include <set>
 
 #include "subjects/source/reader/module.hpp"
+#include "subjects/source/reader/refused/refused.hpp"
 #include "subjects/source/reader/undefined.hpp"
 
 namespace mmverify::source {
@@ -56,8 +55,7 @@ bool is_cpp(const llvm::Module& module) {
 }
 
 bool may_be_replaced(const llvm::GlobalValue& value) {
-  return value.isInterposable() ||
-         (value.hasAvailableExternallyLinkage() && !is_cpp(*value.getParent()));
+  return value.isInterposable() || (value.hasAvailableExternallyLinkage() && !is_cpp(*value.getParent()));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What the bitcode says of a function beside its operations, and what no statement speaks of: names that
-// compiled code calls, code that others put in, definitions that others replace, promises that nothing shows.
+// Refusals of bitcode for what it says beside its operations: names that compiled code calls, code that others
+// put in, definitions that others replace, promises that nothing shows.
 #pragma once
 
 #include <llvm/IR/Module.h>

@@ -12,20 +12,20 @@ namespace {
 
 /// Decorations that change no value that a function computes, by their numbers in the specification.
 constexpr std::array harmless{
-    1,                                         // SpecId: a specialization constant is refused where it is used
-    2,  3,  4,    5,    6,    7,  8,  9,  10,  // Block to CPacked: how a buffer's members lie
-    11,                                        // BuiltIn: a variable outside of functions is refused
-    13, 14, 15,   16,   17,                    // NoPerspective to Sample: how an input is interpolated
-    18,                                        // Invariant: other shaders give the same value
-    20,                                        // Aliased: promises nothing
-    29, 30, 31,   32,   33,   34,              // Stream to DescriptorSet: the place of an input or a resource
-    35, 36, 37,                                // Offset to XfbStride: the place of a member
-    41,                                        // LinkageAttributes: the name for other modules
-    42,                                        // NoContraction: the reader contracts nothing
-    43,                                        // InputAttachmentIndex: the place of an image
-    5300,                                      // NonUniform: promises nothing
-    5356,                                      // AliasedPointer: promises nothing
-    5634, 5635, 5636                           // CounterBuffer to UserTypeGOOGLE: names of HLSL
+    1,                                      // SpecId: a specialization constant is refused where it is used
+    2,    3,    4,   5,  6,  7,  8, 9, 10,  // Block to CPacked: how a buffer's members lie
+    11,                                     // BuiltIn: a variable outside of functions is refused
+    13,   14,   15,  16, 17,                // NoPerspective to Sample: how an input is interpolated
+    18,                                     // Invariant: other shaders give the same value
+    20,                                     // Aliased: promises nothing
+    29,   30,   31,  32, 33, 34,            // Stream to DescriptorSet: the place of an input or a resource
+    35,   36,   37,                         // Offset to XfbStride: the place of a member
+    41,                                     // LinkageAttributes: the name for other modules
+    42,                                     // NoContraction: the reader contracts nothing
+    43,                                     // InputAttachmentIndex: the place of an image
+    5300,                                   // NonUniform: promises nothing
+    5356,                                   // AliasedPointer: promises nothing
+    5634, 5635, 5636                        // CounterBuffer to UserTypeGOOGLE: names of HLSL
 };
 
 /// Decorations that the reader looks at where they stand.

@@ -1,4 +1,4 @@
-// What a SPIR-V module promises of its values, variables, functions and loops beside what they compute.
+// A SPIR-V module's promises of its values, variables, functions and loops, beside what they compute.
 #pragma once
 
 #include "subjects/source/reader/spirv/module.hpp"

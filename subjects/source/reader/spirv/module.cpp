@@ -92,8 +92,8 @@ void decorate_member(SpirvModule& module, const Instruction& i) {
 /// Gives the decorations of a group to all that the instruction names: ids, or structures with members.
 void decorate_by_group(SpirvModule& module, const Instruction& i) {
   const bool members = i.opcode == spv::GroupMemberDecorate;
-  const std::vector<Instruction> group = i.operands.empty() ? std::vector<Instruction>()
-                                                            : module.decorations[i.operands[0]];
+  const std::vector<Instruction> group =
+      i.operands.empty() ? std::vector<Instruction>() : module.decorations[i.operands[0]];
   for (std::size_t k = 1; k + (members ? 1 : 0) < i.operands.size(); k += members ? 2 : 1)
     for (Instruction one : group) {
       one.opcode = members ? spv::MemberDecorate : spv::Decorate;
@@ -125,33 +125,44 @@ void annotate(SpirvModule& module, const Instruction& i) {
   }
 }
 
-}  // namespace
+/// The instruction at a word; `at` becomes that of the next one.
+Instruction instruction_at(const std::vector<std::uint32_t>& words, std::size_t& at) {
+  const std::size_t count = words[at] >> 16;
+  if (count == 0 || at + count > words.size())
+    bad("an instruction at word " + std::to_string(at) + " is cut short");
+  Instruction i{static_cast<std::uint16_t>(words[at] & 0xffff)};
+  const Head head = head_of(i.opcode);
+  std::size_t next = at + 1;
+  at += count;
+  if (head == Head::both && next < at) i.type = words[next++];
+  if (head != Head::none) {
+    if (next >= at) bad("an instruction has no result");
+    i.result = words[next++];
+  }
+  i.operands.assign(words.begin() + static_cast<std::ptrdiff_t>(next),
+                    words.begin() + static_cast<std::ptrdiff_t>(at));
+  return i;
+}
 
-SpirvModule read_spirv_module(const std::string& bytes) {
+/// All words, in this machine's order of bytes.
+std::vector<std::uint32_t> module_words(const std::string& bytes) {
   if (bytes.size() % 4 != 0 || bytes.size() < 4 * header_words) bad("it is cut short");
   std::vector<std::uint32_t> words(bytes.size() / 4);
   std::memcpy(words.data(), bytes.data(), bytes.size());
   if (words[0] == swapped_magic)
     for (std::uint32_t& w : words) w = swapped(w);
+  return words;
+}
+
+}  // namespace
+
+SpirvModule read_spirv_module(const std::string& bytes) {
+  const std::vector<std::uint32_t> words = module_words(bytes);
   SpirvModule module;
   SpirvFunction* inside = nullptr;
   std::uint32_t file = 0, line = 0;
   for (std::size_t at = header_words; at < words.size();) {
-    const std::size_t count = words[at] >> 16;
-    if (count == 0 || at + count > words.size())
-      bad("an instruction at word " + std::to_string(at) + " is cut short");
-    Instruction i{static_cast<std::uint16_t>(words[at] & 0xffff)};
-    const Head head = head_of(i.opcode);
-    std::size_t next = at + 1;
-    const std::size_t end = at + count;
-    at = end;
-    if (head == Head::both && next < end) i.type = words[next++];
-    if (head != Head::none) {
-      if (next >= end) bad("an instruction has no result");
-      i.result = words[next++];
-    }
-    i.operands.assign(words.begin() + static_cast<std::ptrdiff_t>(next),
-                      words.begin() + static_cast<std::ptrdiff_t>(end));
+    Instruction i = instruction_at(words, at);
     i.file = file;
     i.line = line;
     const auto needs = [&](std::size_t operands) {
