@@ -361,7 +361,7 @@ TEST_F(ShaderFile, of_ours_compiles_and_is_valid) {
   // Figure 5 in the stage that it is written for.
   const std::string spirv = (folder_ / "figure_5.spv").string();
   const Outcome o =
-      shell("cd " MMVERIFY_ROOT " && glslangValidator -I. -V --target-env vulkan1.2 -o " + spirv +
+      shell("cd " MMVERIFY_ROOT " && glslangValidator -Isubjects -V --target-env vulkan1.2 -o " + spirv +
             " subjects/shaders/examples/figure_5.rchit && spirv-val --target-env vulkan1.2 " + spirv);
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
 }

@@ -10,6 +10,7 @@ namespace {
 
 Law step_claim_law(Law law) {
   law.id = "paper.step_equals_reference";
+  law.mutants.push_back(single("the v-corner of level 6, the last cell", "step", 6, 0, corner(6)));
   law.says =
       "Algorithm 4 as printed equals the reference, which the paper proved up to level 15 and not at 16";
   law.source = succinct_4_3;

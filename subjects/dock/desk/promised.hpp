@@ -23,8 +23,8 @@ class Promised {
   std::string change_when_asked_again() const;
 
  private:
-  /// The fields that differ, as a sentence's beginning, and whether the struct can be read at all.
-  std::string difference() const;
+  /// The first field of another struct that differs, or that the struct cannot be read; empty if neither.
+  std::string difference(const mmverify_subject_t* with) const;
 
   Get get_ = nullptr;
   const mmverify_subject_t* theirs_ = nullptr;
