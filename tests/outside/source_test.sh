@@ -154,7 +154,7 @@ if command -v glslangValidator >/dev/null; then
   if command -v spirv-opt >/dev/null; then
     { printf '#version 450\n#extension GL_GOOGLE_include_directive : require\n#include "shaders/index.glsl"\nvoid main() {}\n'
       grep '^bool one' "$shader"; sed -n '/^uint less_itself/,/^}/p' "$shader"; } >unset.comp
-    glslangValidator -V --keep-uncalled "-I$root" -o unset.spv unset.comp >/dev/null
+    glslangValidator -V --keep-uncalled "-I$root/subjects" -o unset.spv unset.comp >/dev/null
     spirv-opt --ssa-rewrite --simplify-instructions -o undef.spv unset.spv
     for module in unset undef; do judged 1 'undefined: a value that was never set' --source $module.spv --function less_itself --levels 1; done
   else
