@@ -33,7 +33,7 @@ try {
   const built = files.map((name) => join(out, name.replace(/\.ts$/, ".cjs")));
   const run = spawnSync(process.execPath, ["--test", ...built], {
     stdio: "inherit",
-    env: { ...process.env, MMVERIFY_SOURCE: join(here, ".."), NODE_PATH: [...elsewhere, join(here, "node_modules")].join(":") },
+    env: { ...process.env, MMVERIFY_SOURCE: join(here, "..", ".."), NODE_PATH: [...elsewhere, join(here, "node_modules")].join(":") },
   });
   process.exitCode = run.status ?? 1;
 } finally {
