@@ -276,7 +276,7 @@ $nothing"
 %all = OpDecorationGroup
 OpGroupDecorate %all %r' '%r = OpIAdd %uint %zero %zero'
   refused 'group.spv: RelaxedPrecision' group.spv index
-  # What stands for a value that is not set is defined in what is run.
+  # The compiled library defines the function that stands for a value that is not set.
   sp undef '' '%s = OpSelect %uint %c %unset %zero
 %r = OpBitwiseAnd %uint %s %one'
   sp undef_elsewhere '' '%s = OpSelect %uint %c %zero %unset

@@ -90,7 +90,7 @@ void turn_from_level_2(Changed& c) {
   }
 }
 
-/// Of two triangles of one level and format the earlier one gets the map that lies before the other.
+/// If two triangles have one level and format, the earlier one gets the map that lies before the other.
 void take_maps_in_a_row(Changed& c, const mmverify_array_case_t& what) {
   for (std::uint32_t k = 0; k < what.count; ++k)
     for (std::uint32_t j = 0; j < k; ++j) {

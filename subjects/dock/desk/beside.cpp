@@ -37,7 +37,7 @@ class Writer {
   Writer& operator=(const Writer&) = delete;
 
   unsigned turns() const { return turns_.load(std::memory_order_relaxed); }
-  /// Which of its bytes got back an older value.
+  /// Whether the byte before, or the one behind, got an older value back.
   bool lost_before() const { return lost_before_; }
   bool lost_behind() const { return lost_behind_; }
   void end() {
