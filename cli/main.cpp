@@ -3,6 +3,7 @@
 #include <oneapi/tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -15,6 +16,7 @@
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/old_spellings.hpp"
 #include "cli/streams.hpp"
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
@@ -70,7 +72,9 @@ int main(int argc, char** argv) {
   const std::vector<Action> actions = add_commands(program);
   refuse_empty_texts(program);
   try {
-    program.parse(argc, argv);
+    std::vector<std::string> arguments = in_todays_spelling({argv + std::min(argc, 1), argv + argc});
+    std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 takes
+    program.parse(std::move(arguments));
   } catch (const CLI::Success& asked_for) {
     return after_printing(program.exit(asked_for));
   } catch (const CLI::ParseError& error) {

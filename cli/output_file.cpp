@@ -44,6 +44,18 @@ std::optional<fs::path> behind_links(fs::path path) {
   return std::nullopt;
 }
 
+bool same_file(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return false;
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  const auto place = [&error](const std::string& path) {
+    const auto target = behind_links(path);
+    return target ? fs::weakly_canonical(fs::absolute(*target, error), error) : fs::path();
+  };
+  const fs::path first = place(a);
+  return !first.empty() && first == place(b);
+}
+
 constexpr char ending[] = ".part";
 constexpr std::size_t digits = 16;
 
@@ -150,16 +162,20 @@ void OutputFile::commit(const std::string& text) {
   temporary_.clear();
 }
 
-bool same_file(const std::string& a, const std::string& b) {
-  if (a.empty() || b.empty()) return false;
+void refuse_same_file(const std::vector<NamedPath>& arguments) {
+  for (std::size_t a = 0; a < arguments.size(); ++a)
+    for (std::size_t b = a + 1; b < arguments.size(); ++b)
+      if (arguments[b].second != "-" && same_file(arguments[a].second, arguments[b].second))
+        throw UsageError(fmt::format("{} and {} name the same file, {}; name two", arguments[a].first,
+                                     arguments[b].first, arguments[b].second));
+}
+
+void need_folder(const char* option, const std::string& folder) {
+  if (folder.empty()) return;
   std::error_code error;
-  if (fs::equivalent(a, b, error)) return true;
-  const auto place = [&error](const std::string& path) {
-    const auto target = behind_links(path);
-    return target ? fs::weakly_canonical(fs::absolute(*target, error), error) : fs::path();
-  };
-  const fs::path first = place(a);
-  return !first.empty() && first == place(b);
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder, error))
+    throw EnvironmentError(fmt::format("{} {}: no folder, and none can be made", option, folder));
 }
 
 }  // namespace mmverify::cli

@@ -5,6 +5,8 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace mmverify::cli {
 
@@ -45,7 +47,13 @@ std::string name_until_whole(const std::string& target);
 /// locked with flock().
 void remove_left_over(const std::string& target);
 
-/// Whether two paths name one file, existing or not. A path that cannot be followed equals no other.
-bool same_file(const std::string& a, const std::string& b);
+/// An argument, as messages name it, and its path: empty where it is not given, "-" for a standard stream.
+using NamedPath = std::pair<const char*, std::string>;
+
+/// UsageError if two arguments name one file, existing or not. A path that cannot be followed equals no other.
+void refuse_same_file(const std::vector<NamedPath>& arguments);
+
+/// Makes the folder of an option, if it is given and does not exist. EnvironmentError if none can be made.
+void need_folder(const char* option, const std::string& folder);
 
 }  // namespace mmverify::cli

@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/json.hpp"
+#include "cli/json_output.hpp"
 #include "cli/junit.hpp"
 #include "cli/output_file.hpp"
 #include "cli/scene/check_maps.hpp"
@@ -156,10 +157,9 @@ int check(const PipeOptions& options, const std::string& junit_file, bool quiet)
   } else {
     one_level(options);
   }
-  if (same_file(options.json, junit_file))
-    throw UsageError(fmt::format("--json and --junit name the same file, {}; name two", options.json));
-  std::optional<OutputFile> json, junit;
-  if (!options.json.empty() && options.json != "-") json.emplace(options.json);
+  refuse_same_file({{"--json", options.json}, {"--junit", junit_file}});
+  JsonOutput json(options.json);
+  std::optional<OutputFile> junit;
   if (!junit_file.empty()) junit.emplace(junit_file);
   std::ios::sync_with_stdio(false);
   Report report;
@@ -168,11 +168,10 @@ int check(const PipeOptions& options, const std::string& junit_file, bool quiet)
   } catch (const pipe::BadAnswers& bad) {
     throw EnvironmentError(bad.what());
   }
-  TextReport text(options.json == "-" ? stderr : stdout, topic == nullptr);
+  TextReport text(json.text(), topic == nullptr);
   for (const Result& result : report.results) text.add(result);
   text.finish(report, false);
-  if (json) json->commit(to_json(report, options.seed));
-  if (options.json == "-") say(stdout, "{}", to_json(report, options.seed));
+  json.write([&] { return to_json(report, options.seed); });
   if (junit) junit->commit(to_junit(report));
   if (report.interrupted) return ExitCode::interrupted;
   refuse_nothing(report);

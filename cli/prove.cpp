@@ -10,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/json.hpp"
+#include "cli/json_output.hpp"
 #include "cli/junit.hpp"
 #include "cli/left_out.hpp"
 #include "cli/output_file.hpp"
@@ -153,11 +154,7 @@ int prove(const ProveOptions& options) {
   if (!options.source && (options.function || options.one_case || !options.flags.empty()))
     throw UsageError("--function, --flag and --case belong to --source: give that, too, or leave them out");
   if (options.junit == "-") throw UsageError("--junit -: only --json can go to standard output; name a file");
-  if (same_file(options.json, options.junit))
-    throw UsageError(fmt::format("--json and --junit name the same file, {}; name two", options.json));
-  for (const std::string& other : {options.json, options.junit})
-    if (same_file(options.journal, other))
-      throw UsageError(fmt::format("--journal: {} belongs to another output; name another", options.journal));
+  refuse_same_file({{"--json", options.json}, {"--junit", options.junit}, {"--journal", options.journal}});
   if ((!options.devices.empty() || options.entry) &&
       std::none_of(options.subjects.begin(), options.subjects.end(), is_shader))
     throw UsageError("--device, --entry: no --subject is a shader; leave them out");
@@ -174,14 +171,13 @@ int prove(const ProveOptions& options) {
   if (options.near != 0 &&
       std::none_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.law->knows_near; }))
     throw UsageError("--near: none of these laws compares indices at points; leave it out");
-  std::optional<OutputFile> json, junit;
-  if (!options.json.empty() && options.json != "-") json.emplace(options.json);
+  JsonOutput json(options.json);
+  std::optional<OutputFile> junit;
   // An old shard's file must not be merged in place of this one if this run fails.
-  if (json && !options.shard.empty()) json->remove_old();
+  if (!options.shard.empty()) json.remove_old();
   if (!options.junit.empty()) junit.emplace(options.junit);
 
-  // With JSON on stdout, the text goes to stderr.
-  TextReport text(options.json == "-" ? stderr : stdout, !options.laws.empty());
+  TextReport text(json.text(), !options.laws.empty());
   RunOptions run{options.threads,
                  options.errors,
                  options.seed,
@@ -206,9 +202,7 @@ int prove(const ProveOptions& options) {
   name_left_out_companions(asked, jobs, text);
   if (report.interrupted && journal)
     say(stderr, "stopped; the same command goes on from {}\n", options.journal);
-  const auto as_json = [&] { return to_json(report, options.seed, run.shard, identity, {}, runs_on); };
-  if (json) json->commit(as_json());
-  if (options.json == "-") say(stdout, "{}", as_json());
+  json.write([&] { return to_json(report, options.seed, run.shard, identity, {}, runs_on); });
   if (junit) junit->commit(to_junit(report, runs_on));
 
   if (!report.gave_up.empty()) throw EnvironmentError(report.gave_up);

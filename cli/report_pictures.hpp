@@ -1,4 +1,4 @@
-// Reads the pictures of `scene --attributes --pictures`, for a page.
+// Reads the pictures of `attributes --pictures`, for a page.
 #pragma once
 
 #include "cli/report_input.hpp"

@@ -439,8 +439,7 @@ Result scene_attribute_tables(const AttributeFigures& figures, const scene::Attr
       options.averaging == scene::Averaging::codes ? "codes" : "light and directions";
   Result result{
       .topic = "scene_attributes",
-      .description =
-          "mmverify scene FILE --attributes: micromaps of a scene's attributes beside its textures",
+      .description = "mmverify attributes FILE: micromaps of a scene's attributes beside its textures",
       .settings = {{one_of("averaging", setting, {"light and directions", "codes"},
                            "light of sRGB codes and directions of normals; or codes as they are"),
                     averaging}},

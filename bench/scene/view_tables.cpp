@@ -114,7 +114,7 @@ Result view_tables(const ViewFigures& figures) {
   return {
       .topic = "views",
       .description =
-          "mmverify render FILE --attributes: one view shaded by attribute micromaps, held against the "
+          "mmverify views FILE: one view shaded by attribute micromaps, held against the "
           "textures' view",
       .settings = {{text("embree", left_out, "the ray tracer and its version"), figures.embree},
                    {whole("width", setting, {1, 4096}, "pixels"), std::uint64_t{figures.width}},

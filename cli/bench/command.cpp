@@ -19,6 +19,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/gnuplot.hpp"
+#include "cli/json_output.hpp"
 #include "cli/output_file.hpp"
 #include "cli/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
@@ -30,35 +31,30 @@ namespace {
 /// The outputs of a bench: stdout, and files for JSON and the picture, opened before the work.
 class Outputs {
  public:
-  explicit Outputs(const BenchOptions& options) : options_(options) {
-    if (same_file(options.json, options.plot))
-      throw UsageError(fmt::format("--json and --plot name the same file, {}; name two", options.json));
-    if (!options.json.empty() && options.json != "-") file_.emplace(options.json);
+  explicit Outputs(const BenchOptions& options) : json_(options.json) {
+    refuse_same_file({{"--json", options.json}, {"--plot", options.plot}});
     if (!options.plot.empty()) picture_.emplace(options.plot);
   }
 
   /// Prints one bench's result; called once for each.
   void print(const bench::Result& result) {
-    std::FILE* const out = options_.json == "-" ? stderr : stdout;
-    if (!json_.empty()) say(out, "\n");
-    print_result(out, result);
-    json_ += (json_.empty() ? "" : ",\n") + result_json(result);
+    if (!results_.empty()) say(json_.text(), "\n");
+    print_result(json_.text(), result);
+    results_ += (results_.empty() ? "" : ",\n") + result_json(result);
     if (picture_ && !result.drawn) throw UsageError("--plot: these figures have no drawing; leave it out");
     if (picture_) script_ = plot_script(*result.drawn);
   }
 
   int commit(bool several) {
-    const std::string json = several ? "[\n" + json_ + "]\n" : json_;
-    if (file_) file_->commit(json);
-    if (options_.json == "-") say(stdout, "{}", json);
+    json_.write([&] { return several ? "[\n" + results_ + "]\n" : results_; });
     if (picture_) picture_->commit(run_gnuplot(script_));
     return ExitCode::complete;
   }
 
  private:
-  const BenchOptions& options_;
-  std::optional<OutputFile> file_, picture_;
-  std::string json_, script_;
+  JsonOutput json_;
+  std::optional<OutputFile> picture_;
+  std::string results_, script_;
 };
 
 /// Runs a bench that belongs to no topic; its figures have no picture.

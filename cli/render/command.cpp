@@ -14,9 +14,10 @@
 #include "cli/bench/tables.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/json_output.hpp"
 #include "cli/output_file.hpp"
 #include "cli/render/path.hpp"
-#include "cli/render/views.hpp"
+#include "cli/render/picture_size.hpp"
 #include "cli/scene/loaded.hpp"
 #include "cli/streams.hpp"
 #include "display/render/picture.hpp"
@@ -40,10 +41,8 @@ struct RenderOptions {
   std::vector<std::string> methods{"all"};
   std::string blend, colours;
   unsigned colour_level = 3;
-  std::string size = "640x480";
+  PictureSize size;
   std::uint64_t camera = 0, cameras = 0, seed = 1, memory = std::uint64_t{1} << 30;
-  std::string attributes, shading, pictures;
-  unsigned rays = 1;
   unsigned threads = 0, repeats = 1;
   bool no_shadows = false, quiet = false;
 };
@@ -61,26 +60,6 @@ std::vector<render::Method> wanted_methods(const std::vector<std::string>& names
   return wanted;
 }
 
-struct Sides {
-  std::uint32_t width, height;
-};
-
-Sides sides_of(const std::string& size) {
-  const auto wrong = [&size] {
-    return UsageError(fmt::format("--size {:.40}: write WIDTHxHEIGHT, each 1 to 4096", size));
-  };
-  const auto side = [&wrong](const std::string& text) {
-    if (text.empty() || text.size() > 4 || text.find_first_not_of("0123456789") != std::string::npos)
-      throw wrong();
-    const auto n = static_cast<std::uint32_t>(std::stoul(text));
-    if (n < 1 || n > 4096) throw wrong();
-    return n;
-  };
-  const auto x = size.find('x');
-  if (x == std::string::npos) throw wrong();
-  return {side(size.substr(0, x)), side(size.substr(x + 1))};
-}
-
 std::vector<mmverify::scene::MeshUse> uses_of(const std::string& file) {
   using namespace mmverify::scene;
   if (!file.empty()) return load_uses(file);
@@ -93,44 +72,11 @@ void commit(OutputFile& file, const render::Picture& picture) {
   file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-/// Refuses two outputs, or an output and the scene, in one file.
-void check_files(const RenderOptions& options) {
-  const std::vector<std::pair<const char*, std::string>> files{{"the scene", options.file},
-                                                               {"-o", options.picture},
-                                                               {"--heat", options.heat},
-                                                               {"--json", options.json}};
-  for (std::size_t a = 0; a < files.size(); ++a)
-    for (std::size_t b = a + 1; b < files.size(); ++b)
-      if (files[b].second != "-" && same_file(files[a].second, files[b].second))
-        throw UsageError(fmt::format("{} and {} name the same file, {}; name two", files[a].first,
-                                     files[b].first, files[b].second));
-}
-
-/// Refuses options that would have no effect, or a misleading one.
-void check_given(const CLI::App& command, const RenderOptions& options) {
-  const bool views = !options.attributes.empty();
-  for (const char* name : {"--shading", "--rays", "--pictures"})
-    if (command.count(name) != 0 && !views)
-      throw UsageError(fmt::format("{} belongs to --attributes A..B; give that, too", name));
-  for (const char* name : {"--level", "--method", "--blend", "--colours", "--colour-level", "--output",
-                           "--heat", "--repeat", "--memory"})
-    if (command.count(name) != 0 && views)
-      throw UsageError(fmt::format(
-          "--attributes, {}: its views take opacity from the texture, and have no such option; leave it out",
-          name));
-  if (command.count("--colour-level") != 0 && options.colours.empty() && options.blend.empty())
-    throw UsageError(
-        "--colour-level is the level of the maps of --colours or --blend; give one of these, too");
-  if (command.count("--cameras") != 0)
-    for (const char* other :
-         {"--camera", "--blend", "--colours", "--colour-level", "--output", "--heat", "--repeat"})
-      if (command.count(other) != 0)
-        throw UsageError(fmt::format(
-            "--cameras and {}: along a path frames are compared, and neither drawn nor timed; leave one out",
-            other));
-  for (const std::string& name : {options.picture, options.heat})
-    if (!name.empty() && !name.ends_with(".png") && !name.ends_with(".PNG"))
-      throw UsageError(fmt::format("{:.200}: pictures are PNG; name it .png", name));
+/// The check of a picture's name.
+std::string png_name(const std::string& name) {
+  return name.ends_with(".png") || name.ends_with(".PNG")
+             ? ""
+             : fmt::format("{:.200}: pictures are PNG; name it .png", name);
 }
 
 /// The reason why equal pictures are no evidence; empty if methods were compared with the texture.
@@ -203,24 +149,59 @@ mmverify::scene::AttributeScene attributes_of(const std::string& file) {
   return load_attributes(sample_name, bytes);
 }
 
-int render_scene(const RenderOptions& options) {
-  const proofs::Levels levels = parse_levels(options.level, "--level");
+proofs::Levels levels_of_maps(const std::string& text) {
+  const proofs::Levels levels = parse_levels(text, "--level");
   if (levels.last > mmverify::scene::finest_level)
-    throw UsageError(
-        fmt::format("--level {}: maps go up to level {}", options.level, mmverify::scene::finest_level));
+    throw UsageError(fmt::format("--level {}: maps go up to level {}", text, mmverify::scene::finest_level));
+  return levels;
+}
+
+void tell_scene(bench::RenderFigures& figures, const mmverify::scene::Scene& scene,
+                const mmverify::scene::Plan& plan, const render::SceneWorld& world) {
+  const auto triangles = mmverify::scene::count_triangles(scene);
+  const auto tested = mmverify::scene::counts(plan);
+  figures.file = scene.file;
+  figures.triangles = triangles.unique;
+  figures.placed = triangles.placed;
+  figures.tested = tested.unique;
+  figures.tested_placed = tested.placed;
+  figures.unplanned = world.unplanned;
+}
+
+void tell_options(bench::RenderFigures& figures, const RenderOptions& options) {
+  figures.width = options.size.width;
+  figures.height = options.size.height;
+  figures.camera = options.camera;
+  figures.seed = options.seed;
+  figures.threads = options.threads;
+  figures.embree = render::embree_text();
+  figures.operation = options.blend;
+}
+
+bool some_pixel_differs(const bench::RenderFigures& figures) {
+  const auto differs = [](const auto& run) { return run.differing != 0; };
+  return std::any_of(figures.methods.begin(), figures.methods.end(), differs) ||
+         std::any_of(figures.blends.begin(), figures.blends.end(), differs);
+}
+
+int render_scene(const RenderOptions& options) {
+  const proofs::Levels levels = levels_of_maps(options.level);
   const std::vector<render::Method> wanted = wanted_methods(options.methods);
-  const Sides sides = sides_of(options.size);
+  const PictureSize sides = options.size;
   const auto operation = wanted_operation(options.blend);
   const auto colours_of = wanted_colours(options);
-  check_files(options);
+  refuse_same_file({{"the scene", options.file},
+                    {"-o", options.picture},
+                    {"--heat", options.heat},
+                    {"--json", options.json}});
   if (std::error_code none; std::filesystem::is_directory(options.file, none))
     throw UsageError(
         fmt::format("render {}: a folder of textures has no triangles; name a glTF file", options.file));
   if (!render::has_embree()) throw EnvironmentError("render: " + render::embree_text());
-  std::optional<OutputFile> picture, heat_file, json;
+  std::optional<OutputFile> picture, heat_file;
+  JsonOutput json(options.json);
   if (!options.picture.empty()) picture.emplace(options.picture);
   if (!options.heat.empty()) heat_file.emplace(options.heat);
-  if (!options.json.empty() && options.json != "-") json.emplace(options.json);
   const InterruptGuard guard;
   const mmverify::scene::Scene scene = loaded_scene(options.file);
   const auto uses = uses_of(options.file);
@@ -253,10 +234,9 @@ int render_scene(const RenderOptions& options) {
     if (proofs::interrupted()) throw Interrupted();
   };
   if (options.cameras != 0) {
-    json.reset();
-    return render_path({scene, plan, world, tracer, options.cameras, options.seed, options.json,
-                        [&progress] { progress.reset(); }},
-                       compared);
+    return render_path(
+        {scene, plan, world, tracer, options.cameras, options.seed, json, [&progress] { progress.reset(); }},
+        compared);
   }
   std::optional<render::ColourMaps> colours;
   if (colours_of) {
@@ -288,21 +268,8 @@ int render_scene(const RenderOptions& options) {
   } catch (const std::invalid_argument& error) {
     throw EnvironmentError(fmt::format("{}: {}", scene.file, error.what()));
   }
-  const auto triangles = mmverify::scene::count_triangles(scene);
-  const auto tested = mmverify::scene::counts(plan);
-  figures.file = scene.file;
-  figures.triangles = triangles.unique;
-  figures.placed = triangles.placed;
-  figures.tested = tested.unique;
-  figures.tested_placed = tested.placed;
-  figures.unplanned = world.unplanned;
-  figures.width = sides.width;
-  figures.height = sides.height;
-  figures.camera = options.camera;
-  figures.seed = options.seed;
-  figures.threads = options.threads;
-  figures.embree = render::embree_text();
-  figures.operation = options.blend;
+  tell_scene(figures, scene, plan, world);
+  tell_options(figures, options);
   if (colours) {
     figures.colours = *colours_of == render::ColoursOf::faces ? "faces" : "vertices";
     figures.colour_level = options.colour_level;
@@ -317,13 +284,9 @@ int render_scene(const RenderOptions& options) {
     figures.pictures.push_back({"heat", options.heat});
   }
   const bench::Result result = bench::render_tables(figures);
-  print_result(options.json == "-" ? stderr : stdout, result);
-  if (json) json->commit(result_json(result));
-  if (options.json == "-") say(stdout, "{}", result_json(result));
-  for (const render::MethodFigures& m : figures.methods)
-    if (m.differing != 0) return failed;
-  for (const render::BlendFigures& b : figures.blends)
-    if (b.differing != 0) return failed;
+  print_result(json.text(), result);
+  json.write([&] { return result_json(result); });
+  if (some_pixel_differs(figures)) return failed;
   if (!nothing.empty()) throw UsageError(fmt::format("{}: {}", scene.file, nothing));
   return complete;
 }
@@ -346,53 +309,52 @@ Action add_render(CLI::App& program) {
       ->delimiter(',')
       ->type_name("NAME[,NAME...]")
       ->allow_extra_args(false);
-  command
-      ->add_option("--blend", options->blend,
-                   "hits on surfaces blend their colours into the ray's payload as well: max, min or add")
-      ->type_name("OPERATION");
-  command
-      ->add_option(
-          "--colours", options->colours,
-          "draw base colours from attribute micromaps, of faces or vertices; --blend without it: faces")
-      ->type_name("faces|vertices");
-  command->add_option("--colour-level", options->colour_level, "level of these maps; 3 where not given")
-      ->check(whole_within(0, 8));
-  command
-      ->add_option("--attributes", options->attributes,
-                   "views shaded by attribute micromaps of these levels, held against the textures' by FLIP")
-      ->type_name("N|A..B");
-  command->add_option("--shading", options->shading, "of these views: lit, or base colours as they are")
-      ->type_name("lit|unlit");
-  command->add_option("--rays", options->rays, "rays along each side of a pixel; 1 where not given")
-      ->check(whole_within(1, 8));
-  command
-      ->add_option("--pictures", options->pictures,
-                   "write each of these views beside its textured one and FLIP's map, a PNG a level")
-      ->type_name("FOLDER");
-  command->add_option("-o,--output", options->picture, "write the picture, of the last method")
-      ->type_name("FILE.png");
-  command
-      ->add_option("--heat", options->heat,
-                   "write how often each pixel called an any-hit shader, method by method")
-      ->type_name("FILE.png");
+  auto* const blend =
+      command
+          ->add_option("--blend", options->blend,
+                       "hits on surfaces blend their colours into the ray's payload as well: max, min or add")
+          ->type_name("OPERATION");
+  auto* const colours =
+      command
+          ->add_option(
+              "--colours", options->colours,
+              "draw base colours from attribute micromaps, of faces or vertices; --blend without it: faces")
+          ->type_name("faces|vertices");
+  auto* const colour_level =
+      command->add_option("--colour-level", options->colour_level, "level of these maps; 3 where not given")
+          ->check(whole_within(0, 8));
+  auto* const output =
+      command->add_option("-o,--output", options->picture, "write the picture, of the last method")
+          ->check(png_name)
+          ->type_name("FILE.png");
+  auto* const heat = command
+                         ->add_option("--heat", options->heat,
+                                      "write how often each pixel called an any-hit shader, method by method")
+                         ->check(png_name)
+                         ->type_name("FILE.png");
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
-  command->add_option("--size", options->size, "size of the picture in pixels; 640x480 where not given")
-      ->type_name("WIDTHxHEIGHT");
-  command
-      ->add_option("--camera", options->camera,
-                   "0: all that has alpha-tested triangles; 1, 2, ...: of a random path")
-      ->check(whole_within(0, 1'000'000'000));
-  command
-      ->add_option("--cameras", options->cameras,
-                   "law traverse.same_image on the scene: so many cameras of a random path, each of which "
-                   "looks at a triangle with micromaps")
-      ->check(whole_within(1, 10'000));
+  add_picture_size(*command, options->size);
+  auto* const camera = command
+                           ->add_option("--camera", options->camera,
+                                        "0: all that has alpha-tested triangles; 1, 2, ...: of a random path")
+                           ->check(whole_within(0, 1'000'000'000));
+  auto* const cameras =
+      command
+          ->add_option(
+              "--cameras", options->cameras,
+              "law traverse.same_image on the scene: so many cameras of a random path, each of which "
+              "looks at a triangle with micromaps")
+          ->check(whole_within(1, 10'000));
   command->add_option("--seed", options->seed, "seed of the random path")->check(fits_64_bits);
   command->add_flag("--no-shadows", options->no_shadows, "primary rays alone");
-  command
-      ->add_option("--repeat", options->repeats,
-                   "rounds of a frame by the texture and by each method; the least time counts")
-      ->check(whole_within(1, 1000));
+  auto* const repeat =
+      command
+          ->add_option("--repeat", options->repeats,
+                       "rounds of a frame by the texture and by each method; the least time counts")
+          ->check(whole_within(1, 1000));
+  // Along a path frames are compared, and neither drawn nor timed.
+  for (CLI::Option* const other : {camera, blend, colours, colour_level, output, heat, repeat})
+    cameras->excludes(other);
   command->add_option("--memory", options->memory, "bytes that all maps of a level may take")
       ->check([](const std::string& text) {
         return text.starts_with("-") || text.size() > 15 ? std::string("bytes, as 500MB or 2GB")
@@ -404,24 +366,10 @@ Action add_render(CLI::App& program) {
                    "worker threads; as many as the machine has where not given")
       ->check(whole_within(1, 1024));
   command->add_flag("--quiet", options->quiet, "no progress");
-  return [options, command] {
-    check_given(*command, *options);
-    if (!options->attributes.empty()) {
-      const Sides sides = sides_of(options->size);
-      return render_views({.file = options->file,
-                           .levels = options->attributes,
-                           .pictures = options->pictures,
-                           .json = options->json,
-                           .shading = options->shading,
-                           .width = sides.width,
-                           .height = sides.height,
-                           .rays = options->rays,
-                           .camera = options->camera,
-                           .seed = options->seed,
-                           .threads = options->threads,
-                           .shadows = !options->no_shadows,
-                           .quiet = options->quiet});
-    }
+  return [options, colour_level] {
+    if (colour_level->count() != 0 && options->colours.empty() && options->blend.empty())
+      throw UsageError(
+          "--colour-level is the level of the maps of --colours or --blend; give one of these, too");
     return render_scene(*options);
   };
 }

@@ -8,7 +8,6 @@
 #include "cli/arguments.hpp"
 #include "cli/bench/tables.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/output_file.hpp"
 #include "cli/streams.hpp"
 #include "display/render/scene/path.hpp"
 #include "scene/pipeline.hpp"
@@ -38,8 +37,6 @@ int render_path(const PathRun& run, const render::CompareOptions& options) {
   if (run.plan.triangles.empty())
     throw UsageError(
         fmt::format("{}: no triangle gets a micromap, so there is nothing to compare", run.scene.file));
-  std::optional<OutputFile> json;
-  if (!run.json.empty() && run.json != "-") json.emplace(run.json);
   render::Path path;
   try {
     path = render::along_path(run.scene, run.plan, run.world, run.tracer, options.forms(), options.trace,
@@ -62,9 +59,8 @@ int render_path(const PathRun& run, const render::CompareOptions& options) {
                                                    .shadows = options.trace.shadows,
                                                    .embree = render::embree_text(),
                                                    .path = &path});
-  print_result(run.json == "-" ? stderr : stdout, result);
-  if (json) json->commit(result_json(result));
-  if (run.json == "-") say(stdout, "{}", result_json(result));
+  print_result(run.json.text(), result);
+  run.json.write([&] { return result_json(result); });
   say_what_differs(path, run);
   for (const render::PathRow& row : path.rows)
     if (row.differing != 0) return failed;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "cli/json_output.hpp"
 #include "display/render/scene/compare.hpp"
 
 namespace mmverify::cli {
@@ -16,7 +17,7 @@ struct PathRun {
   const render::SceneWorld& world;
   const render::Tracer& tracer;
   std::uint64_t cameras, seed;
-  std::string json;             ///< a file, - for stdout, or empty
+  JsonOutput& json;
   std::function<void()> ended;  ///< called before anything is printed
 };
 

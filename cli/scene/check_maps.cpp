@@ -11,6 +11,7 @@
 #include "cli/arguments.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/json.hpp"
+#include "cli/json_output.hpp"
 #include "cli/junit.hpp"
 #include "cli/output_file.hpp"
 #include "cli/scene/scene.hpp"
@@ -155,13 +156,12 @@ int check_maps(const CheckMapsOptions& options) {
     throw UsageError("--replay LAW and --case LEVEL@CASE go together");
   if (options.json == "-" && options.junit == "-")
     throw UsageError("--json and --junit: one standard output for both");
-  if (same_file(options.json, options.junit) && options.json != "-")
-    throw UsageError(fmt::format("--json and --junit name the same file, {}; name two", options.json));
+  refuse_same_file({{"--json", options.json}, {"--junit", options.junit}});
   const proofs::InterruptGuard guard;
-  std::optional<OutputFile> json, junit;
-  if (!options.json.empty() && options.json != "-") json.emplace(options.json);
+  JsonOutput json(options.json);
+  std::optional<OutputFile> junit;
   if (!options.junit.empty()) junit.emplace(options.junit);
-  std::FILE* const out = options.json == "-" ? stderr : stdout;
+  std::FILE* const out = json.text();
   const Scene scene = load(options.file);
   StoredMaps maps;
   try {
@@ -193,8 +193,7 @@ int check_maps(const CheckMapsOptions& options) {
   run.mutants = false;
   const proofs::Report report = run_jobs(laws.jobs, run, [&](const proofs::Result& r) { text.add(r); });
   text.finish(report, false);
-  if (json) json->commit(to_json(report, options.seed));
-  if (options.json == "-") say(stdout, "{}", to_json(report, options.seed));
+  json.write([&] { return to_json(report, options.seed); });
   if (junit) junit->commit(to_junit(report));
   if (laws.jobs.empty()) refuse_nothing({});
   return exit_code(report);

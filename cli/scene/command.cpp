@@ -13,9 +13,9 @@
 #include "cli/exit_code.hpp"
 #include "cli/gnuplot.hpp"
 #include "cli/json.hpp"
+#include "cli/json_output.hpp"
 #include "cli/output_file.hpp"
 #include "cli/run_identity.hpp"
-#include "cli/scene/attributes.hpp"
 #include "cli/scene/loaded.hpp"
 #include "cli/scene/scene.hpp"
 #include "cli/streams.hpp"
@@ -42,16 +42,13 @@ using proofs::Result;
 using proofs::RunOptions;
 
 struct SceneOptions {
-  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at, subject, pictures, files;
+  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at, subject;
   double timeout = 10;
   std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
   unsigned threads = 0, level_limit = finest_level;
-  bool exhaustive = false, quiet = false, attributes = false, codes = false, packed = false, astc = false,
-       bc7 = false, time = false, mips = false;
-  std::vector<double> plan;
+  bool exhaustive = false, quiet = false;
   float margin = 0;
   int states = 4;
-  unsigned packed_error = 0;
 };
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -163,20 +160,13 @@ Report nothing_to_bake() {
 
 class Output {
  public:
-  explicit Output(const SceneOptions& options)
-      : options_(options), out_(options.json == "-" ? stderr : stdout) {
+  explicit Output(const SceneOptions& options) : options_(options), json_(options.json) {
     if (!options.glb.empty()) glb_.emplace(options.glb);
-    if (!options.json.empty() && options.json != "-") json_.emplace(options.json);
     if (!options.plot.empty()) plot_.emplace(options.plot);
   }
-  std::FILE* text() const { return out_; }
+  std::FILE* text() const { return json_.text(); }
   void json(const Report& report, const std::string& scene) {
-    if (options_.json.empty()) return;
-    const std::string all = to_json(report, options_.seed, {}, {}, scene);
-    if (json_)
-      json_->commit(all);
-    else
-      say(stdout, "{}", all);
+    json_.write([&] { return to_json(report, options_.seed, {}, {}, scene); });
   }
   void glb(const Plan& plan, const Scene& scene, const SceneArrays& arrays) {
     if (!glb_) return;
@@ -185,8 +175,8 @@ class Output {
                             ? with_micromaps(sample_name, sample, scene, plan, arrays, options_.glb)
                             : with_micromaps(options_.file, std::nullopt, scene, plan, arrays, options_.glb);
     glb_->commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    say(out_, "  {:<11}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written", options_.glb,
-        grouped(bytes.size()));
+    say(text(), "  {:<11}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written",
+        options_.glb, grouped(bytes.size()));
   }
   void plot(const SceneFigures& figures) {
     if (plot_) plot_->commit(run_gnuplot(sizes_plot_script(figures)));
@@ -194,29 +184,9 @@ class Output {
 
  private:
   const SceneOptions& options_;
-  std::FILE* out_;
-  std::optional<OutputFile> json_, plot_, glb_;
+  JsonOutput json_;
+  std::optional<OutputFile> plot_, glb_;
 };
-
-/// Refuses options that exclude each other.
-void check_options(const SceneOptions& options) {
-  const std::vector<std::pair<const char*, std::string>> files{{"the scene", options.file},
-                                                               {"--json", options.json},
-                                                               {"--plot", options.plot},
-                                                               {"-o", options.glb},
-                                                               {"--journal", options.journal}};
-  for (std::size_t a = 0; a < files.size(); ++a)
-    for (std::size_t b = a + 1; b < files.size(); ++b)
-      if (files[b].second != "-" && same_file(files[a].second, files[b].second))
-        throw UsageError(fmt::format("{} and {} name the same file, {}; name two", files[a].first,
-                                     files[b].first, files[b].second));
-  if (options.replay.empty() != options.at.empty())
-    throw UsageError("--replay LAW and --case LEVEL@CASE go together");
-  if (!options.subject.empty() && (options.states != 4 || !(options.glb + options.sizes).empty()))
-    throw UsageError("--subject: its 4-state maps are judged; leave --states, -o and --sizes out");
-  if (!options.replay.empty() && !(options.json + options.glb + options.plot + options.sizes).empty())
-    throw UsageError("--replay: it shows one case and writes no file");
-}
 
 /// Runs the pipeline and prints its plan before it bakes.
 SceneMicromaps micromaps_of(const Scene& scene, const LevelRequest& wanted, const SceneOptions& options,
@@ -284,43 +254,12 @@ int judged(const proofs::scene::Data& data, const proofs::bake::BakeSubjectPtr& 
   return exit_code(report);
 }
 
-/// The most errors in --plan: each is a plan of all triangles, kept until all are printed.
-constexpr std::size_t most_plans = 16;
-
-/// Runs --attributes.
-int attributes(const SceneOptions& options) {
-  check_options(options);
-  if (!(options.glb + options.sizes + options.journal + options.replay + options.subject).empty() ||
-      options.states != 4 || options.margin != 0 || options.exhaustive)
-    throw UsageError(
-        "--attributes: it measures and writes --json, --plot, --files and --pictures; leave the others out");
-  if (options.plan.size() > most_plans)
-    throw UsageError(fmt::format("--plan: {} errors; at most {}, because each one plans every triangle",
-                                 grouped(options.plan.size()), most_plans));
-  if (options.astc && options.bc7)
-    throw UsageError("--astc and --bc7: give one of them; textures are compressed in one format at a time");
-  if ((options.astc || options.bc7) && options.packed_error != 0)
-    throw UsageError(
-        fmt::format("{}: it compares sizes at the errors of lossless maps; leave --packed-error out",
-                    options.astc ? "--astc" : "--bc7"));
-  return scene_attributes({options.file, options.level, options.json, options.plot, options.pictures,
-                           options.files, options.codes, options.quiet, options.threads,
-                           options.packed || options.packed_error != 0 || options.astc || options.bc7,
-                           options.packed_error, options.astc, options.bc7, options.time, options.mips,
-                           options.plan});
-}
-
 int scene(const SceneOptions& options) {
-  if (options.attributes) return attributes(options);
-  if (options.codes || !options.pictures.empty())
-    throw UsageError("--codes, --pictures: only with --attributes; give that, too");
-  if (options.packed || options.packed_error != 0 || options.astc || options.bc7 || options.time ||
-      options.mips || !options.plan.empty() || !options.files.empty())
-    throw UsageError(
-        "--packed, --packed-error, --astc, --bc7, --time, --mips, --plan, --files: only with --attributes");
-  if (!options.plot.empty() && options.sizes.empty())
-    throw UsageError("--plot: it draws what --sizes A..B finds; give that, too");
-  check_options(options);
+  refuse_same_file({{"the scene", options.file},
+                    {"--json", options.json},
+                    {"--plot", options.plot},
+                    {"-o", options.glb},
+                    {"--journal", options.journal}});
   const auto baker = options.subject.empty() ? nullptr : parse_baker(options.subject, options.timeout);
   const InterruptGuard guard;
   Output output(options);
@@ -374,14 +313,12 @@ Action add_scene(CLI::App& program) {
       ->add_option("file", options->file,
                    "the scene, or a folder of textures; without it the suite's own, a plant and a fence")
       ->type_name("FILE.gltf|FILE.glb|FOLDER");
-  command
-      ->add_option("-o,--output", options->glb,
-                   "write the scene with its micromaps: glTF with EXT_mesh_opacity_micromap")
-      ->type_name("OUT.glb");
-  command
-      ->add_option(
-          "--level", options->level,
-          "level of every triangle; auto: its highest useful one; with --attributes also A..B, auto: 0..5")
+  auto* const output =
+      command
+          ->add_option("-o,--output", options->glb,
+                       "write the scene with its micromaps: glTF with EXT_mesh_opacity_micromap")
+          ->type_name("OUT.glb");
+  command->add_option("--level", options->level, "level of every triangle; auto: its highest useful one")
       ->type_name("N|auto");
   command
       ->add_option("--level-limit", options->level_limit, "the finest level that the device takes; of auto")
@@ -392,8 +329,8 @@ Action add_scene(CLI::App& program) {
                                                          : std::string();
       })
       ->transform(CLI::AsSizeValue(false));
-  command->add_option("--states", options->states, "2: force-2-state of every map")
-      ->check(CLI::IsMember({2, 4}));
+  auto* const states = command->add_option("--states", options->states, "2: force-2-state of every map")
+                           ->check(CLI::IsMember({2, 4}));
   command
       ->add_option(
           "--margin", options->margin,
@@ -403,50 +340,15 @@ Action add_scene(CLI::App& program) {
   command->add_option("--samples", options->samples, "micro-triangles that each law of baking is checked on")
       ->check(whole_within(1, std::uint64_t{1} << 40));
   command->add_flag("--exhaustive", options->exhaustive, "run the laws of baking on all micro-triangles");
-  command->add_flag("--attributes", options->attributes,
-                    "measure micromaps of colours, normals and roughness in the place of opacity: how many, "
-                    "how large, how far from the textures");
-  command->add_flag("--codes", options->codes,
-                    "of --attributes: average codes, as the paper's pixels, not light and directions");
-  command->add_flag(
-      "--packed", options->packed,
-      "of --attributes: pack the maps as well, beside their entropy and what zstd makes of them");
-  command
-      ->add_option("--files", options->files,
-                   "of --attributes: write the maps, packed, as FOLDER/SET_KIND_levelN.mmat")
-      ->type_name("FOLDER");
-  command
-      ->add_option("--packed-error", options->packed_error,
-                   "the most that a code of them may be off, and --packed; 0 is lossless")
-      ->check(whole_within(0, 127))
-      ->type_name("CODES");
-  command->add_flag("--astc", options->astc,
-                    "of --attributes: compress the textures as ASTC beside, and say what they take at the "
-                    "maps' errors; implies --packed, needs the program astcenc");
-  command->add_flag("--bc7", options->bc7,
-                    "the same in BC7; needs the program bc7enc, of npm's @gpu-tex-enc/bc");
-  command->add_flag("--time", options->time,
-                    "of --attributes: take the time of a lookup at random points, in the textures and in the "
-                    "maps; one thread");
-  command->add_flag("--mips", options->mips,
-                    "of --attributes: hold mips of the textures against those of the maps of the highest "
-                    "level, near the borders of an atlas's charts and inside; needs --level A..B");
-  command
-      ->add_option_function<std::string>(
-          "--plan", [options](const std::string& text) { options->plan = parse_numbers(text); },
-          "of --attributes: give each triangle the lowest of these levels whose faces, or vertices, keep an "
-          "error, in codes of 8 bits, and none where one value does; beside all of one level")
-      ->check(each_finite_within(0, 255))
-      ->type_name("RMSE[,RMSE...]");
-  command
-      ->add_option("--pictures", options->pictures,
-                   "of --attributes: write each base colour beside its maps and their FLIP, a PNG a level")
-      ->type_name("FOLDER");
-  command->add_option("--sizes", options->sizes, "also the sizes with every triangle at each of these levels")
-      ->type_name("A..B");
-  command->add_option("--plot", options->plot, "draw the sizes as SVG; needs --sizes or --attributes")
-      ->type_name("FILE.svg");
-  command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
+  auto* const sizes = command
+                          ->add_option("--sizes", options->sizes,
+                                       "also the sizes with every triangle at each of these levels")
+                          ->type_name("A..B");
+  auto* const plot = command->add_option("--plot", options->plot, "draw the sizes as SVG")
+                         ->type_name("FILE.svg")
+                         ->needs(sizes);
+  auto* const json = command->add_option("--json", options->json, "write the results as JSON; - is stdout")
+                         ->type_name("FILE|-");
   command
       ->add_option("--journal", options->journal,
                    "keep what the laws have done here; the same command goes on from it")
@@ -456,13 +358,19 @@ Action add_scene(CLI::App& program) {
       ->add_option("--threads", options->threads,
                    "worker threads; as many as the machine has where not given")
       ->check(whole_within(1, 1024));
-  command->add_option("--replay", options->replay, "show one case of a law again; needs --case")
-      ->type_name("LAW");
-  command->add_option("--case", options->at, "the case of --replay")->type_name("LEVEL@CASE");
+  auto* const replay =
+      command->add_option("--replay", options->replay, "show one case of a law again")->type_name("LAW");
+  replay->needs(command->add_option("--case", options->at, "the case of --replay")
+                    ->type_name("LEVEL@CASE")
+                    ->needs(replay));
+  for (CLI::Option* const written : {json, output, plot, sizes}) replay->excludes(written);
   command
       ->add_option("--subject", options->subject,
-                   "judge this baker's maps of the scene, and time it, in the place of ours")
-      ->type_name("NAME|FILE.so");
+                   "judge this baker's 4-state maps of the scene, and time it, in the place of ours")
+      ->type_name("NAME|FILE.so")
+      ->excludes(states)
+      ->excludes(output)
+      ->excludes(sizes);
   command->add_option("--timeout", options->timeout, "seconds that the subject may take for a triangle")
       ->check(finite_within(0.01, 86400));
   command->add_flag("--quiet", options->quiet, "no progress");

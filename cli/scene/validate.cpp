@@ -11,6 +11,7 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/json_output.hpp"
 #include "cli/json_text.hpp"
 #include "cli/output_file.hpp"
 #include "cli/streams.hpp"
@@ -95,15 +96,13 @@ int run_validate(const ValidateOptions& options) {
   std::error_code none;
   if (std::filesystem::equivalent(options.file, options.json, none))
     throw UsageError(fmt::format("--json {}: this is the file that is judged; name another", options.json));
-  std::optional<OutputFile> json;
-  if (!options.json.empty() && options.json != "-") json.emplace(options.json);
+  JsonOutput json(options.json);
   const Judged found = judged(options);
   if (options.forced() && found.kind != FileKind::gltf)
     throw UsageError(
         fmt::format("--draft {}: {} is no glTF; leave --draft out", options.draft, options.file));
-  print(options.json == "-" ? stderr : stdout, options.file, found);
-  if (json) json->commit(findings_json(options, found));
-  if (options.json == "-") say(stdout, "{}", findings_json(options, found));
+  print(json.text(), options.file, found);
+  json.write([&] { return findings_json(options, found); });
   return found.count(Severity::error) == 0 ? ExitCode::complete : ExitCode::failed;
 }
 

@@ -49,9 +49,9 @@ const sections: Section[] = [
   { id: "cost", charts: true, title: "Cost against level", needs: "a result of mmverify bench --json, or of laws on three levels or more", make: costCharts },
   { id: "footprint", title: "Footprint against level", needs: "a result of mmverify scene --sizes A..B --json", make: footprintCharts },
   { id: "savings", charts: true, title: "VQ savings", needs: "a result of mmverify bench vq --json", make: savingsCharts },
-  { id: "attributes", title: "Attribute micromaps", needs: "a result of mmverify scene FILE --attributes --json", make: attributeSections },
+  { id: "attributes", title: "Attribute micromaps", needs: "a result of mmverify attributes FILE --json", make: attributeSections },
   { id: "rays", title: "Rays", needs: "a result of mmverify render --level A..B --heat FILE.png --json, or of render --cameras N --json", make: raySections },
-  { id: "views", title: "Views by attribute micromaps", needs: "a result of mmverify render --attributes A..B --pictures FOLDER --json", make: viewSections },
+  { id: "views", title: "Views by attribute micromaps", needs: "a result of mmverify views --level A..B --pictures FOLDER --json", make: viewSections },
   { id: "plan", title: "The scene's plan", needs: "a result of mmverify scene --json", make: planSections },
 ];
 
@@ -86,10 +86,10 @@ function toolLine(tool: Tool): string {
 
 /** The command that makes a bench's figures. */
 const commands: Partial<Record<AnyBench["topic"], string>> = {
-  scene_attributes: "scene --attributes",
+  scene_attributes: "attributes",
   render: "render",
   render_path: "render --cameras",
-  views: "render --attributes",
+  views: "views",
 };
 
 function sources(report: Report): HTMLElement {

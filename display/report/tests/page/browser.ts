@@ -54,7 +54,7 @@ before(async () => {
   run("bench", "index", "--levels", "3..6", "--samples", "2000", "--quiet", "--json", "index.json");
   run("bench", "vq", "--maps", "4", "--quiet", "--json", "vq.json");
   run("bench", "bake", "--levels", "3..4", "--maps", "1", "--quiet", "--json", "bake.json");
-  run("scene", "--attributes", "--level", "1..3", "--packed", "--time", "--mips", "--plan", "20,40", "--quiet", "--json", "attributes.json", "--pictures", "pictures");
+  run("attributes", "--level", "1..3", "--packed", "--time", "--mips", "--plan", "20,40", "--quiet", "--json", "attributes.json", "--pictures", "pictures");
   run("report", "wrong.json", "scene.json", "index.json", "vq.json", "bake.json", "attributes.json", "-o", "all.html");
   run("prove", "index.bijective", "--levels", "0..3", "--quiet", "--json", "right.json");
   run("report", "right.json", "-o", "right.html");

@@ -1,4 +1,4 @@
-#include "cli/scene/attributes.hpp"
+#include "cli/attributes/attributes.hpp"
 
 #include <fmt/format.h>
 
@@ -21,6 +21,7 @@
 #include "cli/bench/tables.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/gnuplot.hpp"
+#include "cli/json_output.hpp"
 #include "cli/output_file.hpp"
 #include "cli/scene/loaded.hpp"
 #include "cli/streams.hpp"
@@ -107,24 +108,18 @@ void write_maps(const std::string& folder, const StoredAttributes& stored) {
   file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-/// Makes the folder if it does not exist.
-void need_folder(const char* option, const std::string& folder) {
-  if (folder.empty()) return;
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder, error))
-    throw EnvironmentError(fmt::format("{} {}: no folder, and none can be made", option, folder));
-}
+/// The most errors in --plan: each is a plan of all triangles, kept until all are printed.
+constexpr std::size_t most_plans = 16;
 
 AttributeScene loaded_attributes(const std::string& file) {
   if (file.empty()) return load_attributes(sample_name, sample_scene());
   if (std::error_code none; std::filesystem::is_directory(file, none))
-    throw UsageError("--attributes: a folder of textures has no triangles of its own; name a glTF file");
+    throw UsageError(
+        fmt::format("{}: a folder of textures has no triangles of its own; name a glTF file", file));
   return load_attributes(file);
 }
 
 proofs::Levels levels_of(const std::string& text) {
-  if (text == "auto") return {AttributeOptions{}.first, AttributeOptions{}.last};
   const proofs::Levels levels = parse_levels(text, "--level");
   if (levels.last > finest_attribute_level)
     throw UsageError(
@@ -132,21 +127,20 @@ proofs::Levels levels_of(const std::string& text) {
   return levels;
 }
 
-}  // namespace
-
-int scene_attributes(const AttributeArguments& arguments) {
-  const proofs::Levels levels = levels_of(arguments.levels);
+void check(const AttributeArguments& arguments, const proofs::Levels& levels) {
   if (arguments.mips && levels.first == levels.last)
     throw UsageError("--mips: it needs --level A..B, A below B: maps of level B and their mips down to A");
-  std::optional<OutputFile> json, plot;
-  if (!arguments.json.empty() && arguments.json != "-") json.emplace(arguments.json);
-  if (!arguments.plot.empty()) plot.emplace(arguments.plot);
-  need_folder("--pictures", arguments.pictures);
-  need_folder("--files", arguments.files);
-  const proofs::InterruptGuard guard;
+  if (arguments.plan.size() > most_plans)
+    throw UsageError(fmt::format("--plan: {} errors; at most {}, because each one plans every triangle",
+                                 grouped(arguments.plan.size()), most_plans));
+  refuse_same_file({{"the scene", arguments.file}, {"--json", arguments.json}, {"--plot", arguments.plot}});
+}
+
+/// The options of a measurement, without the receivers of its steps. Looks for the texture coders.
+AttributeOptions options_of(const AttributeArguments& arguments, const proofs::Levels& levels) {
   AttributeOptions options{.first = levels.first, .last = levels.last, .threads = arguments.threads};
   options.averaging = arguments.codes ? Averaging::codes : Averaging::meaning;
-  options.packed = arguments.packed;
+  options.packed = arguments.packed || arguments.packed_error != 0 || arguments.astc || arguments.bc7;
   options.packed_error = static_cast<std::uint8_t>(arguments.packed_error);
   options.peer = bench::zstd_bytes;
   if (!arguments.files.empty())
@@ -156,24 +150,41 @@ int scene_attributes(const AttributeArguments& arguments) {
   };
   if (!arguments.quiet)
     options.progress = [](const std::string& what) { say(stderr, "attributes: {}\n", what); };
-  // The encoders are looked for before anything is measured.
   if (arguments.astc)
     options.texture_coder =
         bench::astc_coder({.threads = options.threads, .progress = options.progress, .stop = options.stop});
   if (arguments.bc7)
     options.texture_coder =
         bench::bc7_coder({.threads = options.threads, .progress = options.progress, .stop = options.stop});
+  return options;
+}
+
+void tell_left_out(std::FILE* out, const AttributeScene& scene) {
+  say(out, "{}: no triangle has a texture of an attribute: nothing to measure\n", scene.file);
+  for (const AttributeLeftOut& left : scene.left_out)
+    say(out, "  left out  mesh {} primitive {}, {} triangles: {}\n", left.mesh, left.primitive,
+        left.triangles, left.why);
+}
+
+}  // namespace
+
+int measure_attributes(const AttributeArguments& arguments) {
+  const proofs::Levels levels = levels_of(arguments.levels);
+  check(arguments, levels);
+  JsonOutput json(arguments.json);
+  std::optional<OutputFile> plot;
+  if (!arguments.plot.empty()) plot.emplace(arguments.plot);
+  need_folder("--pictures", arguments.pictures);
+  need_folder("--files", arguments.files);
+  const proofs::InterruptGuard guard;
+  AttributeOptions options = options_of(arguments, levels);
   PictureFolder pictures(arguments.pictures);
   if (!arguments.pictures.empty())
     options.picture = [&pictures](const AttributePicture& picture) { pictures.write(picture); };
   const AttributeScene read = loaded_attributes(arguments.file);
-  std::FILE* const out = arguments.json == "-" ? stderr : stdout;
   if (read.textures.empty()) {
-    say(out, "{}: no triangle has a texture of an attribute: nothing to measure\n", read.file);
-    for (const AttributeLeftOut& left : read.left_out)
-      say(out, "  left out  mesh {} primitive {}, {} triangles: {}\n", left.mesh, left.primitive,
-          left.triangles, left.why);
-    if (!arguments.json.empty() || plot) throw UsageError("--json, --plot: there is nothing to write");
+    tell_left_out(json.text(), read);
+    if (json.given() || plot) throw UsageError("--json, --plot: there is nothing to write");
     return complete;
   }
   bench::AttributeTimer timer(read, {});
@@ -192,10 +203,9 @@ int scene_attributes(const AttributeArguments& arguments) {
       result.tables.push_back(std::move(table));
   if (arguments.mips) result.tables.push_back(bench::attribute_mips_table(mips.steps()));
   pictures.name_in(result);
-  print_result(out, result);
+  print_result(json.text(), result);
   if (plot) plot->commit(run_gnuplot(plot_script(*result.drawn)));
-  if (json) json->commit(result_json(result));
-  if (arguments.json == "-") say(stdout, "{}", result_json(result));
+  json.write([&] { return result_json(result); });
   return complete;
 }
 

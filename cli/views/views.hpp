@@ -1,8 +1,9 @@
-// mmverify render --attributes: renders a view with textures and with micromaps.
+// mmverify views: renders a view with textures and with attribute micromaps.
 #pragma once
 
 #include <string>
 
+#include "cli/render/picture_size.hpp"
 #include "display/render/scene/views.hpp"
 #include "display/render/tracer.hpp"
 #include "proofs/engine/law.hpp"
@@ -10,11 +11,13 @@
 namespace mmverify::cli {
 
 struct ViewArguments {
-  std::string file, levels, pictures, json, shading;
-  std::uint32_t width = 640, height = 480, rays = 1;
+  std::string file, levels = "0..6", pictures, json;
+  render::Shading shading = render::Shading::lit;
+  PictureSize size;
+  std::uint32_t rays = 1;  ///< along each side of a pixel
   std::uint64_t camera = 0, seed = 1;
   unsigned threads = 0;
-  bool shadows = true, quiet = false;
+  bool no_shadows = false, quiet = false;
 };
 
 /// Renders the views and returns the exit code. Errors: UsageError, EnvironmentError, BadScene.
