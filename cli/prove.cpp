@@ -151,8 +151,6 @@ int replay_of_source(const Job& job, const std::string& text) {
 }
 
 int prove(const ProveOptions& options) {
-  if (!options.source && (options.function || options.one_case || !options.flags.empty()))
-    throw UsageError("--function, --flag and --case belong to --source: give that, too, or leave them out");
   if (options.junit == "-") throw UsageError("--junit -: only --json can go to standard output; name a file");
   refuse_same_file({{"--json", options.json}, {"--junit", options.junit}, {"--journal", options.journal}});
   if ((!options.devices.empty() || options.entry) &&
@@ -213,6 +211,79 @@ int prove(const ProveOptions& options) {
   return code;
 }
 
+/// The options about how strictly, and on which cases.
+void add_judging(CLI::App& command, ProveOptions& options) {
+  command.add_option("--tier", options.tier, "fast or long")->check(CLI::IsMember({"fast", "long"}));
+  command.add_option("--cells", options.cells, "all, or interior: leave out points on grid lines")
+      ->check(CLI::IsMember({"all", "interior"}));
+  command
+      .add_option("--dialect", options.dialect,
+                  "what binary32 answers are held against: exact arithmetic, the published code, or either")
+      ->check(CLI::IsMember({"exact", "published", "either"}));
+  command
+      .add_option(
+          "--near", options.near,
+          "let a point that misses an edge by so many units in the last place have a neighbour's index")
+      ->type_name("ULPS")
+      ->check(whole_within(0, 1 << 20));
+  command.add_flag("--no-companions", options.no_companions,
+                   "leave out the laws on floats that run with a law whose cases exercise few floats");
+  command.add_option("--errors", options.errors, "how many counterexamples each result keeps")
+      ->check(whole_within(1, 10'000));
+  command
+      .add_option("--cases", options.cases,
+                  "draw at least so many cases of each sampled law of bakers, over its four lowest levels")
+      ->check(whole_within(1, 10'000'000));
+}
+
+/// The options of shaders.
+void add_shaders(CLI::App& command, ProveOptions& options) {
+  command
+      .add_option("--device", options.devices,
+                  "the Vulkan devices that run a shader, each by itself, by number; 0 where not given")
+      ->type_name("N[,N...]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(whole_within(0, 9999));
+  command
+      .add_option("--entry", options.entry,
+                  "what a shader with a main of its own answers, index_f32 where not given; of a file of "
+                  "functions, the one that is asked")
+      ->type_name("NAME");
+}
+
+/// The options that name files.
+void add_outputs(CLI::App& command, ProveOptions& options) {
+  command.add_option("--json", options.json, "write the results as JSON; - is stdout")->type_name("FILE|-");
+  command.add_option("--junit", options.junit, "write the results as JUnit XML")->type_name("FILE");
+  command.add_option("--shard", options.shard, "run part K of N of each law's domain; see merge")
+      ->type_name("K/N");
+  command
+      .add_option("--journal", options.journal,
+                  "keep finished work in this file as it comes; the same run started again goes on from it")
+      ->type_name("FILE");
+}
+
+/// --source, and the options that need it.
+void add_source(CLI::App& command, ProveOptions& options) {
+  auto* const source =
+      command
+          .add_option("--source", options.source,
+                      "a function in C, C++, GLSL, HLSL, LLVM's bitcode or SPIR-V: prove index.floats of it, "
+                      "for every pair of floats")
+          ->type_name("FILE.c|.cpp|.bc|.ll|.glsl|.comp|.hlsl|.spv");
+  command.add_option("--function", options.function, "its name in the source; index_of where not given")
+      ->type_name("NAME")
+      ->needs(source);
+  command.add_option("--flag", options.flags, "one more flag of clang, as --flag=-DFAST; may be given again")
+      ->type_name("FLAG")
+      ->allow_extra_args(false)
+      ->needs(source);
+  command.add_option("--case", options.one_case, "run the source's function on one counterexample again")
+      ->type_name("LEVEL@CASE")
+      ->needs(source);
+}
+
 }  // namespace
 
 Action add_prove(CLI::App& program) {
@@ -229,65 +300,15 @@ Action add_prove(CLI::App& program) {
       ->add_option("--threads", options->threads,
                    "worker threads; as many as the machine has where not given")
       ->check(whole_within(1, 1024));
-  command->add_option("--tier", options->tier, "fast or long")->check(CLI::IsMember({"fast", "long"}));
-  command->add_option("--cells", options->cells, "all, or interior: leave out points on grid lines")
-      ->check(CLI::IsMember({"all", "interior"}));
-  command
-      ->add_option("--dialect", options->dialect,
-                   "what binary32 answers are held against: exact arithmetic, the published code, or either")
-      ->check(CLI::IsMember({"exact", "published", "either"}));
-  command
-      ->add_option(
-          "--near", options->near,
-          "let a point that misses an edge by so many units in the last place have a neighbour's index")
-      ->type_name("ULPS")
-      ->check(whole_within(0, 1 << 20));
-  command->add_flag("--no-companions", options->no_companions,
-                    "leave out the laws on floats that run with a law whose cases exercise few floats");
-  command->add_option("--errors", options->errors, "how many counterexamples each result keeps")
-      ->check(whole_within(1, 10'000));
-  command
-      ->add_option("--cases", options->cases,
-                   "draw at least so many cases of each sampled law of bakers, over its four lowest levels")
-      ->check(whole_within(1, 10'000'000));
+  add_judging(*command, *options);
   command->add_option("--seed", options->seed, "seed of every sample")->check(fits_64_bits);
   command
       ->add_option("--timeout", options->timeout,
                    "seconds that a library may take for a batch; 10 where not given, 60 of a shader")
       ->check(finite_within(0.01, 86400));
-  command
-      ->add_option("--device", options->devices,
-                   "the Vulkan devices that run a shader, each by itself, by number; 0 where not given")
-      ->type_name("N[,N...]")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(whole_within(0, 9999));
-  command
-      ->add_option("--entry", options->entry,
-                   "what a shader with a main of its own answers, index_f32 where not given; of a file of "
-                   "functions, the one that is asked")
-      ->type_name("NAME");
-  command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
-  command->add_option("--junit", options->junit, "write the results as JUnit XML")->type_name("FILE");
-  command->add_option("--shard", options->shard, "run part K of N of each law's domain; see merge")
-      ->type_name("K/N");
-  command
-      ->add_option("--journal", options->journal,
-                   "keep finished work in this file as it comes; the same run started again goes on from it")
-      ->type_name("FILE");
-  command
-      ->add_option("--source", options->source,
-                   "a function in C, C++, GLSL, HLSL, LLVM's bitcode or SPIR-V: prove index.floats of it, "
-                   "for every pair of floats")
-      ->type_name("FILE.c|.cpp|.bc|.ll|.glsl|.comp|.hlsl|.spv");
-  command->add_option("--function", options->function, "its name in the source; index_of where not given")
-      ->type_name("NAME");
-  command
-      ->add_option("--flag", options->flags, "one more flag of clang, as --flag=-DFAST; may be given again")
-      ->type_name("FLAG")
-      ->allow_extra_args(false);
-  command->add_option("--case", options->one_case, "run the source's function on one counterexample again")
-      ->type_name("LEVEL@CASE");
+  add_shaders(*command, *options);
+  add_outputs(*command, *options);
+  add_source(*command, *options);
   command->add_flag("--no-mutants", options->no_mutants,
                     "leave out the wrong subjects by which each law shows that it can fail");
   command->add_flag("--quiet", options->quiet, "no progress on stderr");

@@ -9,7 +9,7 @@ class App;
 
 namespace mmverify::cli {
 
-/// In pixels.
+/// Width and height in pixels.
 struct PictureSize {
   std::uint32_t width = 640, height = 480;
 };

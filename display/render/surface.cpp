@@ -62,8 +62,8 @@ Surface::Surface(const impl::bake::Texels& texels, const impl::bake::Sampling& s
 }
 
 std::uint32_t Surface::code(std::int64_t x, std::int64_t y) const noexcept {
-  const std::int64_t i = impl::bake::detail::wrapped(sampling_.u, x, width_),
-                     j = impl::bake::detail::wrapped(sampling_.v, y, height_);
+  const std::int64_t i = impl::bake::wrapped(sampling_.u, x, width_),
+                     j = impl::bake::wrapped(sampling_.v, y, height_);
   if (i < 0 || j < 0) return static_cast<std::uint32_t>(sampling_.border);
   return std::visit(
       [&](const auto& view) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace mmverify::impl::bake::detail {
+namespace mmverify::impl {
 
 /// The number m 2^e; m is odd, or both are 0.
 struct Binary {
@@ -21,11 +21,11 @@ inline Binary normal(std::int64_t m, int e) noexcept {
 }
 
 /// x taken apart.  Domain: finite x.
+/// Source: IEEE 754-2019, 3.4.
 inline Binary binary(float x) noexcept {
-  if (x == 0) return {};
-  int e;
-  const float half = std::frexp(x, &e);
-  return normal(static_cast<std::int64_t>(std::ldexp(half, 24)), e - 24);  // 24 bits: exact
+  const auto word = std::bit_cast<std::uint32_t>(x), field = word >> 23 & 0xff;
+  const std::int64_t size = (word & 0x7fffff) | (field == 0 ? 0 : 0x800000);
+  return normal(word >> 31 != 0 ? -size : size, (field == 0 ? 1 : static_cast<int>(field)) - 150);
 }
 
 /// The number in binary64, rounded once.
@@ -36,4 +36,4 @@ inline int bits(std::int64_t x) noexcept {
   return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(x < 0 ? -x : x)));
 }
 
-}  // namespace mmverify::impl::bake::detail
+}  // namespace mmverify::impl

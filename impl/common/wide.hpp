@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace mmverify::impl::bake::detail {
+namespace mmverify::impl {
 
 // __int128 is not ISO C++, but both compilers of this project have it.
 __extension__ typedef __int128 Int128;
@@ -103,4 +103,4 @@ class Wide {
   std::array<std::uint64_t, limbs> limb_{};
 };
 
-}  // namespace mmverify::impl::bake::detail
+}  // namespace mmverify::impl

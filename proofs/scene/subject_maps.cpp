@@ -2,9 +2,11 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 #include "proofs/bake/truth/truth.hpp"
+#include "proofs/points/point.hpp"
 #include "scene/bake/surface_baker.hpp"
 
 namespace mmverify::proofs::scene {
@@ -30,14 +32,11 @@ bake::Wrap address_of(mmverify::scene::Wrap wrap) {
 
 /// A binary32 number as a fraction of 32 bits.
 std::optional<bake::Cutoff> fraction_of(float cutoff) {
-  int exponent = 0;
-  const float mantissa = std::frexp(cutoff, &exponent);  // in [1/2, 1), a whole number of 2^-24
-  auto numerator = static_cast<std::uint64_t>(std::ldexp(double{mantissa}, 24));
-  int shift = 24 - exponent;
-  while (numerator != 0 && numerator % 2 == 0 && shift > 0) numerator /= 2, --shift;
-  if (numerator == 0) return bake::Cutoff{0, 1};
-  if (shift > 31 || shift < 0 || numerator >> 32 != 0) return std::nullopt;
-  return bake::Cutoff{static_cast<std::uint32_t>(numerator), std::uint32_t{1} << shift};
+  const spec::Rational exact = points::rational(cutoff);
+  const spec::Integer limit = std::numeric_limits<std::uint32_t>::max();
+  if (exact.numerator() > limit || exact.denominator() > limit) return std::nullopt;
+  return bake::Cutoff{static_cast<std::uint32_t>(exact.numerator()),
+                      static_cast<std::uint32_t>(exact.denominator())};
 }
 
 bake::State our_state(const mmverify::scene::BakedTriangle& t, std::size_t k) {

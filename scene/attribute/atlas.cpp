@@ -3,19 +3,9 @@
 #include <set>
 #include <tuple>
 
+#include "scene/bake/wrap.hpp"
+
 namespace mmverify::scene {
-
-namespace {
-
-std::uint32_t wrapped(std::int64_t x, std::uint32_t side, Wrap wrap) {
-  const std::int64_t n = side;
-  if (wrap == Wrap::clamp_to_edge) return static_cast<std::uint32_t>(std::clamp<std::int64_t>(x, 0, n - 1));
-  const std::int64_t period = wrap == Wrap::repeat ? n : 2 * n;
-  const std::int64_t r = (x % period + period) % period;
-  return static_cast<std::uint32_t>(r < n ? r : period - 1 - r);
-}
-
-}  // namespace
 
 bool within_reach(const TexelTriangle& corners) {
   double box = 1;
@@ -35,8 +25,9 @@ bool within_reach(const UvTriangle& uvs, const ColourImage& image) {
 }
 
 std::size_t wrapped_texel(const ColourImage& image, const Sampler& sampler, std::int64_t x, std::int64_t y) {
-  return wrapped(x, image.width, sampler.wrap_u) +
-         std::size_t{wrapped(y, image.height, sampler.wrap_v)} * image.width;
+  using impl::bake::wrapped;
+  return static_cast<std::size_t>(wrapped(wrap_of(sampler.wrap_u), x, image.width) +
+                                  wrapped(wrap_of(sampler.wrap_v), y, image.height) * image.width);
 }
 
 std::vector<std::uint32_t> first_triangles(const ColourImage& image, std::span<const Sampler> samplers,

@@ -2,22 +2,11 @@
 
 #include <stdexcept>
 
+#include "scene/bake/wrap.hpp"
 #include "scene/plan/plan.hpp"
 
 namespace mmverify::scene {
 namespace {
-
-impl::bake::Wrap wrap_of(Wrap wrap) {
-  switch (wrap) {
-    case Wrap::repeat:
-      return impl::bake::Wrap::repeat;
-    case Wrap::mirrored_repeat:
-      return impl::bake::Wrap::mirrored_repeat;
-    case Wrap::clamp_to_edge:
-      break;
-  }
-  return impl::bake::Wrap::clamp_to_edge;
-}
 
 impl::attribute::AttributeSampling sampling_of(const AttributeTexture& texture, Averaging averaging) {
   impl::attribute::AttributeSampling sampling;

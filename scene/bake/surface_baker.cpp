@@ -3,23 +3,9 @@
 #include <span>
 #include <variant>
 
+#include "scene/bake/wrap.hpp"
+
 namespace mmverify::scene {
-namespace {
-
-impl::bake::Wrap wrap(Wrap w) {
-  switch (w) {
-    case Wrap::repeat:
-      return impl::bake::Wrap::repeat;
-    case Wrap::mirrored_repeat:
-      return impl::bake::Wrap::mirrored_repeat;
-    case Wrap::clamp_to_edge:
-      break;
-  }
-  return impl::bake::Wrap::clamp_to_edge;
-}
-
-}  // namespace
-
 SurfaceInputs surface_inputs(const Scene& scene, const Surface& surface, float margin) {
   const Image& image = scene.images.at(surface.image);
   const impl::bake::Texels texels = std::visit(
@@ -28,8 +14,8 @@ SurfaceInputs surface_inputs(const Scene& scene, const Surface& surface, float m
       },
       image.alpha);
   impl::bake::Sampling sampling;
-  sampling.u = wrap(surface.sampler.wrap_u);
-  sampling.v = wrap(surface.sampler.wrap_v);
+  sampling.u = wrap_of(surface.sampler.wrap_u);
+  sampling.v = wrap_of(surface.sampler.wrap_v);
   if (filter_of(surface.sampler) == Filter::nearest) sampling.filter = impl::bake::Filter::nearest;
   sampling.factors = {surface.base_color_alpha, surface.vertex_alpha};
   sampling.margin = margin;

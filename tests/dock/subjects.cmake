@@ -257,6 +257,6 @@ mmverify_add_part(careless subjects/careless.cpp)
 foreach(wrong decide_errno_range decide_errno_invalid decide_flags decide_characters decide_deep_stack decide_shallow_stack
     decide_x87 decide_mmx decide_signals decide_changes_struct decide_takes_struct_back decide_another_time decide_for_2
     decide_for_19 decide_below_4_gib decide_one_array decide_writes_words decide_wide decode_reads_on decode_below_2_gib
-    decode_errno decode_writes_words decimate_one_array)
+    decode_errno decode_writes_words decimate_one_array encode_above_64_kib encode_above_1_mib)
   mmverify_add_wrong(touchy_${wrong} ${wrong} careless right_traverse right_tree right_attribute)
 endforeach()

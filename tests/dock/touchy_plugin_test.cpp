@@ -81,7 +81,9 @@ INSTANTIATE_TEST_SUITE_P(
                "asked with one array for inputs that are equal: "},
         Touchy{"decode_reads_on", trip, "it touched the memory of an earlier call"},
         Touchy{"decode_below_2_gib", trip, "asked with its memory below 2 GiB: "},
-        Touchy{"decode_errno", trip, "asked while errno is ERANGE: "}),
+        Touchy{"decode_errno", trip, "asked while errno is ERANGE: "},
+        Touchy{"encode_above_64_kib", trip, "asked with room for 65536 bytes: "},
+        Touchy{"encode_above_1_mib", trip, "asked with room for 1572864 bytes: "}),
     [](const auto& info) { return std::string(info.param.name); });
 
 #if defined(__x86_64__)

@@ -22,7 +22,7 @@ constexpr Wrap every_wrap[] = {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_
 spec::Wrap specified(Wrap wrap) { return static_cast<spec::Wrap>(wrap); }
 
 TEST(ImplBakeWide, ArithmeticIsThatOfIntegers) {
-  using mmverify::impl::bake::detail::Wide;
+  using mmverify::impl::Wide;
   std::mt19937_64 random(1);
   const auto some = [&](std::int64_t& a) {
     a = static_cast<std::int64_t>(random() >> (random() % 64));
@@ -67,7 +67,7 @@ TEST(ImplBakeWrap, TexelsAndRunsAreTheSpecifications) {
     for (std::int64_t n = 1; n <= 5; ++n)
       for (std::int64_t from = -17; from <= 17; ++from) {
         const auto texel = spec::wrapped(specified(wrap), from, static_cast<std::uint32_t>(n));
-        ASSERT_EQ(detail::wrapped(wrap, from, n), texel ? std::int64_t{*texel} : -1);
+        ASSERT_EQ(wrapped(wrap, from, n), texel ? std::int64_t{*texel} : -1);
         std::vector<bool> reached(static_cast<std::size_t>(n) + 1, false);
         for (std::int64_t to = from; to <= from + 25; ++to) {
           const auto last = spec::wrapped(specified(wrap), to, static_cast<std::uint32_t>(n));

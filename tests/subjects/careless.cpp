@@ -106,6 +106,15 @@ void decide_wide(std::uint64_t api, const std::uint32_t* candidate, const std::u
   if (api >> 32 != 0) outcome[0] ^= 1;
 }
 
+std::size_t encode(std::uint32_t level, std::uint32_t format, const std::uint8_t* map, std::uint8_t* code,
+                   std::size_t capacity) {
+  const std::size_t size = right_tree()->tree_encode(level, format, map, code, capacity);
+  if (size > capacity) return size;
+  if (wrong_is("encode_above_64_kib") && capacity >= 1u << 16) code[0] ^= 1;
+  if (wrong_is("encode_above_1_mib") && capacity > 1u << 20) code[0] ^= 1;
+  return size;
+}
+
 int decode(std::uint32_t level, std::uint32_t format, const std::uint8_t* code, std::size_t size,
            std::uint8_t* map) {
   static thread_local const volatile std::uint8_t* last = nullptr;
@@ -140,7 +149,7 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
             ? reinterpret_cast<decltype(subject.traverse_decide)>(reinterpret_cast<void (*)()>(decide_wide))
             : decide;
     subject.flags |= MMVERIFY_TREE_STREAM;
-    subject.tree_encode = right_tree()->tree_encode;
+    subject.tree_encode = encode;
     subject.tree_decode = decode;
     subject.attribute_decimate = decimate;
   } else if (wrong_is("decide_another_time")) {

@@ -9,9 +9,6 @@
 namespace mmverify::impl::attribute::detail {
 namespace {
 
-using bake::detail::Int128;
-using bake::detail::Wide;
-
 /// Subtracts floor(x / 2^fraction_bits), in texels, from x and returns it.  Domain: below 2^36 texels in size.
 template <class Int>
 std::int64_t whole_taken(Int& x, int fraction_bits) {
@@ -32,22 +29,22 @@ Exact<Channel>::Exact(const Source<Channel>& source, const BaseTriangle& uv, std
     : source_(source), level_(static_cast<int>(level)) {
   double extent = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    u_[k] = bake::detail::binary(uv[k].u);
-    v_[k] = bake::detail::binary(uv[k].v);
+    u_[k] = binary(uv[k].u);
+    v_[k] = binary(uv[k].v);
     below_point_ = std::max({below_point_, -u_[k].e, -v_[k].e});
     const TexturePoint &p = uv[k], &q = uv[(k + 1) % 3];
     extent = std::max({extent, std::fabs(double{p.u} - double{q.u}) * source.texture().width,
                        std::fabs(double{p.v} - double{q.v}) * source.texture().height});
   }
   // 4 more: one for the first texel, one for the last, and room for rounding.
-  cell_bits_ = bake::detail::bits(static_cast<std::int64_t>(std::ldexp(extent, -level_)) + 4);
+  cell_bits_ = bits(static_cast<std::int64_t>(std::ldexp(extent, -level_)) + 4);
 }
 
 /// The coordinate (texels (U0 N + i (U1 - U0) + j (U2 - U0))) / N, in units of 2^-(below_point + level).
 template <class Channel>
 template <class Int>
 Int Exact<Channel>::along(const Axis& axis, std::uint32_t texels, const index::Vertex& at) const {
-  const auto number = [this](const bake::detail::Binary& b) {
+  const auto number = [this](const Binary& b) {
     return b.m == 0 ? Int(0) : Int(b.m) * (Int(1) << (b.e + below_point_));
   };
   const Int first = number(axis[0]);

@@ -21,7 +21,7 @@ class Exact {
   RgbaOf<Channel> face(const index::Corners& corners) const;
 
  private:
-  using Axis = std::array<bake::detail::Binary, 3>;
+  using Axis = std::array<Binary, 3>;
 
   template <class Int>
   Int along(const Axis& axis, std::uint32_t texels, const index::Vertex& at) const;

@@ -9,37 +9,21 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
 
 #include "impl/attribute/bake/codes.hpp"
+#include "impl/common/binary.hpp"
 #include "impl/common/wide.hpp"
 
 namespace mmverify::impl::attribute::detail {
-
-/// A finite binary32 number, size 2^exponent with its sign; size is odd, or 0.
-struct FloatParts {
-  std::int64_t size = 0;
-  int exponent = 0;
-  bool negative = false;
-
-  explicit FloatParts(float x) noexcept {
-    const auto bits = std::bit_cast<std::uint32_t>(x), field = bits >> 23 & 0xff;
-    negative = bits >> 31 != 0;
-    const std::uint32_t whole = (bits & 0x7fffff) | (field == 0 ? 0 : 0x800000);
-    if (whole == 0) return;
-    const int zeros = std::countr_zero(whole);
-    size = whole >> zeros;
-    exponent = std::max(static_cast<int>(field), 1) - 150 + zeros;
-  }
-};
 
 /// sum / count 2^exponent to nearest, ties to even; 0 is +0.
 /// Domain: count > 0; the number within the range of binary32; exponent in -149..127; Int holds count 2^26 and 2 sum.
 template <class Int>
 float nearest_float(const Int& sum, const Int& count, int exponent) {
-  using bake::detail::bit_width;
   const bool negative = sum < Int(0);
   const Int size = negative ? Int(0) - sum : sum;
   if (size == Int(0)) return 0;
@@ -84,10 +68,8 @@ class Coding<float> {
   static double value(float x, std::size_t) noexcept { return double{x}; }
   template <class Int>
   Int number(float x, std::size_t) const noexcept {
-    const FloatParts parts(x);
-    if (parts.size == 0) return Int(0);
-    const Int size = Int(parts.size) << (parts.exponent - below_);
-    return parts.negative ? Int(0) - size : size;
+    const Binary parts = binary(x);
+    return parts.m == 0 ? Int(0) : Int(parts.m) << (parts.e - below_);
   }
 
   /// The means rounded to binary32, each within its `bound`; `sure` is cleared if another number may be right.
@@ -115,13 +97,12 @@ class Coding<float> {
 
  private:
   void take_in(float x) {
-    if ((std::bit_cast<std::uint32_t>(x) & 0x7f800000) == 0x7f800000)
+    if (!std::isfinite(x))
       throw std::invalid_argument("attribute: a texel, or the border, is infinite or not a number");
-    const FloatParts parts(x);
-    if (parts.size == 0) return;
-    below_ = std::min(below_, parts.exponent);
-    above_ = std::max(
-        above_, parts.exponent + static_cast<int>(std::bit_width(static_cast<std::uint64_t>(parts.size))));
+    const Binary parts = binary(x);
+    if (parts.m == 0) return;
+    below_ = std::min(below_, parts.e);
+    above_ = std::max(above_, parts.e + bits(parts.m));
   }
 
   /// All texels are multiples of 2^below, and smaller than 2^above.

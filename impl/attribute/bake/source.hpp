@@ -41,12 +41,8 @@ class Source {
   const Coding<Channel>& coding() const { return coding_; }
 
   /// The column, or row, of the picture; -1 means the border.
-  std::int64_t column(std::int64_t i) const noexcept {
-    return bake::detail::wrapped(sampling_.u, i, texture_.width);
-  }
-  std::int64_t row(std::int64_t j) const noexcept {
-    return bake::detail::wrapped(sampling_.v, j, texture_.height);
-  }
+  std::int64_t column(std::int64_t i) const noexcept { return bake::wrapped(sampling_.u, i, texture_.width); }
+  std::int64_t row(std::int64_t j) const noexcept { return bake::wrapped(sampling_.v, j, texture_.height); }
   /// The four channels of the texel at a column() and a row().
   const Channel* texel(std::int64_t x, std::int64_t y) const noexcept {
     return x < 0 || y < 0 ? sampling_.border.data()

@@ -17,6 +17,8 @@ constexpr std::int64_t modulo(std::int64_t k, std::int64_t n) noexcept {
   return r < 0 ? r + n : r;
 }
 
+}  // namespace detail
+
 /// The texel of a row of n that index i means, or -1 for the border.
 ///   repeat i mod n; mirrored n-1 - mirror(i mod 2n - n); mirror once: clamp(mirror(i)), mirror(k) = k or,
 ///   below 0, -(1+k)
@@ -25,9 +27,9 @@ constexpr std::int64_t wrapped(Wrap wrap, std::int64_t i, std::int64_t n) noexce
   if (i >= 0 && i < n) return i;
   switch (wrap) {
     case Wrap::repeat:
-      return modulo(i, n);
+      return detail::modulo(i, n);
     case Wrap::mirrored_repeat: {
-      const std::int64_t k = modulo(i, 2 * n);
+      const std::int64_t k = detail::modulo(i, 2 * n);
       return k < n ? k : 2 * n - 1 - k;
     }
     case Wrap::clamp_to_border:
@@ -39,6 +41,8 @@ constexpr std::int64_t wrapped(Wrap wrap, std::int64_t i, std::int64_t n) noexce
   }
   return i < 0 ? 0 : n - 1;
 }
+
+namespace detail {
 
 /// The indices of an axis that mean distinct texels: those below `first` mean the same as first, those beyond `last`
 /// the same as last.  With a period, k and k + period mean the same, and first and last are beyond all indices.

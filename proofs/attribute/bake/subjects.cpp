@@ -8,6 +8,7 @@
 #include "impl/attribute/plan.hpp"
 #include "proofs/attribute/bake/truth.hpp"
 #include "proofs/attribute/subject_parts.hpp"
+#include "proofs/points/point.hpp"
 #include "spec/attribute/error.hpp"
 #include "spec/attribute/order.hpp"
 
@@ -137,12 +138,6 @@ Bakers<Channel> library_bakers() {
   return {of(MapForm::vertices), of(MapForm::faces)};
 }
 
-Rational exact(double x) {
-  int e = 0;
-  const double half = std::frexp(x, &e);
-  return spec::scaled(spec::Integer(static_cast<std::int64_t>(std::ldexp(half, 53))), e - 53);
-}
-
 }  // namespace
 
 Baking specified_baking() {
@@ -171,7 +166,8 @@ Baking library_baking() {
         fast::map_error(taken.view, taken.sampling, taken.uv, n,
                         form == MapForm::faces ? fast::MapForm::faces : fast::MapForm::vertices, map);
     std::array<ChannelError, 4> exactly;
-    for (std::size_t c = 0; c < 4; ++c) exactly[c] = {exact(error.largest[c]), exact(error.square[c])};
+    for (std::size_t c = 0; c < 4; ++c)
+      exactly[c] = {points::rational(error.largest[c]), points::rational(error.square[c])};
     return exactly;
   };
   f.slack = 0x1p-20;

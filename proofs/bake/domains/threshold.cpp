@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "proofs/bake/truth/exact_texture.hpp"
+#include "proofs/points/point.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {
@@ -21,8 +22,6 @@ float any_of(Random& random, int e) {
   return std::ldexp(static_cast<float>((1u << 23) + random.below(1u << 23)), e - 23);
 }
 
-Rational exact(float x) { return spec::bake::number<Rational>(Binary32{std::bit_cast<std::uint32_t>(x)}); }
-
 Rational exact_texel(Texel texel, std::uint32_t stored) {
   switch (texel) {
     case Texel::unorm8:
@@ -33,13 +32,6 @@ Rational exact_texel(Texel texel, std::uint32_t stored) {
       break;
   }
   return spec::bake::number<Rational>(Binary32{stored});
-}
-
-/// The exact value of a finite binary64 number.
-Rational exact(double x) {
-  int e = 0;
-  const auto m = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &e), 53));
-  return spec::scaled(m, e - 53);
 }
 
 std::optional<Cutoff> as_cutoff(const Rational& q) {
@@ -181,7 +173,7 @@ std::uint32_t set_cutoff(Case& one, std::uint8_t kind, Random& random) {
   }
   const std::uint32_t t = texel();
   const Rational value = exact_texel(one.texel, t),
-                 alpha = value * exact(one.factor) * exact(one.vertex_factor);
+                 alpha = value * points::rational(one.factor) * points::rational(one.vertex_factor);
   // The cutoff falls back to a texel's value; of binary32 to one at most 2^-31 below.
   std::optional<Cutoff> cutoff;
   switch (kind) {
@@ -190,8 +182,8 @@ std::uint32_t set_cutoff(Case& one, std::uint8_t kind, Random& random) {
       break;
     case 3:
     case 4: {
-      const Rational other =
-          kind == 3 ? exact(double{rounded<float>(one, t, random)}) : exact(rounded<double>(one, t, random));
+      const Rational other = kind == 3 ? points::rational(rounded<float>(one, t, random))
+                                       : points::rational(rounded<double>(one, t, random));
       if (other != alpha && alpha > 0)
         cutoff = as_cutoff(simplest_between(std::min(alpha, other), std::max(alpha, other)));
       if (!cutoff) cutoff = as_cutoff(alpha);

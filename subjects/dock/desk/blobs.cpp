@@ -1,6 +1,7 @@
 // Commands on a map, a code or a case. Each call is made at least twice: over other bytes in its output, with
 // another room for it, and with its input at another address.
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "subjects/dock/desk/desk.hpp"
@@ -15,6 +16,10 @@ constexpr std::uint64_t most_at_all_places = 64, most_answer_at_all_places = 256
 constexpr std::uint32_t first_short_at_all_places = 256;
 /// One later question in one_in_other_rooms is asked with another room for its code.
 constexpr std::uint32_t one_in_other_rooms = 16;
+/// The rooms that callers have who ask for no size first, in bytes; each of the first questions has them.
+constexpr std::array<std::uint64_t, 3> much_room{std::uint64_t{1} << 16, std::uint64_t{3} << 19,
+                                                 blob_capacity};
+constexpr std::uint32_t first_with_much_room = 2;
 /// Later questions that are repeated from threads as long as the first ones: one in one_in_from_threads of
 /// the first later_from_threads. Laws begin with plain cases, and a plain map leaves nothing in memory that
 /// two threads share.
@@ -151,6 +156,13 @@ void Desk::encode_within(std::uint64_t room, std::uint64_t size, unsigned char f
          "a code of " + text(size) + " bytes, then, with room for " + text(room) + ", of " + text(again));
 }
 
+void Desk::encode_in_room(std::uint64_t room, std::uint64_t size, const std::uint8_t* blob) {
+  encode_within(room, size, blank_again, blob);
+  if (room >= size)
+    compare(again_.data(), blob_answer(room), static_cast<std::size_t>(size), 0,
+            "asked with room for " + text(room) + " bytes");
+}
+
 void Desk::encode_in_other_rooms(std::uint64_t size, const std::uint8_t* blob) {
   const std::uint32_t before = mailbox_.asked_before;
   const bool late = before >= first_thorough && before % one_in_other_rooms != 0;
@@ -161,11 +173,10 @@ void Desk::encode_in_other_rooms(std::uint64_t size, const std::uint8_t* blob) {
   const std::size_t turn = before < first_thorough ? before : before / one_in_other_rooms;
   for (std::size_t k = 0; k < rooms.size(); ++k) {
     if (before >= first_from_threads && turn % rooms.size() != k) continue;
-    encode_within(rooms[k], size, blank_again, blob);
-    if (rooms[k] >= size)
-      compare(again_.data(), blob_answer(rooms[k]), static_cast<std::size_t>(size), 0,
-              "asked with room for " + text(rooms[k]) + " bytes");
+    encode_in_room(rooms[k], size, blob);
   }
+  if (before < first_with_much_room)
+    for (const std::uint64_t room : much_room) encode_in_room(std::max(room, size), size, blob);
   // The tool expects the answer in its place.
   std::copy(again_.begin(), again_.end(), blob_answer(size));
 }

@@ -199,6 +199,8 @@ class Desk {
   void encode(bool thorough);
   /// Asks for a code of `size` bytes at a guard page, with `room` for it. The size may not change.
   void encode_within(std::uint64_t room, std::uint64_t size, unsigned char filling, const std::uint8_t* blob);
+  /// Calls encode_within(), and compares the answer with the one in again_ if there is room for it.
+  void encode_in_room(std::uint64_t room, std::uint64_t size, const std::uint8_t* blob);
   /// Asks for a code with little room, and with more than it needs. Domain: `size` is not 0; the code is in
   /// again_.
   void encode_in_other_rooms(std::uint64_t size, const std::uint8_t* blob);
