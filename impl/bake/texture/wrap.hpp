@@ -23,6 +23,7 @@ constexpr std::int64_t modulo(std::int64_t k, std::int64_t n) noexcept {
 ///   repeat i mod n; mirrored n-1 - mirror(i mod 2n - n); mirror once: clamp(mirror(i)), mirror(k) = k or,
 ///   below 0, -(1+k)
 /// Domain: n in 1..2^31, |i| < 2^62.
+/// Test: impl_bake_parts_test
 constexpr std::int64_t wrapped(Wrap wrap, std::int64_t i, std::int64_t n) noexcept {
   if (i >= 0 && i < n) return i;
   switch (wrap) {
