@@ -109,9 +109,9 @@ Fields<SetLevel> fields_of(MapKind kind) {
   };
   Fields<SetLevel> fields{
       {{count(key + "maps", same, "after equal ones are shared"), "maps", "", plain, group},
-       [at](const SetLevel& s) { return at(s).maps.distinct; }},
+       [at](const SetLevel& s) { return at(s).distinct; }},
       {{count(key + "constant", same, "of these, maps of one value"), "constant", "", plain, group},
-       [at](const SetLevel& s) { return at(s).maps.constant; }},
+       [at](const SetLevel& s) { return at(s).constant; }},
       {{count(key + "bytes", less, "of the maps, 4 a value"), "bytes", "", plain, group},
        [at](const SetLevel& s) { return at(s).bytes(); }},
       {{number(key + "of_textures", less, "bytes / those of the set's textures"), "of textures", "",

@@ -17,9 +17,9 @@ namespace {
 
 using impl::attribute::VertexOrder;
 using scene::AttributeScene;
-using scene::LaidMaps;
 using scene::MapKind;
 using scene::MapOfTriangle;
+using scene::SetMaps;
 
 constexpr PointOrder orders[] = {PointOrder::scattered, PointOrder::along};
 
@@ -48,14 +48,24 @@ const char* name_of(LookupWay way) {
   }
 }
 
-/// The values of maps of vertices, moved from rows into the Bird order.
-std::vector<std::uint32_t> in_bird_order(const LaidMaps& laid) {
-  const auto size = static_cast<std::size_t>(scene::values_of_map(laid.kind, laid.level));
-  std::vector<std::uint32_t> row(size), values(laid.values.size());
+/// The values of all maps as RGBA8 words, map by map.
+std::vector<std::uint32_t> words_of(const SetMaps& maps) {
+  std::vector<std::uint32_t> words;
+  words.reserve(maps.maps.values().size());
+  for (const scene::MapValue& value : maps.maps.values())
+    words.push_back(std::uint32_t{value[0]} | std::uint32_t{value[1]} << 8 | std::uint32_t{value[2]} << 16 |
+                    std::uint32_t{value[3]} << 24);
+  return words;
+}
+
+/// The words of maps of vertices, moved from rows into the Bird order.
+std::vector<std::uint32_t> in_bird_order(const SetMaps& maps, std::span<const std::uint32_t> words) {
+  const auto size = static_cast<std::size_t>(scene::values_of_map(maps.kind, maps.level));
+  std::vector<std::uint32_t> row(size), values(words.size());
   std::iota(row.begin(), row.end(), 0u);
-  impl::attribute::convert(VertexOrder::bird, VertexOrder::w_minor, row, laid.level, row);
+  impl::attribute::convert(VertexOrder::bird, VertexOrder::w_minor, row, maps.level, row);
   for (std::size_t map = 0; map < values.size(); map += size)
-    for (std::size_t x = 0; x < size; ++x) values[map + x] = laid.values[map + row[x]];
+    for (std::size_t x = 0; x < size; ++x) values[map + x] = words[map + row[x]];
   return values;
 }
 
@@ -91,45 +101,48 @@ std::vector<SurfacePoint> along_surfaces(std::vector<SurfacePoint> points) {
   return points;
 }
 
-void AttributeTimer::take(const LaidMaps& laid) {
-  if (laid.triangles.empty()) return;
-  if (!points_.contains(laid.set)) {
-    auto& [scattered, along] = points_[laid.set];
-    scattered = surface_points(scene_, laid.triangles, options_.points, options_.seed);
+void AttributeTimer::take(const SetMaps& maps) {
+  const scene::SetTriangles& triangles = maps.triangles;
+  if (!points_.contains(triangles.set())) {
+    auto& [scattered, along] = points_[triangles.set()];
+    scattered = surface_points(scene_, triangles.all(), options_.points, options_.seed);
     along = along_surfaces(scattered);
   }
-  if (laid.kind == MapKind::faces) {
-    take(laid, LookupWay::face, laid.values);
+  const std::vector<std::uint32_t> words = words_of(maps);
+  if (maps.kind == MapKind::faces) {
+    take(maps, LookupWay::face, words);
     return;
   }
-  take(laid, LookupWay::vertices_w_minor, laid.values);
-  take(laid, LookupWay::vertices_bird, in_bird_order(laid));
+  take(maps, LookupWay::vertices_w_minor, words);
+  take(maps, LookupWay::vertices_bird, in_bird_order(maps, words));
 }
 
-void AttributeTimer::take(const LaidMaps& laid, LookupWay way, std::span<const std::uint32_t> values) {
+void AttributeTimer::take(const SetMaps& maps, LookupWay way, std::span<const std::uint32_t> values) {
+  const auto size = static_cast<std::size_t>(scene::values_of_map(maps.kind, maps.level));
+  std::vector<std::size_t> first;  // by triangle: its map begins at values[first]
+  for (const std::uint32_t number : maps.number) first.push_back(number * size);
   std::vector<TextureSample> samples;
   for (const scene::AttributeTexture& texture : scene_.textures)
     samples.emplace_back(scene_.images[texture.image], texture.sampler);
   const auto in_texture = [&](const SurfacePoint& p) {
-    const MapOfTriangle& triangle = laid.triangles[p.triangle];
+    const MapOfTriangle& triangle = maps.triangles.all()[p.triangle];
     const auto& [a, b, c] = triangle.uvs;
     const float w = 1 - p.u - p.v;
     return samples[triangle.texture].at(w * a[0] + p.u * b[0] + p.v * c[0],
                                         w * a[1] + p.u * b[1] + p.v * c[1]);
   };
   const auto face = [&](const SurfacePoint& p) {
-    return values[laid.first[p.triangle] + impl::index::from_barycentrics(p.u, p.v, laid.level)];
+    return values[first[p.triangle] + impl::index::from_barycentrics(p.u, p.v, maps.level)];
   };
-  const auto size = static_cast<std::size_t>(scene::values_of_map(laid.kind, laid.level));
   const auto between = [&](VertexOrder order) {
     return [&, order](const SurfacePoint& p) {
-      return impl::attribute::interpolated_rgba8(order, values.subspan(laid.first[p.triangle], size), p.u,
-                                                 p.v, laid.level);
+      return impl::attribute::interpolated_rgba8(order, values.subspan(first[p.triangle], size), p.u, p.v,
+                                                 maps.level);
     };
   };
-  LookupTimes times{laid.set, laid.level, way, options_.points, {}};
+  LookupTimes times{maps.triangles.set(), maps.level, way, options_.points, {}};
   for (std::size_t order = 0; order < times.by_order.size(); ++order) {
-    const std::vector<SurfacePoint>& points = points_.at(laid.set)[order];
+    const std::vector<SurfacePoint>& points = points_.at(maps.triangles.set())[order];
     std::vector<double> texture, map;
     const auto round = [&](const auto& read) {
       return once_ns([&] { benchmark::DoNotOptimize(sum_of(points, read)); });

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/table.hpp"
-#include "scene/attribute/laid_maps.hpp"
+#include "scene/attribute/set_maps.hpp"
 
 namespace mmverify::bench {
 
@@ -58,7 +58,7 @@ std::vector<SurfacePoint> surface_points(const scene::AttributeScene& scene,
                                          std::uint64_t seed);
 std::vector<SurfacePoint> along_surfaces(std::vector<SurfacePoint> points);
 
-/// A timer that measures each set of maps as it is laid out (AttributeOptions::laid).
+/// A timer that measures each set of maps as it is baked (AttributeOptions::kept).
 /// Both ways of a row take turns, round by round.  The values of maps and textures are RGBA8, without sRGB,
 /// mips or blocks.  Source: Color and Attribute Micromaps, 6.2, figure 10, which has frames of a GPU.
 class AttributeTimer {
@@ -67,11 +67,12 @@ class AttributeTimer {
   AttributeTimer(const scene::AttributeScene& scene, const AttributeTimesOptions& options)
       : scene_(scene), options_(options) {}
 
-  void take(const scene::LaidMaps& laid);
+  /// Domain: maps that are kept(), of a triangle at least.
+  void take(const scene::SetMaps& maps);
   const std::vector<LookupTimes>& times() const { return times_; }
 
  private:
-  void take(const scene::LaidMaps& laid, LookupWay way, std::span<const std::uint32_t> values);
+  void take(const scene::SetMaps& maps, LookupWay way, std::span<const std::uint32_t> values);
 
   const scene::AttributeScene& scene_;
   AttributeTimesOptions options_;

@@ -102,7 +102,8 @@ void write_maps(const std::string& folder, const StoredAttributes& stored) {
   std::replace(set.begin(), set.end(), '+', '_');
   const impl::attribute::AttributeMaps& maps = stored.maps;
   const char* const kind = maps.at == impl::attribute::MapAt::faces ? "faces" : "vertices";
-  const std::vector<std::uint8_t> bytes = write_attributes(maps);
+  const std::vector<std::uint8_t> bytes =
+      stored.packed.empty() ? write_attributes(maps) : write_attributes(maps, stored.packed);
   OutputFile file(
       (std::filesystem::path(folder) / fmt::format("{}_{}_level{}.mmat", set, kind, maps.level)).string());
   file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -188,11 +189,11 @@ int measure_attributes(const AttributeArguments& arguments) {
     return complete;
   }
   bench::AttributeTimer timer(read, {});
-  if (arguments.time) options.laid = [&timer](const LaidMaps& laid) { timer.take(laid); };
+  if (arguments.time) options.kept = [&timer](const SetMaps& maps) { timer.take(maps); };
   std::function<void(const MipPicture&)> mip_picture;
   if (!arguments.pictures.empty())
     mip_picture = [&pictures](const MipPicture& picture) { pictures.write(picture); };
-  MipErrors mips(read, options, mip_picture);
+  MipErrors mips(options, mip_picture);
   if (arguments.mips) options.atlas = [&mips](const AttributeAtlas& atlas) { mips.take(atlas); };
   const AttributeFigures figures = measure(read, options);
   bench::Result result = bench::scene_attribute_tables(figures, read, options);

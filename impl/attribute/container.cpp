@@ -68,10 +68,6 @@ std::uint64_t flag_bytes(const AttributeMaps& maps, std::uint64_t triangles) {
   return maps.decimation == DecimationRule::none ? 0 : (3 * triangles + 7) / 8;
 }
 
-PackedShape shape_of(const AttributeMaps& maps) {
-  return {maps.at, maps.level, channels_of(maps), maps.maps, maps.error};
-}
-
 // ---------------------------------------------------------------------------------------------------------------------
 // Members that go together
 // ---------------------------------------------------------------------------------------------------------------------
@@ -139,6 +135,10 @@ std::uint32_t channels_of(const AttributeMaps& maps) noexcept {
   return static_cast<std::uint32_t>(std::popcount(maps.components));
 }
 
+PackedShape shape_of(const AttributeMaps& maps) noexcept {
+  return {maps.at, maps.level, channels_of(maps), maps.maps, maps.error};
+}
+
 std::uint64_t values_of_entry(const AttributeMaps& maps) noexcept {
   const std::uint64_t values = values_of_map(maps.at, maps.level);
   return maps.mips && maps.at == MapAt::faces ? (4 * values - 1) / 3 : values;
@@ -147,7 +147,9 @@ std::uint64_t values_of_entry(const AttributeMaps& maps) noexcept {
 BadAttributeFile::BadAttributeFile(std::uint64_t byte, const std::string& found, const std::string& would_do)
     : std::runtime_error("byte " + told(byte) + ": " + found + "; " + would_do + " would do"), byte_(byte) {}
 
-std::vector<std::uint8_t> write_attributes(const AttributeMaps& maps) {
+namespace {
+
+void check_writable(const AttributeMaps& maps) {
   const auto refuse = [](const std::string& found, const std::string& would_do) {
     throw std::invalid_argument("attribute::write_attributes: " + found + "; " + would_do + " would do");
   };
@@ -161,10 +163,10 @@ std::vector<std::uint8_t> write_attributes(const AttributeMaps& maps) {
       refuse("flags " + told(maps.triangles[t].decimated) + " of triangle " + told(t),
              maps.decimation == DecimationRule::none ? "0" : "0 to 7");
   }
-  const std::vector<std::uint8_t> packed =
-      maps.payload == Payload::packed ? pack(shape_of(maps), maps.codes) : std::vector<std::uint8_t>();
-  const std::vector<std::uint8_t>& payload = maps.payload == Payload::packed ? packed : maps.codes;
+}
 
+/// Domain: check_writable(maps).
+std::vector<std::uint8_t> file_of(const AttributeMaps& maps, std::span<const std::uint8_t> payload) {
   std::vector<std::uint8_t> bytes(attribute_header + 4 * maps.triangles.size() +
                                   static_cast<std::size_t>(flag_bytes(maps, maps.triangles.size())));
   std::copy(file_magic.begin(), file_magic.end(), bytes.begin());
@@ -195,6 +197,19 @@ std::vector<std::uint8_t> write_attributes(const AttributeMaps& maps) {
   bytes.insert(bytes.end(), payload.begin(), payload.end());
   put_number(bytes, at_crc, 4, file_checksum(bytes));
   return bytes;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> write_attributes(const AttributeMaps& maps) {
+  check_writable(maps);
+  return maps.payload == Payload::packed ? file_of(maps, pack(shape_of(maps), maps.codes))
+                                         : file_of(maps, maps.codes);
+}
+
+std::vector<std::uint8_t> write_attributes(const AttributeMaps& maps, std::span<const std::uint8_t> packed) {
+  check_writable(maps);
+  return file_of(maps, packed);
 }
 
 AttributeMaps read_attributes(std::span<const std::uint8_t> bytes) {

@@ -65,6 +65,10 @@ std::uint32_t channels_of(const AttributeMaps& maps) noexcept;
 /// The number of values that a map stores, with mips those of its lower levels, too.
 std::uint64_t values_of_entry(const AttributeMaps& maps) noexcept;
 
+/// The shape with which pack() packs the codes.
+/// Test: impl_attribute_container_test
+PackedShape shape_of(const AttributeMaps& maps) noexcept;
+
 /// The error for bytes that are no such file: "byte 5: stored at 2; 0 (faces) or 1 (vertices) would do".
 class BadAttributeFile : public std::runtime_error {
  public:
@@ -82,6 +86,9 @@ inline constexpr std::size_t attribute_header = 44;
 /// give.
 /// Test: impl_attribute_container_test
 std::vector<std::uint8_t> write_attributes(const AttributeMaps& maps);
+/// The bytes of a file of packed maps; `packed` is pack(shape_of(maps), maps.codes).
+/// Test: impl_attribute_container_test
+std::vector<std::uint8_t> write_attributes(const AttributeMaps& maps, std::span<const std::uint8_t> packed);
 
 /// The maps of a file; write_attributes() of these maps gives the same bytes.
 /// Domain: any bytes.  Memory: the codes, about 100 times the input at most, allocated only if all announced bytes are

@@ -3,6 +3,9 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "scene/attribute/texel_errors.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -38,25 +41,26 @@ std::uint64_t ImageTriangles::texels_shown() const {
   return static_cast<std::uint64_t>(std::count(shown.begin(), shown.end(), 1));
 }
 
-ImageTriangles image_triangles(const AttributeScene& scene, std::size_t image,
-                               std::span<const MapOfTriangle> all, const std::function<void()>& stop) {
+ComparedImage compared_image(const SetTriangles& triangles, std::size_t image, Averaging averaging,
+                             const std::function<void()>& stop) {
+  const AttributeScene& scene = triangles.scene();
   const ColourImage& texels = scene.images[image];
   ImageTriangles result;
   result.image = image;
   std::vector<Sampler> samplers;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const AttributeTexture& texture = scene.textures[all[k].texture];
-    if (texture.image != image) continue;
+  for (std::size_t k = 0; k < triangles.all().size(); ++k) {
+    const MapOfTriangle& map = triangles.all()[k];
+    if (scene.textures[map.texture].image != image) continue;
     result.maps.push_back(k);
-    result.corners.push_back(in_texels(all[k].uvs, texels.width, texels.height));
-    samplers.push_back(texture.sampler);
+    result.corners.push_back(in_texels(map.uvs, texels.width, texels.height));
+    samplers.push_back(triangles.sampler_of(k));
   }
   result.first = first_triangles(texels, samplers, result.corners, stop);
   result.shown.resize(result.first.size());
   std::transform(result.first.begin(), result.first.end(), result.shown.begin(),
                  [](std::uint32_t triangle) { return std::uint8_t{triangle != no_triangle}; });
   find_own(result, texels, samplers, stop);
-  return result;
+  return {std::move(result), compared_texels(texels, triangles.set(), averaging)};
 }
 
 }  // namespace mmverify::scene

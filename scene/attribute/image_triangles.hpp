@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "scene/attribute/atlas.hpp"
-#include "scene/attribute/laid_maps.hpp"
+#include "scene/attribute/set_triangles.hpp"
 
 namespace mmverify::scene {
 
 /// The triangles of one image of AttributeScene::images.
 struct ImageTriangles {
   std::size_t image = 0;
-  std::vector<std::size_t> maps;       ///< numbers among all maps of the set
+  std::vector<std::size_t> maps;       ///< numbers in SetTriangles::all()
   std::vector<TexelTriangle> corners;  ///< of each map
   std::vector<std::uint32_t> first;    ///< by texel: the first triangle that shows it, as first_triangles()
   std::vector<std::uint8_t> shown;     ///< by texel: 1 if a triangle shows it
@@ -40,8 +40,14 @@ void for_each_own_texel(const ImageTriangles& triangles, std::size_t k, Visit vi
   }
 }
 
-/// stop: as in first_triangles().  Domain: triangles within_reach().
-ImageTriangles image_triangles(const AttributeScene& scene, std::size_t image,
-                               std::span<const MapOfTriangle> all, const std::function<void()>& stop = {});
+/// An image of a set: the triangles that show it, and the texels with which their maps are compared.
+struct ComparedImage {
+  ImageTriangles triangles;
+  std::vector<std::uint8_t> original;  ///< compared_texels()
+};
+
+/// stop: as in first_triangles().
+ComparedImage compared_image(const SetTriangles& triangles, std::size_t image, Averaging averaging,
+                             const std::function<void()>& stop = {});
 
 }  // namespace mmverify::scene

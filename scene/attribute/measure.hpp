@@ -7,12 +7,8 @@
 #include <vector>
 
 #include "impl/attribute/container.hpp"
-#include "scene/attribute/baker.hpp"
-#include "scene/attribute/laid_maps.hpp"
+#include "scene/attribute/compressed_textures.hpp"
 #include "scene/attribute/packed_maps.hpp"
-#include "scene/attribute/shared_maps.hpp"
-#include "scene/attribute/texel_errors.hpp"
-#include "scene/attribute/texture_coder.hpp"
 
 namespace mmverify::scene {
 
@@ -20,25 +16,14 @@ namespace mmverify::scene {
 struct MapsAtLevel {
   unsigned level = 0;
   MapKind kind = MapKind::faces;
-  SharedMaps maps;
+  std::uint64_t distinct = 0;         ///< maps, each once
+  std::uint64_t constant = 0;         ///< distinct maps of one value, for which a special index would do
   MapError error;                     ///< values interpolated between micro-vertices
   std::optional<MapError> nearest;    ///< for vertices: with the nearest micro-vertex instead
   std::optional<double> unseen;       ///< for faces: the share of micro-triangles without a texel's centre
   std::optional<PackedBytes> packed;  ///< if requested, and no more than 2^31 codes
 
-  std::uint64_t bytes() const { return bytes_of_maps(maps.distinct, kind, level); }
-};
-
-/// The greatest factor by which textures are reduced before they are compressed.
-inline constexpr std::uint32_t most_reduced = 32;
-
-/// All textures of a set, compressed in blocks of one size, without mips.
-struct CompressedTextures {
-  BlockSize block;
-  std::uint32_t reduced = 1;  ///< factor by which the sides are shortened first; then sampled bilinearly
-  std::uint64_t bytes = 0;
-  std::uint64_t shown_bytes = 0;  ///< of the blocks with a texel that a triangle shows
-  MapError error;                 ///< over the same texels as the maps' error
+  std::uint64_t bytes() const { return bytes_of_maps(distinct, kind, level); }
 };
 
 struct AttributeSetFigures {
@@ -74,20 +59,18 @@ struct AttributePicture {
   std::vector<float> face_errors, vertex_errors;  ///< FLIP, a value a texel
 };
 
-/// An image that a set reads, and the triangle that shows each of its texels.
+/// An image that a set reads, and the maps of the last level.
 struct AttributeAtlas {
-  AttributeSet set;
   const ColourImage& image;
-  const std::vector<std::uint8_t>& original;  ///< rows of RGB with which maps are compared
-  std::span<const MapOfTriangle> maps;        ///< the image's
-  std::span<const TexelTriangle> triangles;   ///< the same triangles in texels
-  std::span<const std::uint32_t> first;       ///< by texel, as first_triangles() numbers them
+  const ComparedImage& compared;
+  const SetMaps &faces, &vertices;  ///< with the numbers of the image's triangles
 };
 
 /// All maps of a set at a level, and the map of each triangle.
 struct StoredAttributes {
   AttributeSet set;
   impl::attribute::AttributeMaps maps;
+  std::vector<std::uint8_t> packed;  ///< pack() of the maps; empty beyond 2^31 codes
 };
 
 struct AttributeOptions {
@@ -101,10 +84,9 @@ struct AttributeOptions {
   std::function<void(const std::string&)> progress = {};  ///< receives the name of each step that begins
   std::function<void()> stop = {};  ///< called before each triangle, from any thread; may throw
   std::function<void(const StoredAttributes&)> stored = {};  ///< receives each set, level and kind, packed
-  std::function<void(const LaidMaps&)> laid =
-      {};  ///< receives each set, level and kind, unless the values are too many
-  std::function<void(const AttributeAtlas&)> atlas =
-      {};  ///< receives each image of each set, before its maps
+  /// Receives each set, level and kind whose distinct maps have at most most_kept_values.
+  std::function<void(const SetMaps&)> kept = {};
+  std::function<void(const AttributeAtlas&)> atlas = {};      ///< receives each image of each set
   std::function<void(const AttributePicture&)> picture = {};  ///< receives each level of each sRGB image
 };
 

@@ -12,7 +12,6 @@
 #include "scene/attribute/charts.hpp"
 #include "scene/attribute/map_reading.hpp"
 #include "scene/attribute/reduced_texture.hpp"
-#include "scene/attribute/same_uvs.hpp"
 #include "scene/flip/flip.hpp"
 
 namespace mmverify::scene {
@@ -61,42 +60,44 @@ std::vector<MapValue> mip_of_map(std::span<const MapValue> map, MapKind kind, un
 
 void MipErrors::take(const AttributeAtlas& atlas) {
   std::vector<UvTriangle> uvs;
-  for (const MapOfTriangle& map : atlas.maps) uvs.push_back(map.uvs);
+  const SetTriangles& triangles = atlas.faces.triangles;
+  const ImageTriangles& of_image = atlas.compared.triangles;
+  for (const std::size_t triangle : of_image.maps) uvs.push_back(triangles.all()[triangle].uvs);
   std::vector<std::uint32_t> charts = charts_of(uvs), of_texel;
-  for (const std::uint32_t triangle : atlas.first)
+  for (const std::uint32_t triangle : of_image.first)
     of_texel.push_back(triangle == no_triangle ? no_chart : charts[triangle]);
   const ColourImage& image = atlas.image;
   const std::vector<std::uint8_t> bands = bands_of(of_texel, image.width, image.height, steps_ - 1);
-  SetSums& sums = sums_[atlas.set];
+  SetSums& sums = sums_[triangles.set()];
   const Bands none(steps_ + 1);
-  sums.triangles += atlas.maps.size();
+  sums.triangles += of_image.maps.size();
   sums.texels.resize(none.size());
   sums.texture.resize(steps_, none);
   for (std::vector<Bands>& levels : sums.by_level) levels.resize(steps_, none);
   for (const std::uint8_t band : bands)
     if (band != no_band) ++sums.texels[band];
-  std::vector<ShownMip> texture = mips_of(atlas), faces = maps_of(atlas, MapKind::faces),
-                        vertices = maps_of(atlas, MapKind::vertices);
+  std::vector<ShownMip> texture = mips_of(atlas), faces = maps_of(atlas, atlas.faces),
+                        vertices = maps_of(atlas, atlas.vertices);
   for (unsigned k = 0; k < steps_; ++k) {
     add(atlas, bands, texture[k], sums.texture[k]);
     add(atlas, bands, faces[k], sums.by_level[static_cast<std::size_t>(MapKind::faces)][k]);
     add(atlas, bands, vertices[k], sums.by_level[static_cast<std::size_t>(MapKind::vertices)][k]);
   }
-  if (!picture_ || !is_srgb(atlas.set)) return;
+  if (!picture_ || !is_srgb(triangles.set())) return;
   const auto texels =
       bands.size() - static_cast<std::size_t>(std::count(bands.begin(), bands.end(), no_band));
   const auto place = [&](MapKind kind, unsigned mip) {
-    return nearest_level(atlas.maps.size(), texels, kind, mip) - options_.first;
+    return nearest_level(of_image.maps.size(), texels, kind, mip) - options_.first;
   };
   for (unsigned mip = 0; mip < steps_; ++mip)
-    picture_({image, atlas.set, mip, bands, texture[mip], faces[place(MapKind::faces, mip)],
+    picture_({image, triangles.set(), mip, bands, texture[mip], faces[place(MapKind::faces, mip)],
               vertices[place(MapKind::vertices, mip)]});
 }
 
 std::vector<ShownMip> MipErrors::mips_of(const AttributeAtlas& atlas) const {
-  const CodeMeaning meaning(atlas.set, options_.averaging);
-  const RgbTexels whole{atlas.image.width, atlas.image.height, atlas.original};
-  std::vector<ShownMip> mips{{atlas.original, {}}};
+  const CodeMeaning& meaning = atlas.faces.triangles.meaning();
+  const RgbTexels whole{atlas.image.width, atlas.image.height, atlas.compared.original};
+  std::vector<ShownMip> mips{{whole.rgb, {}}};
   for (unsigned mip = 1; mip < steps_; ++mip) {
     if (options_.stop) options_.stop();
     const std::uint32_t side = std::uint32_t{1} << mip;
@@ -105,33 +106,27 @@ std::vector<ShownMip> MipErrors::mips_of(const AttributeAtlas& atlas) const {
   return mips;
 }
 
-std::vector<ShownMip> MipErrors::maps_of(const AttributeAtlas& atlas, MapKind kind) const {
-  std::map<std::size_t, MapBaker> bakers;
-  for (const MapOfTriangle& map : atlas.maps)
-    bakers.try_emplace(map.texture, atlas.image, scene_.textures[map.texture], options_.averaging);
-  const std::uint8_t channels = channels_of(atlas.set);
-  std::vector<ShownMip> levels(steps_, {atlas.original, {}});
-  const std::vector<std::size_t> same = first_of_same_uvs(atlas.maps);
-  oneapi::tbb::parallel_for(std::size_t{0}, atlas.maps.size(), [&](std::size_t k) {
-    // A triangle at the place of an earlier one is the first to show no texel.
-    if (same[k] != k) return;
+std::vector<ShownMip> MipErrors::maps_of(const AttributeAtlas& atlas, const SetMaps& maps) const {
+  const SetTriangles& triangles = maps.triangles;
+  const ImageTriangles& of_image = atlas.compared.triangles;
+  std::vector<ShownMip> levels(steps_, {atlas.compared.original, {}});
+  oneapi::tbb::parallel_for(std::size_t{0}, of_image.maps.size(), [&](std::size_t k) {
+    // A triangle without texels of its own paints none, such as one at the place of an earlier one.
+    if (of_image.begin[k] == of_image.begin[k + 1]) return;
     if (options_.stop) options_.stop();
-    const MapOfTriangle& map = atlas.maps[k];
-    const MapBaker& baker = bakers.at(map.texture);
-    std::vector<MapValue> values(values_of_map(kind, options_.last));
-    baker.bake(map.uvs, kind, options_.last, values);
+    std::vector<MapValue> space;
+    const std::span<const MapValue> map = maps.maps.map(maps.number[of_image.maps[k]], space);
+    std::vector<MapValue> values(map.begin(), map.end());
     for (unsigned level = options_.last, above = level;; above = level, --level) {
-      values = mip_of_map(values, kind, above, level, baker.meaning());
+      values = mip_of_map(values, maps.kind, above, level, triangles.meaning());
       std::vector<std::uint8_t>& rgb = levels[level - options_.first].rgb;
-      for_each_texel(atlas.image, scene_.textures[map.texture].sampler, atlas.triangles[k],
-                     [&](std::size_t texel, double u, double v) {
-                       if (atlas.first[texel] != k) return;
-                       paint(rgb, texel,
-                             kind == MapKind::faces ? values[face_index(level, u, v)]
-                                                    : vertex_value(values, level, u, v,
-                                                                   MapReading::interpolated, baker.meaning()),
-                             channels);
-                     });
+      for_each_own_texel(of_image, k, [&](std::size_t texel, double u, double v) {
+        paint(rgb, texel,
+              maps.kind == MapKind::faces
+                  ? values[face_index(level, u, v)]
+                  : vertex_value(values, level, u, v, MapReading::interpolated, triangles.meaning()),
+              triangles.channels());
+      });
       if (level == options_.first) break;
     }
   });
@@ -141,16 +136,18 @@ std::vector<ShownMip> MipErrors::maps_of(const AttributeAtlas& atlas, MapKind ki
 void MipErrors::add(const AttributeAtlas& atlas, std::span<const std::uint8_t> bands, ShownMip& shown,
                     Bands& sums) const {
   if (options_.stop) options_.stop();
-  const std::uint8_t channels = channels_of(atlas.set);
+  const AttributeSet set = atlas.faces.triangles.set();
+  const std::uint8_t channels = channels_of(set);
+  const std::vector<std::uint8_t>& original = atlas.compared.original;
   for (std::size_t texel = 0; texel < bands.size(); ++texel)
     for (std::size_t c = 0; c < 3 && bands[texel] != no_band; ++c) {
       if ((channels >> c & 1) == 0) continue;
-      const double difference = shown.rgb[3 * texel + c] - atlas.original[3 * texel + c];
+      const double difference = shown.rgb[3 * texel + c] - original[3 * texel + c];
       sums[bands[texel]].squares += difference * difference;
     }
-  if (!is_srgb(atlas.set)) return;
+  if (!is_srgb(set)) return;
   const ColourImage& image = atlas.image;
-  shown.errors = flip::error_map({image.width, image.height, atlas.original},
+  shown.errors = flip::error_map({image.width, image.height, original},
                                  {image.width, image.height, shown.rgb}, {.threads = options_.threads});
   for (std::size_t texel = 0; texel < bands.size(); ++texel)
     if (bands[texel] != no_band) sums[bands[texel]].flip += shown.errors[texel];

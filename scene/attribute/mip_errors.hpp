@@ -52,7 +52,7 @@ struct MipPicture {
   const ShownMip &texture, &faces, &vertices;
 };
 
-/// The errors of mips, added up atlas by atlas (AttributeOptions::atlas).
+/// The errors of mips, added up atlas by atlas (AttributeOptions::atlas of the same options).
 ///   texture, mip m  each texel is the mean of 2^m x 2^m texels of the whole image, of any chart, in light (as in
 ///                   reduced()); shown by a bilinear sampler; m = 0 is the texture
 ///   faces           the map of level `last`; at a level below, each value is the mean of four children, rounded
@@ -62,14 +62,10 @@ struct MipPicture {
 /// Source: Color and Attribute Micromaps, 4.4 and 4.4.1, figure 7.
 class MipErrors {
  public:
-  /// Levels are options.first..options.last, mips 0..last - first.  Both arguments must outlive the object.
+  /// Levels are options.first..options.last, mips 0..last - first.  The options must outlive the object.
   /// `picture` receives each mip of each sRGB image.
-  MipErrors(const AttributeScene& scene, const AttributeOptions& options,
-            std::function<void(const MipPicture&)> picture = {})
-      : scene_(scene),
-        options_(options),
-        picture_(std::move(picture)),
-        steps_(options.last - options.first + 1) {}
+  explicit MipErrors(const AttributeOptions& options, std::function<void(const MipPicture&)> picture = {})
+      : options_(options), picture_(std::move(picture)), steps_(options.last - options.first + 1) {}
 
   void take(const AttributeAtlas& atlas);
   /// The steps by set, then by mip; sets without a shown texel are left out.
@@ -91,7 +87,7 @@ class MipErrors {
 
   std::vector<ShownMip> mips_of(const AttributeAtlas& atlas) const;
   /// The shown maps, from the lowest level.
-  std::vector<ShownMip> maps_of(const AttributeAtlas& atlas, MapKind kind) const;
+  std::vector<ShownMip> maps_of(const AttributeAtlas& atlas, const SetMaps& maps) const;
   /// Adds the errors to `sums`; fills in `shown.errors` if there is FLIP.
   void add(const AttributeAtlas& atlas, std::span<const std::uint8_t> bands, ShownMip& shown,
            Bands& sums) const;
@@ -99,7 +95,6 @@ class MipErrors {
   MipError error_of(AttributeSet set, const SetSums& sums, const Bands& bands, unsigned mip) const;
   MipOfMaps maps_beside(AttributeSet set, const SetSums& sums, MapKind kind, unsigned mip) const;
 
-  const AttributeScene& scene_;
   const AttributeOptions& options_;
   std::function<void(const MipPicture&)> picture_;
   unsigned steps_;

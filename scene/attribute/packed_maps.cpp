@@ -3,67 +3,79 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <numeric>
-
-#include "impl/attribute/compress.hpp"
-#include "impl/attribute/order.hpp"
-#include "scene/attribute/shared_maps.hpp"
 
 namespace mmverify::scene {
 
-MapPacker::MapPacker(MapKind kind, unsigned level, std::uint8_t channels, std::uint8_t error)
-    : kind_(kind), level_(level), error_(error) {
-  for (std::size_t c = 0; c < 4; ++c)
-    if ((channels >> c & 1) != 0) channels_.push_back(c);
-  if (kind == MapKind::faces) return;
-  rows_.resize(static_cast<std::size_t>(values_of_map(kind, level)));
-  std::iota(rows_.begin(), rows_.end(), 0u);
+using impl::attribute::AttributeMaps;
+
+namespace {
+
+AttributeMaps without_codes(const SetTriangles& triangles, MapKind kind, unsigned level, std::uint8_t error) {
+  using namespace impl::attribute;
+  AttributeMaps maps;
+  maps.at = kind == MapKind::faces ? MapAt::faces : MapAt::vertices;
+  maps.tie = kind == MapKind::faces ? TieRule::vulkan : TieRule::none;
+  maps.level = level;
+  maps.components = triangles.channels();
+  maps.meaning = is_srgb(triangles.set())                  ? Meaning::srgb
+                 : has(triangles.set(), Attribute::normal) ? Meaning::normal
+                                                           : Meaning::linear;
+  maps.payload = Payload::packed;
+  std::fill_n(maps.error.begin(), impl::attribute::channels_of(maps), error);
+  return maps;
+}
+
+/// The places of a map's values in MapBaker's order, by their places in the file's.
+std::vector<std::uint32_t> baked_places(MapKind kind, unsigned level) {
   using impl::attribute::VertexOrder;
-  impl::attribute::convert(VertexOrder::bird, VertexOrder::w_minor, rows_, level, rows_);
+  std::vector<std::uint32_t> places(static_cast<std::size_t>(values_of_map(kind, level)));
+  std::iota(places.begin(), places.end(), 0u);
+  if (kind == MapKind::vertices)
+    impl::attribute::convert(VertexOrder::bird, VertexOrder::w_minor, places, level, places);
+  return places;
 }
 
-std::uint32_t MapPacker::add(std::span<const MapValue> map) {
-  const std::size_t of_map = map.size() * channels_.size(), first = codes_.size();
-  for (std::size_t x = 0; x < map.size(); ++x)
-    for (const std::size_t c : channels_) codes_.push_back(map[kind_ == MapKind::faces ? x : rows_[x]][c]);
-  const std::uint64_t hash = key_of(map).hash;
-  const auto same = numbers_.equal_range(hash);
-  for (auto it = same.first; it != same.second; ++it)
-    if (std::equal(codes_.begin() + static_cast<std::ptrdiff_t>(first), codes_.end(),
-                   codes_.begin() + static_cast<std::ptrdiff_t>(std::size_t{it->second} * of_map))) {
-      codes_.resize(first);
-      return it->second;
+}  // namespace
+
+AttributeMaps coded(const SetMaps& maps, std::uint8_t error) {
+  AttributeMaps result = without_codes(maps.triangles, maps.kind, maps.level, error);
+  const std::vector<std::uint32_t> places = baked_places(maps.kind, maps.level);
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> stored(maps.maps.count(), none);  // numbers in the file
+  std::vector<MapValue> space;
+  for (const std::uint32_t number : maps.number) {
+    if (stored[number] == none) {
+      stored[number] = result.maps++;
+      const std::span<const MapValue> map = maps.maps.map(number, space);
+      for (const std::uint32_t place : places)
+        for (std::size_t c = 0; c < 4; ++c)
+          if ((result.components >> c & 1) != 0) result.codes.push_back(map[place][c]);
     }
-  numbers_.emplace(hash, maps_);
-  return maps_++;
+    result.triangles.push_back({stored[number], 0});
+  }
+  return result;
 }
 
-void MapPacker::measure_decoded(std::span<const std::uint8_t> decoded, PackedBytes& bytes) const {
+PackedBytes packed_bytes(const AttributeMaps& maps, std::span<const std::uint8_t> packed,
+                         const PeerCoder& peer) {
+  const impl::attribute::PackedShape shape = impl::attribute::shape_of(maps);
+  PackedBytes bytes;
+  bytes.plain = maps.codes.size();
+  bytes.packed = packed.size();
+  const std::vector<std::uint8_t> decoded = impl::attribute::PackedMaps(shape, packed).codes();
   std::uint64_t squares = 0;
-  for (std::size_t k = 0; k < codes_.size(); ++k) {
-    const int off = std::abs(decoded[k] - codes_[k]);
+  for (std::size_t k = 0; k < decoded.size(); ++k) {
+    const int off = std::abs(decoded[k] - maps.codes[k]);
     bytes.worst_error = std::max(bytes.worst_error, static_cast<std::uint8_t>(off));
     squares += static_cast<std::uint64_t>(off) * static_cast<std::uint64_t>(off);
   }
-  if (!codes_.empty())
-    bytes.rms_error = std::sqrt(static_cast<double>(squares) / static_cast<double>(codes_.size()));
-}
-
-std::optional<PackedBytes> MapPacker::packed(const PeerCoder& peer) const {
-  if (codes_.size() >> 31 != 0) return std::nullopt;
-  impl::attribute::PackedShape shape;
-  shape.at = kind_ == MapKind::faces ? impl::attribute::MapAt::faces : impl::attribute::MapAt::vertices;
-  shape.level = level_;
-  shape.channels = static_cast<std::uint32_t>(channels_.size());
-  shape.maps = maps_;
-  for (std::size_t c = 0; c < channels_.size(); ++c) shape.error[c] = error_;
-  PackedBytes bytes;
-  bytes.plain = codes_.size();
-  const std::vector<std::uint8_t> packed = impl::attribute::pack(shape, codes_);
-  bytes.packed = packed.size();
-  measure_decoded(impl::attribute::PackedMaps(shape, packed).codes(), bytes);
-  bytes.entropy = static_cast<std::uint64_t>(std::ceil(impl::attribute::residual_entropy(shape, codes_) / 8));
-  if (peer) bytes.peer = peer(codes_);
+  if (!decoded.empty())
+    bytes.rms_error = std::sqrt(static_cast<double>(squares) / static_cast<double>(decoded.size()));
+  bytes.entropy =
+      static_cast<std::uint64_t>(std::ceil(impl::attribute::residual_entropy(shape, maps.codes) / 8));
+  if (peer) bytes.peer = peer(maps.codes);
   return bytes;
 }
 

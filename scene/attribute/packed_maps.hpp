@@ -1,14 +1,14 @@
-// The bytes of all maps of a set once packed (impl/attribute/compress.hpp).
+// Maps of a set as a file stores them, and their bytes once packed (impl/attribute/compress.hpp).
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
-#include "scene/attribute/baker.hpp"
+#include "impl/attribute/container.hpp"
+#include "scene/attribute/set_maps.hpp"
 
 namespace mmverify::scene {
 
@@ -25,35 +25,12 @@ struct PackedBytes {
   double rms_error = 0;          ///< root of the mean square
 };
 
-/// Packs maps as they are added, each different one once.
-class MapPacker {
- public:
-  /// `channels`: bit c is set if channel c is in use.
-  MapPacker(MapKind kind, unsigned level, std::uint8_t channels, std::uint8_t error);
+/// The maps as codes of the channels in use, numbered in the order of their triangles; vertices in the Bird order.
+/// `error`: the most that a code may be off once packed.
+impl::attribute::AttributeMaps coded(const SetMaps& maps, std::uint8_t error);
 
-  /// Adds a map of MapBaker, and returns its number, which is that of the first equal map.  Vertices are
-  /// given in rows, and are packed in the Bird order.
-  std::uint32_t add(std::span<const MapValue> map);
-
-  std::uint32_t maps() const { return maps_; }
-  /// The codes map by map, value by value, channel by channel in use.
-  const std::vector<std::uint8_t>& codes() const { return codes_; }
-
-  /// The packed sizes; none if there are more codes than impl::attribute::pack takes at once.
-  std::optional<PackedBytes> packed(const PeerCoder& peer) const;
-
- private:
-  /// Fills in the errors.
-  void measure_decoded(std::span<const std::uint8_t> decoded, PackedBytes& bytes) const;
-
-  MapKind kind_;
-  unsigned level_;
-  std::vector<std::size_t> channels_;
-  std::uint8_t error_;
-  std::vector<std::uint32_t> rows_;                                ///< row index of a vertex, by Bird index
-  std::vector<std::uint8_t> codes_;                                ///< of the maps, one after the other
-  std::unordered_multimap<std::uint64_t, std::uint32_t> numbers_;  ///< numbers of maps, by the maps' hashes
-  std::uint32_t maps_ = 0;
-};
+/// The sizes of coded maps beside `packed`, their pack().
+PackedBytes packed_bytes(const impl::attribute::AttributeMaps& maps, std::span<const std::uint8_t> packed,
+                         const PeerCoder& peer);
 
 }  // namespace mmverify::scene

@@ -14,7 +14,6 @@
 #include "scene/attribute/image_triangles.hpp"
 #include "scene/attribute/map_reading.hpp"
 #include "scene/attribute/reduced_texture.hpp"
-#include "scene/attribute/same_uvs.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -34,29 +33,17 @@ struct TriangleErrors {
   std::map<std::pair<std::uint32_t, std::uint8_t>, double> of_edges;  ///< by level and decimated edges
 };
 
-/// An image of a set: the triangles that show it, and the texels that they are compared with.
-struct PlannedImage {
-  ImageTriangles shown;
-  std::vector<std::uint8_t> original;
-};
-
 /// The planner of one attribute set of a scene, with maps of one kind.
 class SetPlanner {
  public:
   SetPlanner(const AttributeScene& scene, AttributeSet set, MapKind kind, const AttributeOptions& options)
-      : scene_(scene), options_(options), set_(set), kind_(kind), channels_(channels_of(set)) {
-    for (std::size_t k = 0; k < scene.textures.size(); ++k)
-      if (scene.textures[k].set == set)
-        bakers_.emplace(
-            k, MapBaker(scene.images[scene.textures[k].image], scene.textures[k], options.averaging));
-    for (const AttributePrimitive& primitive : scene.primitives)
-      for (const AttributeUse& use : primitive.uses)
-        if (bakers_.contains(use.texture)) add(primitive, use);
-    std::set<std::size_t> images;
-    for (const auto& [number, baker] : bakers_) images.insert(scene.textures[number].image);
-    for (const std::size_t image : images)
-      images_.push_back({image_triangles(scene, image, all_, options.stop),
-                         compared_texels(scene.images[image], set, options.averaging)});
+      : scene_(scene),
+        options_(options),
+        triangles_(scene, set, options.averaging, options.stop),
+        kind_(kind) {
+    add_neighbours();
+    for (const std::size_t image : triangles_.images())
+      images_.push_back(compared_image(triangles_, image, options.averaging, options.stop));
     if (options.progress)
       options.progress(name(set) + (kind == MapKind::faces ? ", plans of faces" : ", plans of vertices"));
     measure_triangles();
@@ -64,68 +51,56 @@ class SetPlanner {
 
   PlannedMaps planned(double wanted) {
     PlannedMaps figures;
-    figures.set = set_;
+    figures.set = set();
     figures.kind = kind_;
     figures.wanted = wanted;
-    figures.triangles = all_.size();
+    figures.triangles = triangles_.all().size();
     for (unsigned level = options_.first; level <= options_.last; ++level)
       figures.levels.push_back({.level = level});
-    const std::vector<TrianglePlan> plan =
-        impl::attribute::plan({neighbours_, options_.last,
-                               [&](std::size_t t) { return keeps(t, errors_[same_[t]].of_value, wanted); },
-                               [&](std::size_t t, std::uint32_t level, std::uint8_t edges) {
-                                 return level >= options_.first && keeps(t, squares(t, level, edges), wanted);
-                               }});
+    const std::vector<TrianglePlan> plan = impl::attribute::plan(
+        {neighbours_, options_.last, [&](std::size_t t) { return keeps(t, errors_of(t).of_value, wanted); },
+         [&](std::size_t t, std::uint32_t level, std::uint8_t edges) {
+           return level >= options_.first && keeps(t, squares(t, level, edges), wanted);
+         }});
     count(plan, figures);
     share(plan, figures);
     ErrorSums sums;
     std::uint64_t shown = 0;
-    for (const PlannedImage& image : images_) {
+    for (const ComparedImage& image : images_) {
       add_image_errors(plan, image, sums);
-      shown += image.shown.texels_shown();
+      shown += image.triangles.texels_shown();
     }
-    figures.error = error_of(sums, set_, shown);
+    figures.error = error_of(sums, set(), shown);
     return figures;
   }
 
  private:
-  const ColourImage& image_of(const MapOfTriangle& map) const {
-    return scene_.images[scene_.textures[map.texture].image];
-  }
+  AttributeSet set() const { return triangles_.set(); }
+  const TriangleErrors& errors_of(std::size_t t) const { return errors_[triangles_.same(t)]; }
 
-  /// Adds the triangles of a primitive that are within reach.  Neighbours share its vertices; faces have no
-  /// neighbours.
-  void add(const AttributePrimitive& primitive, const AttributeUse& use) {
-    std::vector<Triangle> near;
-    const auto begin = static_cast<std::int32_t>(all_.size());
-    for (const Triangle& t : primitive.triangles) {
-      const MapOfTriangle map{use.texture, {use.uvs[t[0]], use.uvs[t[1]], use.uvs[t[2]]}};
-      if (!within_reach(map.uvs, image_of(map))) continue;
-      near.push_back(t);
-      all_.push_back(map);
-    }
-    if (kind_ == MapKind::faces)
-      neighbours_.resize(all_.size(), {no_neighbour, no_neighbour, no_neighbour});
-    else
-      add_neighbours(near, begin);
-  }
-
-  void add_neighbours(const std::vector<Triangle>& near, std::int32_t begin) {
-    for (Neighbours neighbours : impl::attribute::neighbours_of(near)) {
-      for (std::int32_t& n : neighbours)
-        if (n != no_neighbour) n += begin;
-      neighbours_.push_back(neighbours);
+  /// Neighbours share vertices of a primitive; faces have no neighbours.
+  void add_neighbours() {
+    for (const std::vector<Triangle>& primitive : triangles_.primitives()) {
+      const auto begin = static_cast<std::int32_t>(neighbours_.size());
+      if (kind_ == MapKind::faces) {
+        neighbours_.resize(neighbours_.size() + primitive.size(), {no_neighbour, no_neighbour, no_neighbour});
+        continue;
+      }
+      for (Neighbours neighbours : impl::attribute::neighbours_of(primitive)) {
+        for (std::int32_t& n : neighbours)
+          if (n != no_neighbour) n += begin;
+        neighbours_.push_back(neighbours);
+      }
     }
   }
 
   /// Computes each triangle's errors at each level, with no edge decimated.
   void measure_triangles() {
-    errors_.resize(all_.size());
-    same_ = first_of_same_uvs(all_);
-    for (const PlannedImage& image : images_)
-      oneapi::tbb::parallel_for(std::size_t{0}, image.shown.maps.size(), [&](std::size_t k) {
-        const std::size_t t = image.shown.maps[k];
-        if (same_[t] != t) return;
+    errors_.resize(triangles_.all().size());
+    for (const ComparedImage& image : images_)
+      oneapi::tbb::parallel_for(std::size_t{0}, image.triangles.maps.size(), [&](std::size_t k) {
+        const std::size_t t = image.triangles.maps[k];
+        if (triangles_.same(t) != t) return;
         TriangleErrors& errors = errors_[t];
         errors.original = &image.original;
         const MapValue value = value_of(t);
@@ -141,50 +116,49 @@ class SetPlanner {
   /// The sum over the texels whose centre the triangle shows; shows(u, v) is the value that is seen there.
   template <class Shows>
   double squares_of(std::size_t t, Shows shows) const {
-    const ColourImage& image = image_of(all_[t]);
-    const std::vector<std::uint8_t>& original = *errors_[same_[t]].original;
+    const ColourImage& image = triangles_.image_of(t);
+    const std::vector<std::uint8_t>& original = *errors_of(t).original;
     double sum = 0;
-    for_each_texel(
-        image, scene_.textures[all_[t].texture].sampler, in_texels(all_[t].uvs, image.width, image.height),
-        [&](std::size_t texel, double u, double v) {
-          const MapValue seen = shows(u, v);
-          for (std::size_t c = 0; c < 3; ++c) {
-            const double difference = (channels_ >> c & 1) != 0 ? seen[c] - original[3 * texel + c] : 0;
-            sum += difference * difference;
-          }
-        });
+    for_each_texel(image, triangles_.sampler_of(t),
+                   in_texels(triangles_.all()[t].uvs, image.width, image.height),
+                   [&](std::size_t texel, double u, double v) {
+                     const MapValue seen = shows(u, v);
+                     for (std::size_t c = 0; c < 3; ++c) {
+                       const double difference =
+                           (triangles_.channels() >> c & 1) != 0 ? seen[c] - original[3 * texel + c] : 0;
+                       sum += difference * difference;
+                     }
+                   });
     return sum;
   }
 
   double squares_of_map(std::size_t t, unsigned level, std::uint8_t edges) const {
     const MapValues values = map_of(t, level, edges);
-    return squares_of(t, [&](double u, double v) { return shown_at(t, values, level, u, v); });
+    return squares_of(t, [&](double u, double v) { return shown_at(values, level, u, v); });
   }
 
-  MapValue shown_at(std::size_t t, const MapValues& values, unsigned level, double u, double v) const {
+  MapValue shown_at(const MapValues& values, unsigned level, double u, double v) const {
     if (kind_ == MapKind::faces) return values[face_index(level, u, v)];
-    return vertex_value(values, level, u, v, MapReading::interpolated, bakers_.at(all_[t].texture).meaning());
-  }
-
-  MapValues baked(std::size_t t, MapKind kind, unsigned level) const {
-    if (options_.stop) options_.stop();
-    MapValues values(values_of_map(kind, level));
-    bakers_.at(all_[t].texture).bake(all_[t].uvs, kind, level, values);
-    return values;
+    return vertex_value(values, level, u, v, MapReading::interpolated, triangles_.meaning());
   }
 
   MapValues map_of(std::size_t t, unsigned level, std::uint8_t edges) const {
-    MapValues values = baked(t, kind_, level);
+    MapValues values;
+    triangles_.bake(t, kind_, level, values);
     if (edges != 0)
-      impl::attribute::decimate_edges(level, edges, meaning_of(set_, options_.averaging), values);
+      impl::attribute::decimate_edges(level, edges, meaning_of(set(), options_.averaging), values);
     return values;
   }
 
   /// The single value of a triangle: the mean of the texels under it.
-  MapValue value_of(std::size_t t) const { return baked(t, MapKind::faces, 0).front(); }
+  MapValue value_of(std::size_t t) const {
+    MapValues values;
+    triangles_.bake(t, MapKind::faces, 0, values);
+    return values.front();
+  }
 
   double squares(std::size_t t, std::uint32_t level, std::uint8_t edges) {
-    TriangleErrors& errors = errors_[same_[t]];
+    TriangleErrors& errors = errors_[triangles_.same(t)];
     if (edges == 0) return errors.of_level[level - options_.first];
     const auto [at, fresh] = errors.of_edges.try_emplace({level, edges}, 0);
     if (fresh) at->second = squares_of_map(t, level, edges);
@@ -193,7 +167,7 @@ class SetPlanner {
 
   bool keeps(std::size_t t, double squares, double wanted) const {
     return squares <=
-           wanted * wanted * static_cast<double>(errors_[same_[t]].texels) * std::popcount(channels_);
+           wanted * wanted * static_cast<double>(errors_of(t).texels) * std::popcount(triangles_.channels());
   }
 
   void count(const std::vector<TrianglePlan>& plan, PlannedMaps& figures) {
@@ -222,22 +196,19 @@ class SetPlanner {
       std::set<std::pair<std::size_t, std::uint8_t>> known;
       for (std::size_t t = 0; t < plan.size(); ++t)
         if (!plan[t].special && plan[t].level == at.level &&
-            known.emplace(same_[t], plan[t].decimated).second)
+            known.emplace(triangles_.same(t), plan[t].decimated).second)
           triangles.push_back(t);
-      const auto map = [&](std::size_t k) {
-        return map_of(triangles[k], at.level, plan[triangles[k]].decimated);
-      };
-      std::vector<MapKey> keys(triangles.size());
-      oneapi::tbb::parallel_for(std::size_t{0}, keys.size(),
-                                [&](std::size_t k) { keys[k] = key_of(map(k)); });
-      at.distinct = shared(keys, map).distinct;
+      DistinctMaps maps(values_of_map(kind_, at.level), most_kept_values,
+                        [&](std::size_t t, MapValues& map) { map = map_of(t, at.level, plan[t].decimated); });
+      maps.add(triangles);
+      at.distinct = maps.count();
     }
   }
 
   /// Adds the errors of the triangles on an image; a texel that several show belongs to the first of them.
-  void add_image_errors(const std::vector<TrianglePlan>& plan, const PlannedImage& image,
+  void add_image_errors(const std::vector<TrianglePlan>& plan, const ComparedImage& image,
                         ErrorSums& sums) const {
-    const ImageTriangles& triangles = image.shown;
+    const ImageTriangles& triangles = image.triangles;
     const ColourImage& texels = scene_.images[triangles.image];
     std::vector<std::uint8_t> rgb = image.original;
     oneapi::tbb::parallel_for(std::size_t{0}, triangles.maps.size(), [&](std::size_t k) {
@@ -246,23 +217,20 @@ class SetPlanner {
       const TrianglePlan& p = plan[t];
       const MapValues values = p.special ? MapValues{value_of(t)} : map_of(t, p.level, p.decimated);
       for_each_own_texel(triangles, k, [&](std::size_t texel, double u, double v) {
-        paint(rgb, texel, p.special ? values.front() : shown_at(t, values, p.level, u, v), channels_);
+        paint(rgb, texel, p.special ? values.front() : shown_at(values, p.level, u, v),
+              triangles_.channels());
       });
     });
-    add_errors(sums, texels, set_, image.original, rgb, triangles.shown, options_.threads);
+    add_errors(sums, texels, set(), image.original, rgb, triangles.shown, options_.threads);
   }
 
   const AttributeScene& scene_;
   const AttributeOptions& options_;
-  AttributeSet set_;
+  SetTriangles triangles_;
   MapKind kind_;
-  std::uint8_t channels_;
-  std::map<std::size_t, MapBaker> bakers_;  ///< by number of a texture of the scene
-  std::vector<MapOfTriangle> all_;
-  std::vector<Neighbours> neighbours_;  ///< by triangle, as all below
-  std::vector<std::size_t> same_;       ///< by first_of_same_uvs()
-  std::vector<TriangleErrors> errors_;  ///< filled in for the first triangle of each place
-  std::vector<PlannedImage> images_;
+  std::vector<Neighbours> neighbours_;  ///< by triangle
+  std::vector<TriangleErrors> errors_;  ///< by triangle, filled in for the first one of each place
+  std::vector<ComparedImage> images_;
 };
 
 }  // namespace

@@ -102,7 +102,7 @@ std::string attribute_bleeding() {
   const AttributeScene scene = atlas_scene();
   AttributeOptions options{.first = 0, .last = last_mip};
   std::map<unsigned, Mip> mips;
-  MipErrors errors(scene, options, [&mips](const MipPicture& picture) {
+  MipErrors errors(options, [&mips](const MipPicture& picture) {
     mips[picture.mip] = {picture.texture.rgb, picture.faces.rgb, picture.vertices.rgb,
                          std::vector<std::uint8_t>(picture.bands.begin(), picture.bands.end())};
   });

@@ -54,6 +54,53 @@ c direct 'static __attribute__((noinline)) float ceilf(float x) { return x >= 1 
 INDEX { return (unsigned)ceilf(u) + (unsigned)__builtin_floorf(u); }'
 for name in other_name direct; do holds $name.c index_of; done
 
+# A file's own functions that compilers take for the library's, because of their names.
+taken='(int x) { return x == 0 ? -1 : 0; } INDEX { return (unsigned)'
+c own_ffs "__attribute__((noinline)) int ffs$taken(ffs(THERE) + THERE * 0) & THERE; }"
+c own_toascii "__attribute__((noinline)) int toascii$taken(toascii(THERE ? 200 : 0)) & 1; }"
+c own_labs "__attribute__((noinline)) long labs(long x) { return x; } INDEX { return labs(-(long)THERE) < 0; }"
+for name in ffs toascii labs; do
+  refused "own_$name.c:4: the file defines its own $name, which compilers take for the library's; make it static" own_$name.c index_of
+  sed 's/^__attribute__((noinline))/static &/' own_$name.c >static_$name.c
+  judged 0 '^holds' static_$name.c index_of
+done
+
+# Floats in registers of another precision, and sums in another order.
+c no_sse2 '__attribute__((target("no-sse2"))) INDEX { double a = u, b = v; return (unsigned)(a + b - a - b + 0.5); }'
+c callee_no_sse2 '__attribute__((noinline, target("no-sse2"))) static void add(double *a, const double *b) { *a += *b; }
+INDEX { double a = u, b = v; add(&a, &b); return 0 * (unsigned)a; }'
+refused 'no_sse2.c:4: the target feature -sse2?: ' no_sse2.c index_of
+refused 'callee_no_sse2.c:4: the target feature -sse2?: ' callee_no_sse2.c index_of
+refused 'the target feature -sse2?: ' other_name.c index_of --flag=-mno-sse2
+holds other_name.c index_of --flag=-mno-avx --flag=-mavx2
+for pragma in 'vectorize(enable)' 'vectorize_width(4)' 'interleave_count(2)' 'interleave(enable)'; do
+  c reordered "INDEX { float s[8] = {u, v, 1e9f, 1, -1e9f, u, v, 1}, sum = 0;
+_Pragma(\"clang loop $pragma\")
+for (int k = 0; k < 8; ++k) sum += s[k];
+return 0 * (sum > 0); }"
+  refused 'reordered.c:6: an operation of floats in a loop whose pragma lets compilers reorder it' reordered.c index_of
+done
+c integers 'INDEX { unsigned s[4] = {1, 2, 3, (unsigned)(u * 0)}, sum = 0;
+_Pragma("clang loop vectorize(enable)")
+for (int k = 0; k < 4; ++k) sum += s[k];
+return sum - 6; }'
+c unrolled 'INDEX { float sum = u - u;
+_Pragma("clang loop unroll(enable)")
+for (int k = 0; k < 4; ++k) sum += 0;
+return (unsigned)sum; }'
+for name in integers unrolled; do holds $name.c index_of; done
+
+# Copies of no bytes from or to null.
+begin="#include <string.h>
+$begin"
+c moved_null 'INDEX { unsigned r = 0; const int n = THERE; memcpy(&r, n ? 0 : &u, 0); return r; }'
+c filled_null 'INDEX { if (THERE) memset(0, 0, (size_t)level); return 0; }'
+c moved_none 'INDEX { unsigned r = 0; const int n = THERE; memmove(&r, &r, 4 - 4 * (size_t)n); return r; }'
+judged 1 '^refuted' moved_null.c index_of
+refused 'filled_null.c:5: call of llvm.memset' filled_null.c index_of
+holds moved_none.c index_of
+begin=${begin#*$'\n'}
+
 # Code that a compiler puts in.
 for flag in -pg -mfentry -finstrument-functions -finstrument-functions-after-inlining -ftrap-function=mine \
   -fpatchable-function-entry=2 -fprofile-generate -fprofile-arcs --coverage -fsanitize=address -fsanitize-coverage=trace-pc-guard \

@@ -137,7 +137,7 @@ AttributeScene two_charts(AttributeSet set, std::uint8_t gutter) {
 }
 
 std::vector<MipStep> steps_of(const AttributeScene& scene, AttributeOptions options) {
-  MipErrors mips(scene, options);
+  MipErrors mips(options);
   options.atlas = [&mips](const AttributeAtlas& atlas) { mips.take(atlas); };
   measure(scene, options);
   return mips.steps();
@@ -237,7 +237,7 @@ TEST(MipErrors, TellOfPicturesWhoseBordersShow) {
   const AttributeScene scene = two_charts(colours, 0);
   AttributeOptions options{.first = 1, .last = 2, .averaging = Averaging::codes};
   std::vector<RgbPicture> pictures;
-  MipErrors mips(scene, options, [&](const MipPicture& picture) {
+  MipErrors mips(options, [&](const MipPicture& picture) {
     EXPECT_EQ(picture.mip, pictures.size());
     pictures.push_back(side_by_side(picture, 8));
   });

@@ -2,14 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "scene/attribute/atlas.hpp"
+#include "scene/attribute/distinct_maps.hpp"
 #include "scene/attribute/map_reading.hpp"
 #include "scene/attribute/measure.hpp"
 #include "scene/attribute/picture.hpp"
-#include "scene/attribute/same_uvs.hpp"
 
 namespace {
 
@@ -196,18 +198,70 @@ TEST(AttributeReading, OfTheNearestVertexIsOneOfTheThree) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-TEST(AttributeSharing, CountsEqualMapsOnce) {
-  const std::vector<std::vector<MapValue>> maps{{{1, 2, 3, 0}, {4, 5, 6, 0}}, {{4, 5, 6, 0}, {1, 2, 3, 0}},
-                                                {{1, 2, 3, 0}, {4, 5, 6, 0}}, {{7, 7, 7, 0}, {7, 7, 7, 0}},
-                                                {{7, 7, 7, 0}, {7, 7, 7, 0}}, {{8, 8, 8, 0}, {8, 8, 8, 0}}};
-  std::vector<MapKey> keys;
-  for (const auto& map : maps) keys.push_back(key_of(map));
-  const auto map = [&](std::size_t k) { return maps[k]; };
-  EXPECT_EQ(shared(keys, map), (SharedMaps{4, 2}));
-  // Maps whose hashes are the same are told apart all the same.
-  for (MapKey& key : keys) key.hash = 1;
-  EXPECT_EQ(shared(keys, map), (SharedMaps{4, 2}));
-  EXPECT_EQ(shared({}, map), (SharedMaps{0, 0}));
+using Maps = std::vector<std::vector<MapValue>>;
+
+DistinctMaps distinct(const Maps& maps, std::uint64_t most, std::size_t* made_again = nullptr,
+                      DistinctMaps::Hash hash = hash_of) {
+  return DistinctMaps(
+      2, most,
+      [&maps, made_again](std::size_t owner, std::vector<MapValue>& map) {
+        if (made_again != nullptr) ++*made_again;
+        map = maps[owner];
+      },
+      hash);
+}
+
+const Maps six{{{1, 2, 3, 0}, {4, 5, 6, 0}}, {{4, 5, 6, 0}, {1, 2, 3, 0}}, {{1, 2, 3, 0}, {4, 5, 6, 0}},
+               {{7, 7, 7, 0}, {7, 7, 7, 0}}, {{7, 7, 7, 0}, {7, 7, 7, 0}}, {{8, 8, 8, 0}, {8, 8, 8, 0}}};
+
+TEST(DistinctMaps, AreNumberedAsTheyAppear) {
+  DistinctMaps maps = distinct(six, 100);
+  EXPECT_EQ(maps.count(), 0u);
+  // In two parts, and in another order than their owners.
+  EXPECT_THAT(maps.add(std::vector<std::size_t>{1, 0, 2}), testing::ElementsAre(0, 1, 1));
+  EXPECT_EQ(maps.constant(), 0u);
+  EXPECT_THAT(maps.add(std::vector<std::size_t>{3, 4, 5, 0}), testing::ElementsAre(2, 2, 3, 1));
+  EXPECT_EQ(maps.count(), 4u);
+  EXPECT_EQ(maps.constant(), 2u);
+  EXPECT_TRUE(maps.kept());
+  EXPECT_THAT(maps.values(), testing::ElementsAre(six[1][0], six[1][1], six[0][0], six[0][1], six[3][0],
+                                                  six[3][1], six[5][0], six[5][1]));
+}
+
+TEST(DistinctMaps, OfOneHashAreToldApart) {
+  DistinctMaps maps = distinct(six, 100, nullptr, [](std::span<const MapValue>) { return std::uint64_t{1}; });
+  EXPECT_THAT(maps.add(std::vector<std::size_t>{0, 1, 2, 3, 4, 5}), testing::ElementsAre(0, 1, 0, 2, 2, 3));
+}
+
+TEST(DistinctMaps, BeyondTheLimitAreMadeAgain) {
+  std::size_t made = 0;
+  DistinctMaps maps = distinct(six, 3, &made);
+  EXPECT_THAT(maps.add(std::vector<std::size_t>{0, 1, 2, 3, 4, 5}), testing::ElementsAre(0, 1, 0, 2, 2, 3));
+  EXPECT_FALSE(maps.kept());
+  EXPECT_EQ(maps.values().size(), 2u);  // of the first map alone
+  EXPECT_EQ(made, 7u);                  // map 3 again, beside its equal, map 4
+  std::vector<MapValue> space;
+  for (const auto& [number, owner] : {std::pair{0u, 0u}, {1u, 1u}, {2u, 3u}, {3u, 5u}})
+    EXPECT_TRUE(std::ranges::equal(maps.map(number, space), six[owner])) << number;
+}
+
+TEST(DistinctMaps, AreManyAtOnce) {
+  Maps many;
+  for (std::uint32_t k = 0; k < 10000; ++k)
+    many.push_back({{static_cast<std::uint8_t>(k % 100), static_cast<std::uint8_t>(k % 7), 0, 0}, {}});
+  DistinctMaps maps = distinct(many, 1 << 20);
+  std::vector<std::size_t> owners(many.size());
+  std::iota(owners.begin(), owners.end(), std::size_t{0});
+  std::vector<std::atomic<int>> made(many.size());
+  const std::vector<std::uint32_t> numbers =
+      maps.add(owners, [&](std::size_t k, std::span<const MapValue> map) {
+        made[k] += std::ranges::equal(map, many[k]) ? 1 : 2;
+      });
+  EXPECT_EQ(maps.count(), 700u);
+  for (std::size_t k = 0; k < many.size(); ++k) {
+    EXPECT_EQ(made[k], 1);
+    EXPECT_EQ(numbers[k], k < 700 ? k : numbers[k - 700]);
+  }
 }
 
 TEST(AttributeAtlas, GivesEachTexelToTheFirstTriangleThatShowsIt) {
@@ -289,7 +343,8 @@ TEST(AttributeMeasure, OneColourIsOneMapAndNoError) {
       square_scene(drawn(5, 3, [](auto, auto, auto c) { return 40 * (c + 1); })), {.first = 0, .last = 2});
   for (unsigned level = 0; level <= 2; ++level)
     for (const MapKind kind : map_kinds) {
-      EXPECT_EQ(at(figures, level, kind).maps, (SharedMaps{1, 1}));
+      EXPECT_EQ(at(figures, level, kind).distinct, 1u);
+      EXPECT_EQ(at(figures, level, kind).constant, 1u);
       EXPECT_EQ(at(figures, level, kind).error.rmse, 0);
       EXPECT_EQ(at(figures, level, kind).error.flip, 0);
     }
@@ -312,7 +367,7 @@ TEST(AttributeMeasure, OfATriangleThatShowsNoTexelHasNoError) {
   const AttributeFigures figures = measure(scene, {.first = 0, .last = 1});
   EXPECT_EQ(figures.sets.at(0).shown, 0u);
   for (const MapsAtLevel& one : figures.sets.at(0).levels) {
-    EXPECT_EQ(one.maps.distinct, 1u);
+    EXPECT_EQ(one.distinct, 1u);
     EXPECT_EQ(one.error.rmse, std::nullopt);
     EXPECT_EQ(one.error.flip, std::nullopt);
     EXPECT_EQ(one.unseen, one.kind == MapKind::faces ? std::optional(1.0) : std::nullopt);
@@ -326,8 +381,8 @@ TEST(AttributeMeasure, IsTheSameForAnyNumberOfThreads) {
     std::vector<double> all;
     const AttributeFigures measured = measure(scene, {.first = 0, .last = 3, .threads = threads});
     for (const MapsAtLevel& one : measured.sets.at(0).levels)
-      for (const double x : {*one.error.rmse, *one.error.flip, static_cast<double>(one.maps.distinct),
-                             one.unseen.value_or(-1)})
+      for (const double x :
+           {*one.error.rmse, *one.error.flip, static_cast<double>(one.distinct), one.unseen.value_or(-1)})
         all.push_back(x);
     return all;
   };
@@ -357,8 +412,8 @@ TEST(AttributeMeasure, CountsTrianglesOnOnePlaceAsIfEachWereMeasured) {
       EXPECT_EQ(three[k].error.rmse, one[k].error.rmse);
       EXPECT_EQ(three[k].error.flip, one[k].error.flip);
       const bool turned_differs = level > 0 || three[k].kind == MapKind::vertices;
-      EXPECT_EQ(three[k].maps.distinct, turned_differs ? 3u : 2u);
-      EXPECT_EQ(three[k].packed->plain, 3 * three[k].maps.distinct * values_of_map(three[k].kind, level));
+      EXPECT_EQ(three[k].distinct, turned_differs ? 3u : 2u);
+      EXPECT_EQ(three[k].packed->plain, 3 * three[k].distinct * values_of_map(three[k].kind, level));
     }
     // Of faces without a texel each triangle has its own: the first place has three triangles, the second two.
     const auto share = [&](const std::vector<MapsAtLevel>& of) {

@@ -155,45 +155,33 @@ TEST(SurfacePoints, AlongSurfacesAreTheSamePointsInOrder) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-TEST(LaidMaps, EqualMapsAreThereOnce) {
+TEST(SetMaps, AreKeptForWhoeverAsks) {
   const AttributeScene scene = three_triangles();
   std::size_t told = 0;
   AttributeOptions options{.first = 0, .last = 2};
-  options.laid = [&](const LaidMaps& laid) {
+  options.kept = [&](const SetMaps& maps) {
     ++told;
-    const std::size_t size = values_of_map(laid.kind, laid.level);
-    ASSERT_EQ(laid.first.size(), 4u);
-    EXPECT_EQ(laid.first[3], laid.first[0]);
-    std::set<std::size_t> different(laid.first.begin(), laid.first.end());
-    EXPECT_EQ(laid.values.size(), different.size() * size);
+    const std::size_t size = values_of_map(maps.kind, maps.level);
+    ASSERT_EQ(maps.number.size(), 4u);
+    EXPECT_EQ(maps.number[3], maps.number[0]);
+    const std::set<std::uint32_t> different(maps.number.begin(), maps.number.end());
+    EXPECT_EQ(maps.maps.values().size(), different.size() * size);
     const MapBaker baker(scene.images[0], scene.textures[0], options.averaging);
     for (std::size_t k = 0; k < 4; ++k) {
       std::vector<MapValue> map(size);
-      baker.bake(laid.triangles[k].uvs, laid.kind, laid.level, map);
-      for (std::size_t x = 0; x < size; ++x)
-        for (std::size_t c = 0; c < 4; ++c)
-          EXPECT_EQ(laid.values[laid.first[k] + x] >> 8 * c & 255, map[x][c]);
+      baker.bake(maps.triangles.all()[k].uvs, maps.kind, maps.level, map);
+      EXPECT_TRUE(std::ranges::equal(maps.maps.values().subspan(maps.number[k] * size, size), map));
     }
   };
   const AttributeFigures figures = measure(scene, options);
   EXPECT_EQ(told, 6u);
 }
 
-TEST(LaidMaps, OfOneHashAreTheSameOnlyWhereTheirValuesAre) {
-  LaidMaps laid{set_of(Attribute::base_color), 0, MapKind::faces, {}, {}, {}};
-  const std::vector<MapKey> keys(4, MapKey{1, {}});
-  lay(laid, keys, [](std::size_t k, std::vector<MapValue>& out) {
-    out = {MapValue{static_cast<std::uint8_t>(k % 2), 2, 3, 4}};
-  });
-  EXPECT_THAT(laid.values, testing::ElementsAre(0x04030200u, 0x04030201u));
-  EXPECT_THAT(laid.first, testing::ElementsAre(0, 1, 0, 1));
-}
-
 TEST(AttributeTimer, HasARowForEachWay) {
   const AttributeScene scene = three_triangles();
   AttributeTimer timer(scene, {.points = 500, .rounds = 2});
   AttributeOptions options{.first = 1, .last = 2};
-  options.laid = [&](const LaidMaps& laid) { timer.take(laid); };
+  options.kept = [&](const SetMaps& maps) { timer.take(maps); };
   measure(scene, options);
   std::set<std::pair<unsigned, LookupWay>> rows;
   for (const LookupTimes& times : timer.times()) {

@@ -4,10 +4,9 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
-#include <map>
 
 #include "scene/attribute/atlas.hpp"
-#include "scene/attribute/baker.hpp"
+#include "scene/attribute/set_triangles.hpp"
 
 namespace mmverify::render {
 namespace {
@@ -20,11 +19,11 @@ const scene::AttributeUse* base_colour_of(const scene::AttributeScene& attribute
   return nullptr;
 }
 
-std::vector<scene::UvTriangle> uvs_of(const scene::AttributePrimitive& primitive,
-                                      const scene::AttributeUse& use) {
-  std::vector<scene::UvTriangle> all;
+std::vector<scene::MapOfTriangle> triangles_of(const scene::AttributePrimitive& primitive,
+                                               const scene::AttributeUse& use) {
+  std::vector<scene::MapOfTriangle> all;
   for (const scene::Triangle& t : primitive.triangles)
-    all.push_back({use.uvs[t[0]], use.uvs[t[1]], use.uvs[t[2]]});
+    all.push_back({use.texture, {use.uvs[t[0]], use.uvs[t[1]], use.uvs[t[2]]}});
   return all;
 }
 
@@ -55,30 +54,28 @@ ColourMaps colours_of(const scene::Scene& scene, const SceneWorld& world,
     if (use == nullptr) continue;
     const scene::AttributeTexture& texture = attributes.textures[use->texture];
     const scene::ColourImage& image = attributes.images[texture.image];
-    const std::vector<scene::UvTriangle> uvs = uvs_of(*its, *use);
-    if (!std::all_of(uvs.begin(), uvs.end(), [&](const auto& uv) { return scene::within_reach(uv, image); }))
+    const std::vector<scene::MapOfTriangle> triangles = triangles_of(*its, *use);
+    if (!std::all_of(triangles.begin(), triangles.end(),
+                     [&](const auto& t) { return scene::within_reach(t.uvs, image); }))
       continue;
     // Equal triangles are baked once.
-    std::map<scene::UvTriangle, std::size_t> distinct;
-    std::vector<std::size_t> first, which;
-    for (std::size_t t = 0; t < uvs.size(); ++t) {
-      const auto [at, is_new] = distinct.emplace(uvs[t], first.size());
-      if (is_new) first.push_back(t);
-      which.push_back(at->second);
-    }
+    const std::vector<std::size_t> same = scene::first_of_same_uvs(triangles);
+    std::vector<std::size_t> first;
+    for (std::size_t t = 0; t < same.size(); ++t)
+      if (same[t] == t) first.push_back(t);
     const scene::MapBaker baker(image, texture, scene::Averaging::meaning);
     std::vector<std::vector<std::uint32_t>> maps(first.size());
     arena.execute([&] {
       oneapi::tbb::parallel_for(std::size_t{0}, first.size(), [&](std::size_t m) {
         std::vector<scene::MapValue> map(values);
-        baker.bake(uvs[first[m]], kind, level, map);
+        baker.bake(triangles[first[m]].uvs, kind, level, map);
         for (const scene::MapValue& value : map) maps[m].push_back(word_of(value));
         if (done) done(1);
       });
     });
-    std::vector<std::uint32_t> numbers, given;
-    for (const auto& map : maps) numbers.push_back(made.add(map));
-    for (const std::size_t m : which) given.push_back(numbers[m]);
+    std::vector<std::uint32_t> given(triangles.size());
+    for (std::size_t m = 0; m < first.size(); ++m) given[first[m]] = made.add(maps[m]);
+    for (std::size_t t = 0; t < same.size(); ++t) given[t] = given[same[t]];
     made.give(geometry, std::move(given));
   }
   return made;

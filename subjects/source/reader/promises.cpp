@@ -118,6 +118,15 @@ void guard_promises(llvm::CallBase& call) {
   require_all(build, &call, said);
 }
 
+void guard_moved(llvm::MemIntrinsic& moved) {
+  const auto* length = llvm::dyn_cast<llvm::ConstantInt>(moved.getLength());
+  if (length != nullptr && !length->isZero()) return;  // the guard of the access is stricter
+  llvm::IRBuilder<> build(&moved);
+  require(build, moved.getRawDest(), Required::not_null, 0);
+  if (auto* copied = llvm::dyn_cast<llvm::MemTransferInst>(&moved))
+    require(build, copied->getRawSource(), Required::not_null, 0);
+}
+
 void guard_assumed_pointers(llvm::IntrinsicInst& assumption) {
   llvm::IRBuilder<> build(&assumption);
   for (unsigned k = 0; k < assumption.getNumOperandBundles(); ++k) {

@@ -16,6 +16,8 @@ void guard_pointers_read(llvm::Instruction& at);
 void guard_pointer_loaded(llvm::Instruction& at);
 /// Guards the attributes of a call's arguments and of its result.
 void guard_promises(llvm::CallBase& call);
+/// Guards the pointers of a copy or fill whose length may be 0: C forbids null pointers even then (C17, 7.24.1).
+void guard_moved(llvm::MemIntrinsic& moved);
 /// Guards what an assumption says of pointers. Throws NotKnown for what is not known.
 void guard_assumed_pointers(llvm::IntrinsicInst& assumption);
 

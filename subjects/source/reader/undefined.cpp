@@ -214,6 +214,7 @@ void guard_call(llvm::CallInst& call) {
     default:
       guard_restricted(call);
       if (!llvm::isa<llvm::IntrinsicInst>(call)) guard_promises(call);
+      if (auto* moved = llvm::dyn_cast<llvm::MemIntrinsic>(&call)) guard_moved(*moved);
   }
 }
 
@@ -342,6 +343,12 @@ void check_floats(const llvm::Function& f) {
       throw NotKnown(place_of(f) + ": " + mode + ": fast-math, which leaves floats open");
   if (f.hasFnAttribute(llvm::Attribute::StrictFP))
     throw NotKnown(place_of(f) + ": strictfp: another rounding may be set");
+  llvm::SmallVector<llvm::StringRef, 32> features;
+  said("target-features").split(features, ',');
+  for (const llvm::StringRef feature : features)
+    if (feature == "-sse" || feature == "-sse2" || feature == "+soft-float")
+      throw NotKnown(place_of(f) + ": the target feature " + feature.str() +
+                     ": floats are computed with other precision than their types'");
 }
 
 /// Drops attributes from which passes would conclude: the function returns, pointers are distinct and not

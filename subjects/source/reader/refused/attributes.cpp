@@ -1,4 +1,6 @@
+#include <llvm/Analysis/LoopInfo.h>
 #include <llvm/IR/Constants.h>
+#include <llvm/IR/Dominators.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/IntrinsicInst.h>
 
@@ -100,7 +102,29 @@ constexpr std::array promises{llvm::LLVMContext::MD_fpmath,
                               llvm::LLVMContext::MD_access_group,
                               llvm::LLVMContext::MD_callees};
 
+/// Whether a pragma lets compilers put the turns of a loop side by side, and so sum in another order.
+bool may_be_reordered(const llvm::Loop& loop) {
+  for (const char* name : {"llvm.loop.vectorize.enable", "llvm.loop.vectorize.width",
+                           "llvm.loop.vectorize.scalable.enable", "llvm.loop.interleave.count"})
+    if (llvm::findOptionMDForLoop(&loop, name) != nullptr) return true;
+  return false;
+}
+
+bool is_of_floats(const llvm::Instruction& at) {
+  return at.getType()->isFPOrFPVectorTy() && (at.isBinaryOp() || llvm::isa<llvm::CallBase>(at));
+}
+
 }  // namespace
+
+void refuse_reordered(llvm::Function& f) {
+  const llvm::DominatorTree tree(f);
+  const llvm::LoopInfo loops(tree);
+  for (const llvm::Loop* loop : loops.getLoopsInPreorder())
+    for (const llvm::BasicBlock* block : loop->blocks())
+      for (const llvm::Instruction& at : *block)
+        if (is_of_floats(at) && may_be_reordered(*loop))
+          throw NotKnown(place_of(at) + ": an operation of floats in a loop whose pragma lets compilers reorder it");
+}
 
 void refuse_attributes(const llvm::Function& f) {
   const std::string place = place_of(f);

@@ -1,3 +1,4 @@
+#include <llvm/Analysis/TargetLibraryInfo.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/IntrinsicInst.h>
 
@@ -76,6 +77,13 @@ bool declares_only(const std::string& assembly) {
   return true;
 }
 
+/// Whether compilers take a call of the function for a call of the library function of its name.
+bool is_taken_for_library(const llvm::Function& f) {
+  static const llvm::TargetLibraryInfoImpl all{llvm::Triple()};
+  llvm::LibFunc known{};
+  return !f.hasLocalLinkage() && all.getLibFunc(f.getName(), known);
+}
+
 }  // namespace
 
 void refuse_own_names(const llvm::Module& module, const Reached& reached) {
@@ -89,6 +97,10 @@ void refuse_own_names(const llvm::Module& module, const Reached& reached) {
     if (is_of_floats(name) && used.count(without_type(name)) == 0) continue;
     throw NotKnown(place_of(value) + ": the file defines its own " + name + ", which compiled code calls");
   }
+  for (const llvm::Function* f : reached.functions)
+    if (f != reached.functions.front() && is_taken_for_library(*f))
+      throw NotKnown(place_of(*f) + ": the file defines its own " + f->getName().str() +
+                     ", which compilers take for the library's; make it static");
 }
 
 }  // namespace mmverify::source

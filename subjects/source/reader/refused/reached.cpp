@@ -76,8 +76,9 @@ void refuse_what_is_not_judged(llvm::Module& module, llvm::Function& index) {
   const Reached reached = reached_from(index);
   refuse_own_names(module, reached);
   refuse_replaceable(index, reached);
-  for (const llvm::Function* f : reached.functions) {
+  for (llvm::Function* f : reached.functions) {
     refuse_attributes(*f);
+    refuse_reordered(*f);
     refuse_metadata(*f);
   }
   refuse_underived(module, reached);

@@ -19,10 +19,12 @@ Reached reached_from(llvm::Function& index);
 void refuse_what_is_not_judged(llvm::Module& module, llvm::Function& index);
 
 /// A definition under a name that compiled code calls by itself, such as memcpy, or that an intrinsic becomes a
-/// call of, such as floorf.
+/// call of, such as floorf; a function of the library's name, such as ffs, that compilers take for the library's.
 void refuse_own_names(const llvm::Module& module, const Reached& reached);
 /// Attributes by which a compiler puts code in, or by which functions differ from their operations.
 void refuse_attributes(const llvm::Function& f);
+/// Sums of floats in a loop with a pragma by which compilers may add in another order.
+void refuse_reordered(llvm::Function& f);
 /// Metadata that promises what nothing checks, and pointers of other address spaces.
 void refuse_metadata(const llvm::Function& f);
 /// A definition other than the index function's own that a linker may replace by another one.
