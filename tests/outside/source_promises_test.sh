@@ -90,6 +90,28 @@ for (int k = 0; k < 4; ++k) sum += 0;
 return (unsigned)sum; }'
 for name in integers unrolled; do holds $name.c index_of; done
 
+# A tail call that reads its caller's variable, and memory that a tag calls constant.
+for tail in tail ''; do
+  printf '%s\n' 'define i32 @index_of(i32 %level, float %u, float %v) {' '%p = alloca i32' 'store i32 0, i32* %p' \
+    "%x = $tail call i32 @get(i32* %p)" 'ret i32 %x' '}' \
+    'define internal i32 @get(i32* %p) noinline {' '%x = load i32, i32* %p' 'ret i32 %x' '}' >"${tail:-plain}_call.ll"
+done
+refused 'tail_call.ll: .*a tail call that may use variables of its caller' tail_call.ll index_of
+holds plain_call.ll index_of
+for constant in 0 1; do
+  printf '%s\n' 'define i32 @index_of(i32 %level, float %u, float %v) {' '%p = alloca i32' 'store i32 0, i32* %p' \
+    '%x = load i32, i32* %p, !tbaa !0' 'ret i32 %x' '}' "!0 = !{!1, !1, i64 0, i64 $constant}" \
+    '!1 = !{!"int", !2}' '!2 = !{!"root"}' >"tag_$constant.ll"
+done
+holds tag_0.ll index_of
+refused 'tag_1.ll: .*says that memory is constant' tag_1.ll index_of
+
+# The size of a workgroup is that of the dispatch.
+if command -v glslangValidator >/dev/null; then
+  printf 'uint index(uint level, float u, float v) { return gl_WorkGroupSize.x - 64u; }\n' >group.glsl
+  holds group.glsl index
+fi
+
 # Copies of no bytes from or to null.
 begin="#include <string.h>
 $begin"

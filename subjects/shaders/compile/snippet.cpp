@@ -43,7 +43,8 @@ std::string in_hlsl(std::string text) {
 constexpr const char* glsl_preamble = R"(#version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_GOOGLE_cpp_style_line_directive : require
-{extensions}layout(std430, set = 0, binding = 4) readonly buffer mmverify_bytes_buffer {{ uint mmverify_words[]; }};
+{extensions}layout(local_size_x = 64) in;
+layout(std430, set = 0, binding = 4) readonly buffer mmverify_bytes_buffer {{ uint mmverify_words[]; }};
 layout(push_constant) uniform mmverify_push {{ uint count, level, first, second, bytes; }} mmverify_asked;
 uint mmverify_byte_count() {{ return mmverify_asked.bytes; }}
 uint mmverify_word(uint at) {{ return mmverify_words[at]; }}
@@ -63,7 +64,6 @@ uint mmverify_byte(uint at) {{ return mmverify_words[at >> 2] >> (8u * (at & 3u)
 )";
 
 constexpr const char* glsl_main = R"(#line 1 "{own_part}"
-layout(local_size_x = 64) in;
 layout(std430, set = 0, binding = 0) readonly buffer mmverify_in0 {{ {type} mmverify_input0[]; }};
 layout(std430, set = 0, binding = 1) readonly buffer mmverify_in1 {{ {type} mmverify_input1[]; }};
 layout(std430, set = 0, binding = 2) readonly buffer mmverify_in2 {{ {type} mmverify_input2[]; }};

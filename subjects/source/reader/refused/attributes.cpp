@@ -1,4 +1,6 @@
+#include <llvm/Analysis/CaptureTracking.h>
 #include <llvm/Analysis/LoopInfo.h>
+#include <llvm/Analysis/ValueTracking.h>
 #include <llvm/IR/Constants.h>
 #include <llvm/IR/Dominators.h>
 #include <llvm/IR/InstIterator.h>
@@ -102,6 +104,24 @@ constexpr std::array promises{llvm::LLVMContext::MD_fpmath,
                               llvm::LLVMContext::MD_access_group,
                               llvm::LLVMContext::MD_callees};
 
+/// Whether a call may use the caller's variables by their addresses.
+bool may_use_variables(const llvm::CallBase& call) {
+  for (const llvm::Value* given : call.args())
+    if (given->getType()->isPointerTy() && llvm::isa<llvm::AllocaInst>(llvm::getUnderlyingObject(given)))
+      return true;
+  for (const llvm::Instruction& at : llvm::instructions(*call.getFunction()))
+    if (llvm::isa<llvm::AllocaInst>(at) && llvm::PointerMayBeCaptured(&at, false, true)) return true;
+  return false;
+}
+
+/// Whether the tag of an access says that nothing ever writes there.
+bool is_of_constant(const llvm::MDNode& tag) {
+  const auto* constant = tag.getNumOperands() < 4
+                             ? nullptr
+                             : llvm::mdconst::dyn_extract<llvm::ConstantInt>(tag.getOperand(3));
+  return constant != nullptr && !constant->isZero();
+}
+
 /// Whether a pragma lets compilers put the turns of a loop side by side, and so sum in another order.
 bool may_be_reordered(const llvm::Loop& loop) {
   for (const char* name : {"llvm.loop.vectorize.enable", "llvm.loop.vectorize.width",
@@ -151,6 +171,12 @@ void refuse_metadata(const llvm::Function& f) {
         throw NotKnown(place_of(at) + ": the promise !" + names[kind].str() + ", which nothing checks");
     if (at.getMetadata(llvm::LLVMContext::MD_invariant_load) != nullptr && !is_of_table(at))
       throw NotKnown(place_of(at) + ": !invariant.load of what may change");
+    if (const llvm::MDNode* tag = at.getMetadata(llvm::LLVMContext::MD_tbaa);
+        tag != nullptr && is_of_constant(*tag))
+      throw NotKnown(place_of(at) + ": a !tbaa tag that says that memory is constant");
+    if (const auto* call = llvm::dyn_cast<llvm::CallInst>(&at);
+        call != nullptr && call->isTailCall() && !llvm::isa<llvm::IntrinsicInst>(call) && may_use_variables(*call))
+      throw NotKnown(place_of(at) + ": a tail call that may use variables of its caller");
     if (llvm::isa<llvm::InvokeInst>(at) && at.getMetadata(llvm::LLVMContext::MD_range) != nullptr)
       throw NotKnown(place_of(at) + ": a promise about a result that may be thrown past");
     const bool any = is_elsewhere(&at) || std::any_of(at.op_begin(), at.op_end(),
