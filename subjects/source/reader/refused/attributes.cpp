@@ -116,9 +116,8 @@ bool may_use_variables(const llvm::CallBase& call) {
 
 /// Whether the tag of an access says that nothing ever writes there.
 bool is_of_constant(const llvm::MDNode& tag) {
-  const auto* constant = tag.getNumOperands() < 4
-                             ? nullptr
-                             : llvm::mdconst::dyn_extract<llvm::ConstantInt>(tag.getOperand(3));
+  const auto* constant =
+      tag.getNumOperands() < 4 ? nullptr : llvm::mdconst::dyn_extract<llvm::ConstantInt>(tag.getOperand(3));
   return constant != nullptr && !constant->isZero();
 }
 
@@ -143,7 +142,8 @@ void refuse_reordered(llvm::Function& f) {
     for (const llvm::BasicBlock* block : loop->blocks())
       for (const llvm::Instruction& at : *block)
         if (is_of_floats(at) && may_be_reordered(*loop))
-          throw NotKnown(place_of(at) + ": an operation of floats in a loop whose pragma lets compilers reorder it");
+          throw NotKnown(place_of(at) +
+                         ": an operation of floats in a loop whose pragma lets compilers reorder it");
 }
 
 void refuse_attributes(const llvm::Function& f) {
@@ -174,8 +174,9 @@ void refuse_metadata(const llvm::Function& f) {
     if (const llvm::MDNode* tag = at.getMetadata(llvm::LLVMContext::MD_tbaa);
         tag != nullptr && is_of_constant(*tag))
       throw NotKnown(place_of(at) + ": a !tbaa tag that says that memory is constant");
-    if (const auto* call = llvm::dyn_cast<llvm::CallInst>(&at);
-        call != nullptr && call->isTailCall() && !llvm::isa<llvm::IntrinsicInst>(call) && may_use_variables(*call))
+    if (const auto* call = llvm::dyn_cast<llvm::CallInst>(&at); call != nullptr && call->isTailCall() &&
+                                                                !llvm::isa<llvm::IntrinsicInst>(call) &&
+                                                                may_use_variables(*call))
       throw NotKnown(place_of(at) + ": a tail call that may use variables of its caller");
     if (llvm::isa<llvm::InvokeInst>(at) && at.getMetadata(llvm::LLVMContext::MD_range) != nullptr)
       throw NotKnown(place_of(at) + ": a promise about a result that may be thrown past");
