@@ -43,8 +43,7 @@ unsigned Sampled<T>::rough_signs(const std::vector<Point<T>>& polygon, const Fie
     p.push_back({real(q.x) / unit_real_, real(q.y) / unit_real_});
     extent = std::max({extent, std::abs(p.back().x), std::abs(p.back().y)});
   }
-  double near = extent * 0x1p-40;
-  if (has(double_decides)) near = 0;
+  const double near = has(double_decides) ? 0 : extent * 0x1p-40;
   unsigned seen = 0;
   const auto meet = [&](double value) {
     if (value > near)
