@@ -85,7 +85,7 @@ struct Planted {
   bool two_state = false, second_use = false;
 };
 
-using impl::vq::State;
+using VqState = impl::vq::State;
 
 const std::vector<Planted> planted{
     {"bake.conservative", "an unknown is O", [](Made& m) { change_last(m, 0, 3, 1); }},
@@ -154,14 +154,14 @@ const std::vector<Planted> planted{
     {"vq2.conservative", "the block is that of all O",
      [](Made& m) {
        m.codecs.vq2 = [real = m.codecs.vq2](auto map) {
-         map.fill(State::O);
+         map.fill(VqState::O);
          return real(map);
        };
      }},
     {"vq2.conservative", "one C is O",
      [](Made& m) {
        m.codecs.vq2 = [real = m.codecs.vq2](auto map) {
-         *std::find(map.rbegin(), map.rend(), State::C) = State::O;
+         *std::find(map.rbegin(), map.rend(), VqState::C) = VqState::O;
          return real(map);
        };
      }},
@@ -176,24 +176,24 @@ const std::vector<Planted> planted{
     {"vq4.conservative", "the block is that of all T",
      [](Made& m) {
        m.codecs.vq4 = [real = m.codecs.vq4](auto map) {
-         map.fill(State::T);
+         map.fill(VqState::T);
          return real(map);
        };
      }},
     {"vq4.conservative", "one C is T",
      [](Made& m) {
        m.codecs.vq4 = [real = m.codecs.vq4](auto map) {
-         *std::find(map.begin(), map.end(), State::C) = State::T;
+         *std::find(map.begin(), map.end(), VqState::C) = VqState::T;
          return real(map);
        };
      }},
     {"vq.square_map", "all is O",
      [](Made& m) {
-       for (auto& map : m.m.vq2) map.fill(State::O);
+       for (auto& map : m.m.vq2) map.fill(VqState::O);
      }},
     {"vq.square_map", "all is C",
      [](Made& m) {
-       for (auto& map : m.m.vq4) map.fill(State::C);
+       for (auto& map : m.m.vq4) map.fill(VqState::C);
      }},
     {"vq.square_map", "the rows run downwards", [](Made& m) {
        for (auto& map : m.m.vq4)
