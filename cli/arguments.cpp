@@ -118,6 +118,10 @@ std::string fits_64_bits(const std::string& text) {
   return whole(text) ? std::string() : fmt::format("'{}' is no whole number below 2^64", text);
 }
 
+std::string fits_a_size(const std::string& text) {
+  return text.starts_with("-") || text.size() > 15 ? "bytes, as 500MB or 2GB" : "";
+}
+
 std::string shell_quoted(const std::string& text) {
   constexpr char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:=,+-";
   if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;

@@ -40,6 +40,9 @@ std::function<std::string(const std::string&)> whole_within(std::uint64_t least,
 /// A check for a seed: a whole number below 2^64. CLI11 would take a greater one for 2^64 - 1.
 std::string fits_64_bits(const std::string& text);
 
+/// A check for an option of bytes, "500MB", which CLI::AsSizeValue reads.
+std::string fits_a_size(const std::string& text);
+
 /// The text quoted as one word of a shell.
 std::string shell_quoted(const std::string& text);
 

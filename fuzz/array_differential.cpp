@@ -107,9 +107,18 @@ void read_file(const Bytes& file) {
   }
 }
 
-void build(Reader& reader) {
+/// Options, and maps: the first ones exist before the build.
+struct Given {
+  slow::BuildOptions options;
+  std::size_t first;
+  std::vector<Bytes> packed;
+  std::vector<maps::Map> all;
+};
+
+Given given(Reader& reader) {
+  Given g;
+  slow::BuildOptions& o = g.options;
   const std::uint8_t flags = reader.byte();
-  slow::BuildOptions o;
   o.api = slow::apis[flags / 4 % slow::api_count];
   o.special = (flags & 1) != 0;
   o.share = (flags & 2) != 0;
@@ -118,9 +127,7 @@ void build(Reader& reader) {
   const std::uint8_t base = reader.byte();
   o.bound = reader.byte() % 8;
   const std::size_t before = reader.byte() % 4;
-  std::vector<Bytes> packed;
-  std::vector<maps::Map> all;
-  while (!reader.empty() && all.size() < 300) {
+  while (!reader.empty() && g.all.size() < 300) {
     const std::uint8_t head = reader.byte();
     const mmverify::spec::Level level = head % 4;
     const maps::Format f = (head & 4) != 0 ? maps::Format::four_state : maps::Format::two_state;
@@ -128,72 +135,89 @@ void build(Reader& reader) {
     const std::size_t size = static_cast<std::size_t>(maps::packed_bytes(count, f));
     const bool filled = (head & 8) != 0;
     const Bytes bytes = filled ? Bytes(size, reader.byte()) : reader.bytes(size);
-    all.push_back({level, f, maps::unpack(bytes, f, count)});
-    packed.push_back(bytes);  // its padding as given
+    g.all.push_back({level, f, maps::unpack(bytes, f, count)});
+    g.packed.push_back(bytes);  // its padding as given
   }
-  const std::size_t first = std::min(before, all.size());
-  o.base = base % static_cast<std::uint32_t>(first + 1);
+  g.first = std::min(before, g.all.size());
+  o.base = base % static_cast<std::uint32_t>(g.first + 1);
+  return g;
+}
+
+std::optional<slow::Built> built_by_spec(const Given& g) try {
+  return slow::build(std::span(g.all).first(g.first), std::span(g.all).subspan(g.first), g.options);
+} catch (const std::length_error&) {
+  return std::nullopt;
+}
+
+std::optional<fast::Built> built_by_impl(const Given& g) {
+  const slow::BuildOptions& o = g.options;
   std::vector<fast::PackedMap> views;
-  for (std::size_t t = 0; t < packed.size(); ++t)
-    views.push_back({all[t].level, static_cast<fast::Format>(all[t].format), packed[t]});
-  std::optional<slow::Built> right;
-  std::optional<fast::Built> got;
+  for (std::size_t t = 0; t < g.packed.size(); ++t)
+    views.push_back({g.all[t].level, static_cast<fast::Format>(g.all[t].format), g.packed[t]});
   try {
-    right = slow::build(std::span(all).first(first), std::span(all).subspan(first), o);
+    return fast::build(std::span(views).first(g.first), std::span(views).subspan(g.first),
+                       {static_cast<fast::Api>(o.api), static_cast<fast::Encoding>(o.encoding), o.base,
+                        o.special, o.share, o.bound});
   } catch (const std::length_error&) {
+    return std::nullopt;
   }
-  try {
-    got = fast::build(std::span(views).first(first), std::span(views).subspan(first),
-                      {static_cast<fast::Api>(o.api), static_cast<fast::Encoding>(o.encoding), o.base,
-                       o.special, o.share, o.bound});
-  } catch (const std::length_error&) {
+}
+
+void same_counts(const slow::Built& right, const fast::Built& got) {
+  const auto same = [](const std::vector<fast::UsageCount>& x, const std::vector<maps::UsageCount>& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const auto& p, const auto& q) {
+      return p.count == q.count && p.level == q.level && p.format == q.format;
+    });
+  };
+  if (!same(got.array_counts, right.array_counts)) fail("another histogram of the array");
+  if (got.geometry_counts.has_value() != right.geometry_counts.has_value() ||
+      (right.geometry_counts && !same(*got.geometry_counts, *right.geometry_counts)))
+    fail("another histogram of the geometry");
+}
+
+/// Checks that triangle t resolves to its baked map, or to one with more unknown states.
+void check_resolved(const slow::Bundle& bundle, std::size_t t, const maps::Map& baked, std::uint64_t bound) {
+  const slow::Target to = slow::target(bundle, bundle.parts[0], t);
+  std::uint64_t changed = 0;
+  if (to.kind != slow::Target::Kind::special && to.kind != slow::Target::Kind::record)
+    fail("a triangle without a map");
+  const maps::States is = to.kind == slow::Target::Kind::special
+                              ? maps::States(baked.states.size(), to.state)
+                              : slow::map_of(bundle.array, to.record).states;
+  if (is.size() != baked.states.size()) fail("another level");
+  for (std::size_t i = 0; i < is.size(); ++i) {
+    changed += is[i] != baked.states[i] ? 1 : 0;
+    if (is[i] != baked.states[i] && (maps::unknown(baked.states[i]) || !maps::unknown(is[i])))
+      fail("a state is neither what was baked nor more unknown");
   }
+  if (changed > bound) fail("more is changed than the bound says");
+}
+
+void build(Reader& reader) {
+  const Given g = given(reader);
+  const std::optional<slow::Built> right = built_by_spec(g);
+  const std::optional<fast::Built> got = built_by_impl(g);
   if (right.has_value() != got.has_value()) fail("one of two builders refuses");
   if (!right) return;
   const slow::Bundle bundle{right->array, {right->part}};
   const fast::Bundle fast_bundle{got->array, {got->part}};
   same(bundle, fast_bundle, "building");
-  const auto same_counts = [](const std::vector<fast::UsageCount>& x,
-                              const std::vector<maps::UsageCount>& y) {
-    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const auto& p, const auto& q) {
-      return p.count == q.count && p.level == q.level && p.format == q.format;
-    });
-  };
-  if (!same_counts(got->array_counts, right->array_counts)) fail("another histogram of the array");
-  if (got->geometry_counts.has_value() != right->geometry_counts.has_value() ||
-      (right->geometry_counts && !same_counts(*got->geometry_counts, *right->geometry_counts)))
-    fail("another histogram of the geometry");
-
-  // A triangle resolves to its baked map, or to one with more unknown states.
-  for (std::size_t t = 0; t + first < all.size(); ++t) {
-    const maps::Map& baked = all[first + t];
-    const slow::Target to = slow::target(bundle, bundle.parts[0], t);
-    std::uint64_t changed = 0;
-    if (to.kind != slow::Target::Kind::special && to.kind != slow::Target::Kind::record)
-      fail("a triangle without a map");
-    const maps::States is = to.kind == slow::Target::Kind::special
-                                ? maps::States(baked.states.size(), to.state)
-                                : slow::map_of(bundle.array, to.record).states;
-    if (is.size() != baked.states.size()) fail("another level");
-    for (std::size_t i = 0; i < is.size(); ++i) {
-      changed += is[i] != baked.states[i] ? 1 : 0;
-      if (is[i] != baked.states[i] && (maps::unknown(baked.states[i]) || !maps::unknown(is[i])))
-        fail("a state is neither what was baked nor more unknown");
-    }
-    if (changed > o.bound) fail("more is changed than the bound says");
-  }
+  same_counts(*right, *got);
+  for (std::size_t t = 0; t + g.first < g.all.size(); ++t)
+    check_resolved(bundle, t, g.all[g.first + t], g.options.bound);
   read_file(slow::written(bundle));
   same(slow::concatenated(bundle, bundle), fast::concatenated(fast_bundle, fast_bundle), "concatenating");
   std::vector<std::uint32_t> codes;
   for (std::uint64_t t = 0; t < slow::triangles(bundle.parts[0]); ++t)
     codes.push_back(slow::code(bundle.parts[0], t));
   if (slow::blocks(codes) != fast::blocks(codes)) fail("other blocks");
-  for (std::size_t t = 0; t < all.size(); ++t)
-    if (all[t].format == maps::Format::four_state && all[t].level > 0) {
-      const maps::Map below = slow::emulated(all[t], all[t].level / 2);
-      if (fast::emulated(packed[t], all[t].level, all[t].level / 2) != maps::pack(below.states, below.format))
-        fail("another emulated map");
-    }
+  for (std::size_t t = 0; t < g.all.size(); ++t) {
+    const maps::Map& map = g.all[t];
+    if (map.format != maps::Format::four_state || map.level == 0) continue;
+    const maps::Map below = slow::emulated(map, map.level / 2);
+    if (fast::emulated(g.packed[t], map.level, map.level / 2) != maps::pack(below.states, below.format))
+      fail("another emulated map");
+  }
 }
 
 }  // namespace

@@ -193,55 +193,62 @@ slow::Input handed(const Built& b) {
   return in;
 }
 
+// Breaks a rule of one record, of which there is one at least; none if that takes two records.
+std::optional<Rule> plant_in_record(Built& b, slow::Input& in, unsigned kind, std::size_t r) {
+  std::vector<slow::Record>& records = b.array.records;
+  slow::Record record = records[r];
+  Rule rule = Rule::record_region;
+  switch (kind) {
+    case 0:
+      record.offset += static_cast<std::uint32_t>(b.array.data.size());
+      break;
+    case 1:
+      if (records.size() < 2) return std::nullopt;
+      record.offset = records[(r + 1) % records.size()].offset;
+      rule = Rule::record_overlap;
+      break;
+    case 2:
+      record.format = 3;
+      rule = Rule::record_format;
+      break;
+    default:
+      record.level = 13;
+      rule = Rule::record_level_12;
+  }
+  records[r] = record;
+  b.records = slow::record_buffer(records);
+  in.records = b.records;
+  return rule;
+}
+
+void set_index(Built& b, slow::Input& in, std::size_t t, std::uint32_t code) {
+  const std::size_t size = slow::width(in.encoding) / 8;
+  for (std::size_t j = 0; j < size; ++j)
+    b.geometry.indices[t * size + j] = static_cast<std::uint8_t>(code >> 8 * j);
+  in.indices = b.geometry.indices;
+}
+
 // Breaks one rule, if that is possible, and returns the rule.
 std::optional<Rule> plant(Built& b, slow::Input& in, std::uint8_t breach, std::uint8_t where) {
-  const std::size_t records = b.array.records.size(), size = slow::width(in.encoding) / 8;
-  const std::size_t r = records == 0 ? 0 : where % records;
-  const auto set_record = [&](const slow::Record& record) {
-    b.array.records[r] = record;
-    b.records = slow::record_buffer(b.array.records);
-    in.records = b.records;
-  };
-  const auto set_index = [&](std::uint32_t code) {
-    const std::size_t t = where % b.maps.size();
-    for (std::size_t j = 0; j < size; ++j)
-      b.geometry.indices[t * size + j] = static_cast<std::uint8_t>(code >> 8 * j);
-    in.indices = b.geometry.indices;
-  };
-  slow::Record record = records == 0 ? slow::Record{} : b.array.records[r];
-  switch (breach % 12) {
+  const std::size_t records = b.array.records.size(), maps = b.maps.size();
+  switch (const unsigned kind = breach % 12) {
     case 0:
-      if (records == 0) return std::nullopt;
-      record.offset += static_cast<std::uint32_t>(b.array.data.size());
-      set_record(record);
-      return Rule::record_region;
     case 1:
-      if (records < 2) return std::nullopt;
-      record.offset = b.array.records[(r + 1) % records].offset;
-      set_record(record);
-      return Rule::record_overlap;
     case 2:
-      if (records == 0) return std::nullopt;
-      record.format = 3;
-      set_record(record);
-      return Rule::record_format;
     case 3:
-      if (records == 0) return std::nullopt;
-      record.level = 13;
-      set_record(record);
-      return Rule::record_level_12;
+      return records == 0 ? std::nullopt : plant_in_record(b, in, kind, where % records);
     case 4:
       if (b.array_counts.empty()) return std::nullopt;
       ++b.array_counts[where % b.array_counts.size()].count;
       in.array_counts = b.array_counts;
       return Rule::counts_array;
     case 5:
-      if (b.maps.empty() || records >= slow::index_limit(in.encoding)) return std::nullopt;
-      set_index(static_cast<std::uint32_t>(records));
+      if (maps == 0 || records >= slow::index_limit(in.encoding)) return std::nullopt;
+      set_index(b, in, where % maps, static_cast<std::uint32_t>(records));
       return Rule::index_range;
     case 6:
-      if (b.maps.empty() || !slow::is_signed(in.encoding)) return std::nullopt;
-      set_index(0xfffffffb);
+      if (maps == 0 || !slow::is_signed(in.encoding)) return std::nullopt;
+      set_index(b, in, where % maps, 0xfffffffb);
       return Rule::index_special;
     case 7:
       in.record_stride = where % 8;
@@ -254,7 +261,9 @@ std::optional<Rule> plant(Built& b, slow::Input& in, std::uint8_t breach, std::u
     case 9:
       in.sets = slow::KHR;
       in.lossy = true;
-      return records != 0 && record.format == 1 ? std::optional(Rule::record_lossy_format) : std::nullopt;
+      return records != 0 && b.array.records[where % records].format == 1
+                 ? std::optional(Rule::record_lossy_format)
+                 : std::nullopt;
     case 10:
       if (b.geometry.counts.empty()) return std::nullopt;
       in.sets = slow::EXT;

@@ -125,6 +125,28 @@ void check_codes(const Map& map) {
   }
 }
 
+/// Checks force-2-state and the two-state modes of a 4-state map.
+void check_to_two_states(const Map& map) {
+  constexpr auto two = slow::Format::two_state, four = slow::Format::four_state;
+  const std::uint64_t count = map.count;
+  Bytes out = room(count, two);
+  fast::force2(map.bytes, count, out);
+  require(out == slow::pack(slow::force2(map.states), two), "force2", map);
+  for (const auto mode : {slow::Mode::T_O, slow::Mode::T_C, slow::Mode::O_C}) {
+    fast::to_mode(map.bytes, count, static_cast<fast::Mode>(mode), out);
+    Bytes back = room(count, four);
+    fast::from_mode(out, count, static_cast<fast::Mode>(mode), back);
+    const States through = slow::through(map.states, mode);
+    require(back == slow::pack(through, four), "modes", map);
+    const auto pairs = fast::substitutions(map.bytes, back, count);
+    require(pairs.allowed() == slow::everywhere(map.states, through, slow::allowed), "allowed", map);
+    require(pairs.conservative() == slow::everywhere(map.states, through, slow::conservative), "conservative",
+            map);
+    require(pairs.force2_stable() == slow::everywhere(map.states, through, slow::force2_stable),
+            "force2_stable", map);
+  }
+}
+
 void check(const Map& map) {
   check_codes(map);
   constexpr auto two = slow::Format::two_state, four = slow::Format::four_state;
@@ -171,22 +193,7 @@ void check(const Map& map) {
     require(out == slow::pack(map.states, four), "widen", map);
     return;
   }
-  out = room(count, two);
-  fast::force2(map.bytes, count, out);
-  require(out == slow::pack(slow::force2(map.states), two), "force2", map);
-  for (const auto mode : {slow::Mode::T_O, slow::Mode::T_C, slow::Mode::O_C}) {
-    fast::to_mode(map.bytes, count, static_cast<fast::Mode>(mode), out);
-    back = room(count, four);
-    fast::from_mode(out, count, static_cast<fast::Mode>(mode), back);
-    const States through = slow::through(map.states, mode);
-    require(back == slow::pack(through, four), "modes", map);
-    const auto pairs = fast::substitutions(map.bytes, back, count);
-    require(pairs.allowed() == slow::everywhere(map.states, through, slow::allowed), "allowed", map);
-    require(pairs.conservative() == slow::everywhere(map.states, through, slow::conservative), "conservative",
-            map);
-    require(pairs.force2_stable() == slow::everywhere(map.states, through, slow::force2_stable),
-            "force2_stable", map);
-  }
+  check_to_two_states(map);
 }
 
 }  // namespace

@@ -26,26 +26,8 @@ std::string bash_names(const std::vector<Option>& options) {
   return fmt::format("{}", fmt::join(names, " "));
 }
 
-}  // namespace
-
-std::string bash_completion(const Program& program) {
-  std::string values, options, positionals;
-  std::vector<std::string> commands;
-  for (const Command& command : program.commands) {
-    commands.push_back(command.name);
-    for (const Option& option : command.options)
-      if (option.takes_value)
-        values += fmt::format("    {}){} ;;\n", bash_patterns(command.name, option), bash_value(option));
-    options += fmt::format("    {}) options='{}' ;;\n", command.name, bash_names(command.options));
-    std::string each;
-    for (std::size_t k = 0; k < command.positionals.size(); ++k)
-      each += fmt::format("        {}){} ;;\n", command.positionals[k].many ? "*" : std::to_string(k),
-                          bash_value(command.positionals[k]));
-    if (!each.empty())
-      positionals +=
-          fmt::format("    {})\n      case $place in\n{}      esac\n      ;;\n", command.name, each);
-  }
-  return fmt::format(R"(# Completion of {0} for bash, written by `{0} completion bash`.
+/// The script with places for the program's name, its commands and options, and the cases of three switches.
+constexpr char script[] = R"(# Completion of {0} for bash, written by `{0} completion bash`.
 # bash 4 or later.  Where it lies in share/bash-completion/completions it is found; elsewhere: source FILE.
 _{0}() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}} command='' words='' paths='' options=''
@@ -99,9 +81,29 @@ _{0}_place() {{
 {5}  esac
 }}
 complete -F _{0} {0}
-)",
-                     program.name, fmt::join(commands, " "), bash_names(program.options), options, values,
-                     positionals);
+)";
+
+}  // namespace
+
+std::string bash_completion(const Program& program) {
+  std::string values, options, positionals;
+  std::vector<std::string> commands;
+  for (const Command& command : program.commands) {
+    commands.push_back(command.name);
+    for (const Option& option : command.options)
+      if (option.takes_value)
+        values += fmt::format("    {}){} ;;\n", bash_patterns(command.name, option), bash_value(option));
+    options += fmt::format("    {}) options='{}' ;;\n", command.name, bash_names(command.options));
+    std::string each;
+    for (std::size_t k = 0; k < command.positionals.size(); ++k)
+      each += fmt::format("        {}){} ;;\n", command.positionals[k].many ? "*" : std::to_string(k),
+                          bash_value(command.positionals[k]));
+    if (!each.empty())
+      positionals +=
+          fmt::format("    {})\n      case $place in\n{}      esac\n      ;;\n", command.name, each);
+  }
+  return fmt::format(script, program.name, fmt::join(commands, " "), bash_names(program.options), options,
+                     values, positionals);
 }
 
 }  // namespace mmverify::cli::describe

@@ -114,7 +114,8 @@ class HeatMaps {
   std::uint32_t most_ = 1;
 };
 
-render::Camera camera_of(const render::World& world, const RenderOptions& options, float aspect) {
+render::Camera camera_of(const render::World& world, const RenderOptions& options) {
+  const float aspect = static_cast<float>(options.size.width) / static_cast<float>(options.size.height);
   render::Box box = render::box_of(world, true);
   if (box.empty) box = render::box_of(world, false);
   return options.camera == 0 ? render::overview(box, aspect)
@@ -184,12 +185,14 @@ bool some_pixel_differs(const bench::RenderFigures& figures) {
          std::any_of(figures.blends.begin(), figures.blends.end(), differs);
 }
 
-int render_scene(const RenderOptions& options) {
-  const proofs::Levels levels = levels_of_maps(options.level);
-  const std::vector<render::Method> wanted = wanted_methods(options.methods);
-  const PictureSize sides = options.size;
-  const auto operation = wanted_operation(options.blend);
-  const auto colours_of = wanted_colours(options);
+void tell_colours(bench::RenderFigures& figures, const render::ColourMaps& colours,
+                  const RenderOptions& options) {
+  figures.colours = colours.of() == render::ColoursOf::faces ? "faces" : "vertices";
+  figures.colour_level = options.colour_level;
+  figures.colour_bytes = colours.bytes();
+}
+
+void refuse_what_cannot_be_rendered(const RenderOptions& options) {
   refuse_same_file({{"the scene", options.file},
                     {"-o", options.picture},
                     {"--heat", options.heat},
@@ -198,10 +201,82 @@ int render_scene(const RenderOptions& options) {
     throw UsageError(
         fmt::format("render {}: a folder of textures has no triangles; name a glTF file", options.file));
   if (!render::has_embree()) throw EnvironmentError("render: " + render::embree_text());
-  std::optional<OutputFile> picture, heat_file;
+}
+
+/// The pictures that a run is asked for: what the last method saw, and the heat maps of all.
+class Pictures {
+ public:
+  explicit Pictures(const RenderOptions& options) : options_(options) {
+    if (!options.picture.empty()) seen_file_.emplace(options.picture);
+    if (!options.heat.empty()) heat_file_.emplace(options.heat);
+  }
+  /// Draws each frame of the comparison. `compared`, `world` and `colours`, which may be null, outlive the run.
+  void draw_frames_of(render::CompareOptions& compared, const render::World& world,
+                      const render::ColourMaps* colours) {
+    compared.blend_frame = [this, &compared, &world](const render::BlendFigures&,
+                                                     const render::BlendFrame& frame) {
+      if (seen_file_) seen_ = render::blended(world, frame, *compared.blending);
+    };
+    compared.frame = [this, &compared, &world, colours](const render::MethodFigures& figures,
+                                                        const render::Frame& frame) {
+      if (seen_file_ && !compared.blending) seen_ = render::seen(world, frame, colours);
+      if (heat_file_ && heat_maps_.fit(options_.size.height)) heat_maps_.add(figures, frame);
+    };
+  }
+  void write(bench::RenderFigures& figures) {
+    if (seen_file_) {
+      commit(*seen_file_, *seen_);
+      figures.pictures.push_back({options_.blend.empty() ? "seen" : "blended", options_.picture});
+    }
+    if (heat_file_) {
+      commit(*heat_file_, heat_maps_.beside_each_other());
+      figures.pictures.push_back({"heat", options_.heat});
+    }
+  }
+
+ private:
+  const RenderOptions& options_;
+  std::optional<OutputFile> seen_file_, heat_file_;
+  std::optional<render::Picture> seen_;
+  HeatMaps heat_maps_;
+};
+
+render::CompareOptions compare_options(const proofs::Levels& levels,
+                                       const std::vector<render::Method>& wanted,
+                                       const RenderOptions& options) {
+  render::CompareOptions compared{.first = levels.first, .last = levels.last, .wanted = wanted};
+  compared.trace = {.width = options.size.width,
+                    .height = options.size.height,
+                    .threads = options.threads,
+                    .shadows = !options.no_shadows};
+  compared.repeats = options.repeats;
+  compared.seed = options.seed;
+  compared.memory = options.memory;
+  return compared;
+}
+
+/// Shows the steps of a comparison, and stops it at an interrupt.
+void show_progress(render::CompareOptions& compared, std::optional<Progress>& progress, bool quiet) {
+  compared.begins = [&progress, quiet](const std::string& what, std::uint64_t of) {
+    progress.reset();
+    progress.emplace(of, !quiet);
+    progress->now(what);
+    if (proofs::interrupted()) throw Interrupted();
+  };
+  compared.done = [&progress](std::uint64_t count) {
+    progress->add(count);
+    if (proofs::interrupted()) throw Interrupted();
+  };
+}
+
+int render_scene(const RenderOptions& options) {
+  const proofs::Levels levels = levels_of_maps(options.level);
+  const std::vector<render::Method> wanted = wanted_methods(options.methods);
+  const auto operation = wanted_operation(options.blend);
+  const auto colours_of = wanted_colours(options);
+  refuse_what_cannot_be_rendered(options);
   JsonOutput json(options.json);
-  if (!options.picture.empty()) picture.emplace(options.picture);
-  if (!options.heat.empty()) heat_file.emplace(options.heat);
+  Pictures pictures(options);
   const InterruptGuard guard;
   const mmverify::scene::Scene scene = loaded_scene(options.file);
   const auto uses = uses_of(options.file);
@@ -210,29 +285,11 @@ int render_scene(const RenderOptions& options) {
   if (world.world.instances.empty())
     throw EnvironmentError(fmt::format("{}: no triangle to render", scene.file));
   const render::Tracer tracer(world.world);
-  const render::Camera camera =
-      camera_of(world.world, options, static_cast<float>(sides.width) / static_cast<float>(sides.height));
+  const render::Camera camera = camera_of(world.world, options);
 
   std::optional<Progress> progress;
-  HeatMaps heat_maps;
-  render::CompareOptions compared{.first = levels.first, .last = levels.last, .wanted = wanted};
-  compared.trace = {.width = sides.width,
-                    .height = sides.height,
-                    .threads = options.threads,
-                    .shadows = !options.no_shadows};
-  compared.repeats = options.repeats;
-  compared.seed = options.seed;
-  compared.memory = options.memory;
-  compared.begins = [&](const std::string& what, std::uint64_t of) {
-    progress.reset();
-    progress.emplace(of, !options.quiet);
-    progress->now(what);
-    if (proofs::interrupted()) throw Interrupted();
-  };
-  compared.done = [&](std::uint64_t count) {
-    progress->add(count);
-    if (proofs::interrupted()) throw Interrupted();
-  };
+  render::CompareOptions compared = compare_options(levels, wanted, options);
+  show_progress(compared, progress, options.quiet);
   if (options.cameras != 0) {
     return render_path(
         {scene, plan, world, tracer, options.cameras, options.seed, json, [&progress] { progress.reset(); }},
@@ -246,14 +303,7 @@ int render_scene(const RenderOptions& options) {
   }
   const render::ColourMaps* const of_colours = colours ? &*colours : nullptr;
   if (operation) compared.blending = render::Blending{.operation = *operation, .colours = of_colours};
-  std::optional<render::Picture> last_seen;
-  compared.blend_frame = [&](const render::BlendFigures&, const render::BlendFrame& frame) {
-    if (picture) last_seen = render::blended(world.world, frame, *compared.blending);
-  };
-  compared.frame = [&](const render::MethodFigures& figures, const render::Frame& frame) {
-    if (picture && !operation) last_seen = render::seen(world.world, frame, of_colours);
-    if (heat_file && heat_maps.fit(sides.height)) heat_maps.add(figures, frame);
-  };
+  pictures.draw_frames_of(compared, world.world, of_colours);
   bench::RenderFigures figures;
   std::string nothing;
   try {
@@ -270,25 +320,61 @@ int render_scene(const RenderOptions& options) {
   }
   tell_scene(figures, scene, plan, world);
   tell_options(figures, options);
-  if (colours) {
-    figures.colours = *colours_of == render::ColoursOf::faces ? "faces" : "vertices";
-    figures.colour_level = options.colour_level;
-    figures.colour_bytes = colours->bytes();
-  }
-  if (picture) {
-    commit(*picture, *last_seen);
-    figures.pictures.push_back({operation ? "blended" : "seen", options.picture});
-  }
-  if (heat_file) {
-    commit(*heat_file, heat_maps.beside_each_other());
-    figures.pictures.push_back({"heat", options.heat});
-  }
+  if (colours) tell_colours(figures, *colours, options);
+  pictures.write(figures);
   const bench::Result result = bench::render_tables(figures);
   print_result(json.text(), result);
   json.write([&] { return result_json(result); });
   if (some_pixel_differs(figures)) return failed;
   if (!nothing.empty()) throw UsageError(fmt::format("{}: {}", scene.file, nothing));
   return complete;
+}
+
+/// Adds the options of pictures.
+void add_drawing(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("--blend", options.blend,
+                  "hits on surfaces blend their colours into the ray's payload as well: max, min or add")
+      ->type_name("OPERATION");
+  command
+      .add_option(
+          "--colours", options.colours,
+          "draw base colours from attribute micromaps, of faces or vertices; --blend without it: faces")
+      ->type_name("faces|vertices");
+  command.add_option("--colour-level", options.colour_level, "level of these maps; 3 where not given")
+      ->check(whole_within(0, 8));
+  command.add_option("-o,--output", options.picture, "write the picture, of the last method")
+      ->check(png_name)
+      ->type_name("FILE.png");
+  command
+      .add_option("--heat", options.heat,
+                  "write how often each pixel called an any-hit shader, method by method")
+      ->check(png_name)
+      ->type_name("FILE.png");
+}
+
+/// Adds the options of cameras and of the frames from them; add_drawing() has added its own.
+void add_cameras(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("--camera", options.camera,
+                  "0: all that has alpha-tested triangles; 1, 2, ...: of a random path")
+      ->check(whole_within(0, 1'000'000'000));
+  auto* const cameras =
+      command
+          .add_option("--cameras", options.cameras,
+                      "law traverse.same_image on the scene: so many cameras of a random path, each of which "
+                      "looks at a triangle with micromaps")
+          ->check(whole_within(1, 10'000));
+  command.add_option("--seed", options.seed, "seed of the random path")->check(fits_64_bits);
+  command.add_flag("--no-shadows", options.no_shadows, "primary rays alone");
+  command
+      .add_option("--repeat", options.repeats,
+                  "rounds of a frame by the texture and by each method; the least time counts")
+      ->check(whole_within(1, 1000));
+  // Along a path frames are compared, and neither drawn nor timed.
+  for (const char* const other :
+       {"--camera", "--blend", "--colours", "--colour-level", "--output", "--heat", "--repeat"})
+    cameras->excludes(command.get_option(other));
 }
 
 }  // namespace
@@ -309,64 +395,19 @@ Action add_render(CLI::App& program) {
       ->delimiter(',')
       ->type_name("NAME[,NAME...]")
       ->allow_extra_args(false);
-  auto* const blend =
-      command
-          ->add_option("--blend", options->blend,
-                       "hits on surfaces blend their colours into the ray's payload as well: max, min or add")
-          ->type_name("OPERATION");
-  auto* const colours =
-      command
-          ->add_option(
-              "--colours", options->colours,
-              "draw base colours from attribute micromaps, of faces or vertices; --blend without it: faces")
-          ->type_name("faces|vertices");
-  auto* const colour_level =
-      command->add_option("--colour-level", options->colour_level, "level of these maps; 3 where not given")
-          ->check(whole_within(0, 8));
-  auto* const output =
-      command->add_option("-o,--output", options->picture, "write the picture, of the last method")
-          ->check(png_name)
-          ->type_name("FILE.png");
-  auto* const heat = command
-                         ->add_option("--heat", options->heat,
-                                      "write how often each pixel called an any-hit shader, method by method")
-                         ->check(png_name)
-                         ->type_name("FILE.png");
+  add_drawing(*command, *options);
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
   add_picture_size(*command, options->size);
-  auto* const camera = command
-                           ->add_option("--camera", options->camera,
-                                        "0: all that has alpha-tested triangles; 1, 2, ...: of a random path")
-                           ->check(whole_within(0, 1'000'000'000));
-  auto* const cameras =
-      command
-          ->add_option(
-              "--cameras", options->cameras,
-              "law traverse.same_image on the scene: so many cameras of a random path, each of which "
-              "looks at a triangle with micromaps")
-          ->check(whole_within(1, 10'000));
-  command->add_option("--seed", options->seed, "seed of the random path")->check(fits_64_bits);
-  command->add_flag("--no-shadows", options->no_shadows, "primary rays alone");
-  auto* const repeat =
-      command
-          ->add_option("--repeat", options->repeats,
-                       "rounds of a frame by the texture and by each method; the least time counts")
-          ->check(whole_within(1, 1000));
-  // Along a path frames are compared, and neither drawn nor timed.
-  for (CLI::Option* const other : {camera, blend, colours, colour_level, output, heat, repeat})
-    cameras->excludes(other);
+  add_cameras(*command, *options);
   command->add_option("--memory", options->memory, "bytes that all maps of a level may take")
-      ->check([](const std::string& text) {
-        return text.starts_with("-") || text.size() > 15 ? std::string("bytes, as 500MB or 2GB")
-                                                         : std::string();
-      })
+      ->check(fits_a_size)
       ->transform(CLI::AsSizeValue(false));
   command
       ->add_option("--threads", options->threads,
                    "worker threads; as many as the machine has where not given")
       ->check(whole_within(1, 1024));
   command->add_flag("--quiet", options->quiet, "no progress");
-  return [options, colour_level] {
+  return [options, colour_level = command->get_option("--colour-level")] {
     if (colour_level->count() != 0 && options->colours.empty() && options->blend.empty())
       throw UsageError(
           "--colour-level is the level of the maps of --colours or --blend; give one of these, too");

@@ -303,6 +303,26 @@ int scene(const SceneOptions& options) {
   return exit_code(report);
 }
 
+void add_replay(CLI::App& command, SceneOptions& options, std::initializer_list<CLI::Option*> others) {
+  auto* const replay =
+      command.add_option("--replay", options.replay, "show one case of a law again")->type_name("LAW");
+  replay->needs(command.add_option("--case", options.at, "the case of --replay")
+                    ->type_name("LEVEL@CASE")
+                    ->needs(replay));
+  for (CLI::Option* const written : others) replay->excludes(written);
+}
+
+void add_subject(CLI::App& command, SceneOptions& options, std::initializer_list<CLI::Option*> others) {
+  auto* const subject =
+      command
+          .add_option("--subject", options.subject,
+                      "judge this baker's 4-state maps of the scene, and time it, in the place of ours")
+          ->type_name("NAME|FILE.so");
+  for (CLI::Option* const of_ours : others) subject->excludes(of_ours);
+  command.add_option("--timeout", options.timeout, "seconds that the subject may take for a triangle")
+      ->check(finite_within(0.01, 86400));
+}
+
 }  // namespace
 
 Action add_scene(CLI::App& program) {
@@ -324,10 +344,7 @@ Action add_scene(CLI::App& program) {
       ->add_option("--level-limit", options->level_limit, "the finest level that the device takes; of auto")
       ->check(whole_within(0, finest_level));
   command->add_option("--memory", options->memory, "bytes that all maps may take; levels are lowered to fit")
-      ->check([](const std::string& text) {
-        return text.starts_with("-") || text.size() > 15 ? std::string("bytes, as 500MB or 2GB")
-                                                         : std::string();
-      })
+      ->check(fits_a_size)
       ->transform(CLI::AsSizeValue(false));
   auto* const states = command->add_option("--states", options->states, "2: force-2-state of every map")
                            ->check(CLI::IsMember({2, 4}));
@@ -358,21 +375,8 @@ Action add_scene(CLI::App& program) {
       ->add_option("--threads", options->threads,
                    "worker threads; as many as the machine has where not given")
       ->check(whole_within(1, 1024));
-  auto* const replay =
-      command->add_option("--replay", options->replay, "show one case of a law again")->type_name("LAW");
-  replay->needs(command->add_option("--case", options->at, "the case of --replay")
-                    ->type_name("LEVEL@CASE")
-                    ->needs(replay));
-  for (CLI::Option* const written : {json, output, plot, sizes}) replay->excludes(written);
-  command
-      ->add_option("--subject", options->subject,
-                   "judge this baker's 4-state maps of the scene, and time it, in the place of ours")
-      ->type_name("NAME|FILE.so")
-      ->excludes(states)
-      ->excludes(output)
-      ->excludes(sizes);
-  command->add_option("--timeout", options->timeout, "seconds that the subject may take for a triangle")
-      ->check(finite_within(0.01, 86400));
+  add_replay(*command, *options, {json, output, plot, sizes});
+  add_subject(*command, *options, {states, output, sizes});
   command->add_flag("--quiet", options->quiet, "no progress");
   return [options] { return scene(*options); };
 }

@@ -86,7 +86,9 @@ void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Leve
          fmt::format("levels of {} distinct triangles, lowered to fit --memory", grouped(levels.lowered)));
 }
 
-void print_figures(std::FILE* out, const SceneFigures& f) {
+namespace {
+
+void print_bake(std::FILE* out, const SceneFigures& f) {
   const auto& counts = f.made.baked.counts;
   say(out, "\nbake\n");
   line(out, "time",
@@ -118,6 +120,9 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
                      100 * f.sizes.any_hit.opaque));
   else
     line(out, "any-hit", "not counted: no alpha-tested triangle is placed in the scene");
+}
+
+void print_sizes(std::FILE* out, const SceneFigures& f) {
   say(out, "\nsizes\n");
   const Footprint& s = f.sizes.footprint;
   line(out, "array",
@@ -135,6 +140,9 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
   line(out, "else",
        fmt::format("{} of alpha textures, {} of vertex indices and UVs", bytes_text(s.texture),
                    bytes_text(s.vertex_data)));
+}
+
+void print_pairs(std::FILE* out, const SceneFigures& f) {
   if (f.made.pairs.unique == 0) {
     line(out, "VQ", "no two triangles of a primitive share an edge in position and UV: no square maps");
   } else {
@@ -149,7 +157,9 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
                100 * share(vq->unknown, vq->regions), 100 * share(vq->substitutions, vq->regions),
                grouped(vq->substitutions)));
   }
-  if (f.at_levels.empty()) return;
+}
+
+void print_levels(std::FILE* out, const SceneFigures& f) {
   say(out,
       "\nall triangles at one level; asks: share of the placed area where the any-hit shader is called\n  "
       "{:<6}{:>11}{:>11}{:>12}{:>12}{:>10}{:>12}{:>12}{:>10}{:>11}\n",
@@ -162,6 +172,15 @@ void print_figures(std::FILE* out, const SceneFigures& f) {
         share(p.mode[0].data, p.mode[0].tree), bytes_text(p.mode[1].data), bytes_text(p.mode[1].tree),
         share(p.mode[1].data, p.mode[1].tree), 100 * at.sizes.any_hit.unknown);
   }
+}
+
+}  // namespace
+
+void print_figures(std::FILE* out, const SceneFigures& f) {
+  print_bake(out, f);
+  print_sizes(out, f);
+  print_pairs(out, f);
+  if (!f.at_levels.empty()) print_levels(out, f);
 }
 
 void print_subject(std::FILE* out, const SubjectFigures& f) {

@@ -212,15 +212,19 @@ std::vector<std::uint8_t> write_attributes(const AttributeMaps& maps, std::span<
   return file_of(maps, packed);
 }
 
-AttributeMaps read_attributes(std::span<const std::uint8_t> bytes) {
-  const auto refuse = [](std::uint64_t byte, const std::string& found, const std::string& would_do) {
-    throw BadAttributeFile(byte, found, would_do);
-  };
+namespace {
+
+[[noreturn]] void refuse_file(std::uint64_t byte, const std::string& found, const std::string& would_do) {
+  throw BadAttributeFile(byte, found, would_do);
+}
+
+/// The members that the header says.
+AttributeMaps header_of(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < attribute_header)
-    refuse(bytes.size(), "the end of the file", "a header of " + told(attribute_header) + " bytes");
+    refuse_file(bytes.size(), "the end of the file", "a header of " + told(attribute_header) + " bytes");
   for (std::size_t k = 0; k < file_magic.size(); ++k)
-    if (bytes[k] != file_magic[k]) refuse(k, "byte " + told(bytes[k]) + " of the magic", "\"mmat\"");
-  if (bytes[at_version] != file_version) refuse(at_version, "version " + told(bytes[at_version]), "1");
+    if (bytes[k] != file_magic[k]) refuse_file(k, "byte " + told(bytes[k]) + " of the magic", "\"mmat\"");
+  if (bytes[at_version] != file_version) refuse_file(at_version, "version " + told(bytes[at_version]), "1");
   AttributeMaps maps;
   maps.at = static_cast<MapAt>(bytes[at_kind]);
   if (maps.at == MapAt::faces)
@@ -232,49 +236,70 @@ AttributeMaps read_attributes(std::span<const std::uint8_t> bytes) {
   maps.meaning = static_cast<Meaning>(bytes[at_meaning]);
   maps.tie = static_cast<TieRule>(bytes[at_tie]);
   maps.decimation = static_cast<DecimationRule>(bytes[at_decimation]);
-  if (bytes[at_mips] > 1) refuse(at_mips, "mips " + told(bytes[at_mips]), "0 or 1");
+  if (bytes[at_mips] > 1) refuse_file(at_mips, "mips " + told(bytes[at_mips]), "0 or 1");
   maps.mips = bytes[at_mips] == 1;
   maps.payload = static_cast<Payload>(bytes[at_payload]);
   for (std::size_t k = 0; k < 2; ++k)
-    if (bytes[at_reserved + k] != 0) refuse(at_reserved + k, told(bytes[at_reserved + k]), "0, reserved,");
+    if (bytes[at_reserved + k] != 0)
+      refuse_file(at_reserved + k, told(bytes[at_reserved + k]), "0, reserved,");
   std::copy_n(bytes.begin() + at_error, 4, maps.error.begin());
   maps.maps = static_cast<std::uint32_t>(number_at(bytes, at_maps, 4));
   for (std::size_t k = 0; k < 4; ++k)
     if (bytes[at_header_reserved + k] != 0)
-      refuse(at_header_reserved + k, told(bytes[at_header_reserved + k]), "0, reserved,");
-  if (const auto c = header_complaint(maps)) refuse(c->byte, c->found, c->would_do);
+      refuse_file(at_header_reserved + k, told(bytes[at_header_reserved + k]), "0, reserved,");
+  if (const auto c = header_complaint(maps)) refuse_file(c->byte, c->found, c->would_do);
+  return maps;
+}
 
+/// The number of triangles, and where the file's parts begin.
+struct Parts {
+  std::uint64_t triangles, flags, payload;
+};
+
+Parts parts_of(std::span<const std::uint8_t> bytes, const AttributeMaps& maps) {
   const std::uint64_t triangles = number_at(bytes, at_triangles, 4);
   const std::uint64_t announced = number_at(bytes, at_payload_bytes, 8);
   const std::uint64_t flags_at = attribute_header + 4 * triangles;
   const std::uint64_t payload_at = flags_at + flag_bytes(maps, triangles);
   const std::uint64_t codes = maps.maps * values_of_entry(maps) * channels_of(maps);
   if (maps.payload == Payload::plain && announced != codes)
-    refuse(at_payload_bytes, told(announced) + " bytes of payload", told(codes));
+    refuse_file(at_payload_bytes, told(announced) + " bytes of payload", told(codes));
   if (bytes.size() < payload_at)
-    refuse(bytes.size(), "the end of the file",
-           told(triangles) + " triangles, up to byte " + told(payload_at) + ",");
+    refuse_file(bytes.size(), "the end of the file",
+                told(triangles) + " triangles, up to byte " + told(payload_at) + ",");
   if (bytes.size() - payload_at != announced)
-    refuse(std::min<std::uint64_t>(bytes.size(), payload_at + std::min(announced, bytes.size() - payload_at)),
-           bytes.size() - payload_at < announced ? "the end of the file" : "bytes after the end",
-           "a payload of " + told(announced) + " bytes");
+    refuse_file(
+        std::min<std::uint64_t>(bytes.size(), payload_at + std::min(announced, bytes.size() - payload_at)),
+        bytes.size() - payload_at < announced ? "the end of the file" : "bytes after the end",
+        "a payload of " + told(announced) + " bytes");
   if (const std::uint32_t crc = file_checksum(bytes); number_at(bytes, at_crc, 4) != crc)
-    refuse(at_crc, "checksum " + told(number_at(bytes, at_crc, 4)), "for these bytes " + told(crc));
+    refuse_file(at_crc, "checksum " + told(number_at(bytes, at_crc, 4)), "for these bytes " + told(crc));
+  return {triangles, flags_at, payload_at};
+}
 
+void read_uses(std::span<const std::uint8_t> bytes, const Parts& at, AttributeMaps& maps) {
   const auto flag = [&](std::uint64_t bit) {
-    return bytes[static_cast<std::size_t>(flags_at + bit / 8)] >> bit % 8 & 1u;
+    return bytes[static_cast<std::size_t>(at.flags + bit / 8)] >> bit % 8 & 1u;
   };
-  maps.triangles.resize(static_cast<std::size_t>(triangles));
-  for (std::size_t t = 0; t < triangles; ++t) {
+  maps.triangles.resize(static_cast<std::size_t>(at.triangles));
+  for (std::size_t t = 0; t < at.triangles; ++t) {
     MapUse& use = maps.triangles[t];
     use.map = static_cast<std::uint32_t>(number_at(bytes, attribute_header + 4 * t, 4));
     for (std::uint64_t k = 0; k < 3 && maps.decimation != DecimationRule::none; ++k)
       use.decimated = static_cast<std::uint8_t>(use.decimated | flag(3 * t + k) << k);
-    if (const auto c = use_complaint(maps, t, use)) refuse(c->byte, c->found, c->would_do);
+    if (const auto c = use_complaint(maps, t, use)) refuse_file(c->byte, c->found, c->would_do);
   }
-  for (std::uint64_t bit = 3 * triangles; maps.decimation != DecimationRule::none && bit % 8 != 0; ++bit)
-    if (flag(bit) != 0) refuse(flags_at + bit / 8, "a flag of no triangle", "0");
-  const auto payload = bytes.subspan(static_cast<std::size_t>(payload_at));
+  for (std::uint64_t bit = 3 * at.triangles; maps.decimation != DecimationRule::none && bit % 8 != 0; ++bit)
+    if (flag(bit) != 0) refuse_file(at.flags + bit / 8, "a flag of no triangle", "0");
+}
+
+}  // namespace
+
+AttributeMaps read_attributes(std::span<const std::uint8_t> bytes) {
+  AttributeMaps maps = header_of(bytes);
+  const Parts at = parts_of(bytes, maps);
+  read_uses(bytes, at, maps);
+  const auto payload = bytes.subspan(static_cast<std::size_t>(at.payload));
   if (maps.payload == Payload::plain) {
     maps.codes.assign(payload.begin(), payload.end());
     return maps;
@@ -282,7 +307,7 @@ AttributeMaps read_attributes(std::span<const std::uint8_t> bytes) {
   try {
     maps.codes = PackedMaps(shape_of(maps), payload).codes();
   } catch (const BadPacked& bad) {
-    throw BadAttributeFile(payload_at + bad.byte(), bad.found(), bad.would_do());
+    throw BadAttributeFile(at.payload + bad.byte(), bad.found(), bad.would_do());
   }
   return maps;
 }

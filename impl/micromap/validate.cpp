@@ -357,101 +357,142 @@ std::vector<Violation> validate(const Input& in) {
   return all;
 }
 
+namespace {
+
+std::string told(std::uint64_t x) { return std::to_string(x); }
+
+std::string place_of(const Violation& v) {
+  switch (v.place) {
+    case Place::whole:
+      return "";
+    case Place::record:
+      return "record " + told(v.where) + ": ";
+    case Place::array_count:
+      return "array's usage count " + told(v.where) + ": ";
+    case Place::geometry_count:
+      return "geometry's usage count " + told(v.where) + ": ";
+    case Place::level_and_format:
+      return "level " + told(v.where >> 32) + ", format " + told(v.where & 0xffffffff) + ": ";
+    case Place::triangle:
+      return "triangle " + told(v.where) + ": ";
+  }
+  return "";
+}
+
+std::string found_of_stride(const Violation& v) {
+  return "the stride is " + told(v.found) + ", not " + (v.rule == Rule::stride_least ? "at least " : "") +
+         (v.rule == Rule::stride_multiple || v.rule == Rule::index_stride ? "a multiple of " : "") +
+         told(v.other);
+}
+
+std::string found_of_counts(const Violation& v) {
+  switch (v.rule) {
+    case Rule::counts_zero:
+      return "counts nothing";
+    case Rule::counts_limit:
+      return "the usage counts add up to " + told(v.found) +
+             ", above maxMicromapTriangles = " + told(v.other);
+    case Rule::counts_array:
+      return "the array's usage counts say " + told(v.found) + ", there are " + told(v.other) + " records";
+    case Rule::counts_geometry:
+      return "the geometry's usage counts say " + told(v.found) + ", there are " + told(v.other) +
+             " triangles";
+    case Rule::counts_array_is_geometry:
+      return "the array's usage counts are the geometry's";
+    case Rule::counts_geometry_is_array:
+      return "the geometry's usage counts are the array's";
+    default:
+      return "";
+  }
+}
+
+std::string found_of_indices(const Violation& v) {
+  switch (v.rule) {
+    case Rule::index_encoding: {
+      constexpr const char* names[] = {"u8", "u16", "u32", "i16", "i32"};
+      return std::string("indices are ") + (v.found < 5 ? names[v.found] : "of no known type");
+    }
+    case Rule::index_stride_most:
+      return "the stride is " + told(v.found) + ", above " + told(v.other);
+    case Rule::index_size:
+      return "no index in the buffer of " + told(v.found) + " bytes; there should be " + told(v.other);
+    case Rule::index_count:
+      return told(v.found) + " indices for " + told(v.other) + " triangles";
+    case Rule::index_special:
+      return "code " + told(v.found) + " is below -4";
+    case Rule::index_range:
+      return "record " + told(v.found) + " of " + told(v.other);
+    default:
+      return "";
+  }
+}
+
+std::string found_of(const Violation& v) {
+  switch (v.rule) {
+    case Rule::align_data_256:
+    case Rule::align_records_256:
+    case Rule::align_data_128:
+    case Rule::align_records_128:
+    case Rule::align_records_4:
+    case Rule::align_index:
+      return "address " + told(v.found) + " is no multiple of " + told(v.other);
+    case Rule::stride_least:
+    case Rule::stride_multiple:
+    case Rule::stride_tight:
+    case Rule::index_stride:
+    case Rule::index_tight:
+      return found_of_stride(v);
+    case Rule::records_whole:
+      return told(v.found) + " bytes are no multiple of " + told(v.other);
+    case Rule::records_size:
+      return "missing from the buffer of " + told(v.found) + " bytes; there should be " + told(v.other) +
+             " records";
+    case Rule::record_format:
+    case Rule::counts_format:
+      return "format " + told(v.found) + " is neither 1 nor 2";
+    case Rule::record_level:
+    case Rule::record_level_lossy:
+    case Rule::record_level_12:
+    case Rule::counts_level:
+    case Rule::counts_level_lossy:
+    case Rule::counts_level_12:
+      return "level " + told(v.found) + " is above " + told(v.other);
+    case Rule::record_lossy_format:
+    case Rule::counts_lossy_format:
+      return "2-state in a lossy build";
+    case Rule::record_region:
+      return (v.found == beyond ? "its bytes end beyond all numbers" : "its bytes end at " + told(v.found)) +
+             ", the data at " + told(v.other);
+    case Rule::record_overlap:
+      return "its first byte, " + told(v.other) + ", belongs to record " + told(v.found);
+    case Rule::counts_zero:
+    case Rule::counts_limit:
+    case Rule::counts_array:
+    case Rule::counts_geometry:
+    case Rule::counts_array_is_geometry:
+    case Rule::counts_geometry_is_array:
+      return found_of_counts(v);
+    case Rule::index_encoding:
+    case Rule::index_stride_most:
+    case Rule::index_size:
+    case Rule::index_count:
+    case Rule::index_special:
+    case Rule::index_range:
+      return found_of_indices(v);
+    case Rule::count_:
+      break;
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string describe(const Violation& v) {
-  const auto n = [](std::uint64_t x) { return std::to_string(x); };
-  const auto place = [&]() -> std::string {
-    switch (v.place) {
-      case Place::whole:
-        return "";
-      case Place::record:
-        return "record " + n(v.where) + ": ";
-      case Place::array_count:
-        return "array's usage count " + n(v.where) + ": ";
-      case Place::geometry_count:
-        return "geometry's usage count " + n(v.where) + ": ";
-      case Place::level_and_format:
-        return "level " + n(v.where >> 32) + ", format " + n(v.where & 0xffffffff) + ": ";
-      case Place::triangle:
-        return "triangle " + n(v.where) + ": ";
-    }
-    return "";
-  };
-  const auto found = [&]() -> std::string {
-    switch (v.rule) {
-      case Rule::align_data_256:
-      case Rule::align_records_256:
-      case Rule::align_data_128:
-      case Rule::align_records_128:
-      case Rule::align_records_4:
-      case Rule::align_index:
-        return "address " + n(v.found) + " is no multiple of " + n(v.other);
-      case Rule::stride_least:
-      case Rule::stride_multiple:
-      case Rule::stride_tight:
-      case Rule::index_stride:
-      case Rule::index_tight:
-        return "the stride is " + n(v.found) + ", not " + (v.rule == Rule::stride_least ? "at least " : "") +
-               (v.rule == Rule::stride_multiple || v.rule == Rule::index_stride ? "a multiple of " : "") +
-               n(v.other);
-      case Rule::records_whole:
-        return n(v.found) + " bytes are no multiple of " + n(v.other);
-      case Rule::records_size:
-        return "missing from the buffer of " + n(v.found) + " bytes; there should be " + n(v.other) +
-               " records";
-      case Rule::record_format:
-      case Rule::counts_format:
-        return "format " + n(v.found) + " is neither 1 nor 2";
-      case Rule::record_level:
-      case Rule::record_level_lossy:
-      case Rule::record_level_12:
-      case Rule::counts_level:
-      case Rule::counts_level_lossy:
-      case Rule::counts_level_12:
-        return "level " + n(v.found) + " is above " + n(v.other);
-      case Rule::record_lossy_format:
-      case Rule::counts_lossy_format:
-        return "2-state in a lossy build";
-      case Rule::record_region:
-        return (v.found == beyond ? "its bytes end beyond all numbers" : "its bytes end at " + n(v.found)) +
-               ", the data at " + n(v.other);
-      case Rule::record_overlap:
-        return "its first byte, " + n(v.other) + ", belongs to record " + n(v.found);
-      case Rule::counts_zero:
-        return "counts nothing";
-      case Rule::counts_limit:
-        return "the usage counts add up to " + n(v.found) + ", above maxMicromapTriangles = " + n(v.other);
-      case Rule::counts_array:
-        return "the array's usage counts say " + n(v.found) + ", there are " + n(v.other) + " records";
-      case Rule::counts_geometry:
-        return "the geometry's usage counts say " + n(v.found) + ", there are " + n(v.other) + " triangles";
-      case Rule::counts_array_is_geometry:
-        return "the array's usage counts are the geometry's";
-      case Rule::counts_geometry_is_array:
-        return "the geometry's usage counts are the array's";
-      case Rule::index_encoding: {
-        constexpr const char* names[] = {"u8", "u16", "u32", "i16", "i32"};
-        return std::string("indices are ") + (v.found < 5 ? names[v.found] : "of no known type");
-      }
-      case Rule::index_stride_most:
-        return "the stride is " + n(v.found) + ", above " + n(v.other);
-      case Rule::index_size:
-        return "no index in the buffer of " + n(v.found) + " bytes; there should be " + n(v.other);
-      case Rule::index_count:
-        return n(v.found) + " indices for " + n(v.other) + " triangles";
-      case Rule::index_special:
-        return "code " + n(v.found) + " is below -4";
-      case Rule::index_range:
-        return "record " + n(v.found) + " of " + n(v.other);
-      case Rule::count_:
-        break;
-    }
-    return "";
-  };
   std::string sets;
   constexpr std::pair<Sets, const char*> names[] = {{EXT, "EXT"}, {KHR, "KHR"}, {DXR, "DXR"}, {glTF, "glTF"}};
   for (const auto& [set, name] : names)
     if ((text(v.rule).sets & set) != 0) sets += (sets.empty() ? "" : ", ") + std::string(name);
-  return std::string(text(v.rule).id) + " (" + sets + "): " + place() + found();
+  return std::string(text(v.rule).id) + " (" + sets + "): " + place_of(v) + found_of(v);
 }
 
 }  // namespace mmverify::impl::micromap

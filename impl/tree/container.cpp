@@ -71,6 +71,44 @@ std::uint64_t most_internal(Level n) { return ((std::uint64_t{1} << (2 * n)) - 1
 /// The text of a refusal: the fault, and values that would do.
 using Complaint = std::pair<std::string, std::string>;
 
+/// The flat map of the payload, or refuse(byte, complain), as read_or() has it.
+template <class Refuse>
+std::optional<Contents> flat_map_or(std::span<const std::uint8_t> bytes, Level n, Format b,
+                                    const Refuse& refuse) {
+  const auto payload = bytes.subspan(container_header);
+  Contents contents{n, b, {}};
+  const std::uint64_t used = (std::uint64_t{1} << (2 * n)) * static_cast<std::uint32_t>(b);
+  if (used < 8 && payload.back() >> used != 0)
+    return refuse(bytes.size() - 1, [] { return Complaint("a padding bit that is set", "zeros"); });
+  contents.map.assign(payload.begin(), payload.end());
+  const std::uint64_t nodes = detail::Pyramid(n, b, contents.map).internal();
+  if (!sizes(n, b, nodes).flat())
+    return refuse(7, [&] {
+      return Complaint("a flat map whose tree is smaller",
+                       "the tree of " + number(nodes) + " internal nodes");
+    });
+  return contents;
+}
+
+/// The map of the payload's tree.
+template <class Refuse>
+std::optional<Contents> tree_map_or(std::span<const std::uint8_t> bytes, Level n, Format b,
+                                    std::uint64_t internal, const Refuse& refuse) {
+  const auto payload = bytes.subspan(container_header);
+  const Sizes size = sizes(n, b, internal);
+  Contents contents{n, b, {}};
+  contents.map.resize(size.map);
+  const auto fault = detail::decode(n, b, payload.first(size.tree), 4 * internal + 1,
+                                    payload.subspan(size.tree), 3 * internal + 1, contents.map);
+  if (!fault) return contents;
+  const bool in_data = fault->in == detail::Fault::In::data;
+  return refuse(container_header + static_cast<std::size_t>((in_data ? size.tree : 0) + fault->bit / 8), [&] {
+    return Complaint(std::string(fault->found) + ", bit " + number(fault->bit) + " of the " +
+                         (in_data ? "states" : "tree"),
+                     "the tree of a map");
+  });
+}
+
 /// The contents, or refuse(byte, complain); complain() makes the Complaint.
 template <class Refuse>
 std::optional<Contents> read_or(std::span<const std::uint8_t> bytes, const Refuse& refuse) {
@@ -112,32 +150,7 @@ std::optional<Contents> read_or(std::span<const std::uint8_t> bytes, const Refus
     return refuse(crc_at, [&] {
       return Complaint("checksum " + hex(word_at(bytes, crc_at)), "for these bytes " + hex(crc));
     });
-
-  const auto payload = bytes.subspan(container_header);
-  Contents contents{n, b, {}};
-  if (is_flat) {
-    const std::uint64_t used = (std::uint64_t{1} << (2 * n)) * static_cast<std::uint32_t>(b);
-    if (used < 8 && payload.back() >> used != 0)
-      return refuse(bytes.size() - 1, [] { return Complaint("a padding bit that is set", "zeros"); });
-    contents.map.assign(payload.begin(), payload.end());
-    const std::uint64_t nodes = detail::Pyramid(n, b, contents.map).internal();
-    if (!sizes(n, b, nodes).flat())
-      return refuse(7, [&] {
-        return Complaint("a flat map whose tree is smaller",
-                         "the tree of " + number(nodes) + " internal nodes");
-      });
-    return contents;
-  }
-  contents.map.resize(size.map);
-  const auto fault = detail::decode(n, b, payload.first(size.tree), 4 * internal + 1,
-                                    payload.subspan(size.tree), 3 * internal + 1, contents.map);
-  if (!fault) return contents;
-  const bool in_data = fault->in == detail::Fault::In::data;
-  return refuse(container_header + static_cast<std::size_t>((in_data ? size.tree : 0) + fault->bit / 8), [&] {
-    return Complaint(std::string(fault->found) + ", bit " + number(fault->bit) + " of the " +
-                         (in_data ? "states" : "tree"),
-                     "the tree of a map");
-  });
+  return is_flat ? flat_map_or(bytes, n, b, refuse) : tree_map_or(bytes, n, b, internal, refuse);
 }
 
 }  // namespace

@@ -103,6 +103,19 @@ struct SmallBlocks {
   }
 };
 
+/// Writes the map of a form of one node: a leaf, or else a block.
+template <std::uint32_t width>
+void write_one_node(bool is_leaf, const BitReader& leaves, const std::uint8_t* block, std::uint64_t all_bits,
+                    std::span<std::uint8_t> map) {
+  if (is_leaf)
+    std::memset(map.data(), static_cast<int>(repeated(leaves.peek() & low_bits(width), width) & 0xff),
+                map.size());
+  else
+    std::memcpy(map.data(), block, map.size());
+  map[0] &=
+      static_cast<std::uint8_t>(low_bits(static_cast<std::uint32_t>(std::min<std::uint64_t>(all_bits, 8))));
+}
+
 /// Writes the map of a form.
 template <std::uint32_t width>
 void decode_states(const Layout& layout, std::span<const std::uint8_t> all, std::span<std::uint8_t> map) {
@@ -119,16 +132,7 @@ void decode_states(const Layout& layout, std::span<const std::uint8_t> all, std:
   Level d = k;
   if (k == 0) {
     const bool is_leaf = nodes.take(1) == 0;
-    if (is_leaf || m == 0) {
-      if (is_leaf)
-        std::memset(map.data(), static_cast<int>(repeated(leaves.peek() & low_bits(width), width) & 0xff),
-                    map.size());
-      else
-        std::memcpy(map.data(), blocks, map.size());
-      map[0] &= static_cast<std::uint8_t>(
-          low_bits(static_cast<std::uint32_t>(std::min<std::uint64_t>(all_bits, 8))));
-      return;
-    }
+    if (is_leaf || m == 0) return write_one_node<width>(is_leaf, leaves, blocks, all_bits, map);
     count = 1;  // internal[0] is the root
     d = 1;
   } else {

@@ -127,13 +127,11 @@ Sixteen sixteen(std::uint64_t tree, std::uint64_t data, std::uint32_t b) noexcep
   return r;
 }
 
-}  // namespace
-
-std::optional<Fault> decode(Level n, Format b, std::span<const std::uint8_t> tree_bytes, std::uint64_t nodes,
-                            std::span<const std::uint8_t> data_bytes, std::uint64_t leaves,
-                            std::span<std::uint8_t> map) {
+/// The fault of the sequences' lengths and of their last bytes.
+std::optional<Fault> fault_of_sizes(Level n, Format b, std::span<const std::uint8_t> tree_bytes,
+                                    std::uint64_t nodes, std::span<const std::uint8_t> data_bytes,
+                                    std::uint64_t leaves) {
   using In = Fault::In;
-  require_map(n, b, map.size());
   const std::uint64_t most = ((std::uint64_t{4} << (2 * n)) - 1) / 3;
   if (nodes > most) return Fault{In::counts, 0, "more nodes than the level has"};
   if (nodes % 4 != 1) return Fault{In::counts, 0, "a number of nodes that is not 4 i + 1"};
@@ -145,7 +143,23 @@ std::optional<Fault> decode(Level n, Format b, std::span<const std::uint8_t> tre
     return Fault{In::data, data_bits, "a sequence of another length"};
   if (!clear_beyond(tree_bytes, nodes)) return Fault{In::tree, nodes, "a padding bit that is set"};
   if (!clear_beyond(data_bytes, data_bits)) return Fault{In::data, data_bits, "a padding bit that is set"};
+  return std::nullopt;
+}
 
+/// The fault of a tree whose last node is read; place: that of the next bit.
+std::optional<Fault> fault_at_end(std::uint64_t place, std::uint64_t nodes) {
+  if (place == nodes) return std::nullopt;
+  return Fault{Fault::In::tree, place, "nodes after the end of the tree"};
+}
+
+}  // namespace
+
+std::optional<Fault> decode(Level n, Format b, std::span<const std::uint8_t> tree_bytes, std::uint64_t nodes,
+                            std::span<const std::uint8_t> data_bytes, std::uint64_t leaves,
+                            std::span<std::uint8_t> map) {
+  using In = Fault::In;
+  require_map(n, b, map.size());
+  if (const auto fault = fault_of_sizes(n, b, tree_bytes, nodes, data_bytes, leaves)) return fault;
   std::memset(map.data(), 0, map.size());
   BitReader tree(tree_bytes), data(data_bytes);
   // The siblings at each depth: how many are still to come, and their state so far, none or mixed.
@@ -173,10 +187,7 @@ std::optional<Fault> decode(Level n, Format b, std::span<const std::uint8_t> tre
           std::memcpy(map.data() + bit / 8, &below.states, 2 * bits(b));
           bit += 16 * bits(b);
           while (--left[d] == 0) {
-            if (d == 0) {
-              if (tree.place() == nodes) return std::nullopt;
-              return Fault{In::tree, tree.place(), "nodes after the end of the tree"};
-            }
+            if (d == 0) return fault_at_end(tree.place(), nodes);
             --d;
           }
           continue;
@@ -193,10 +204,7 @@ std::optional<Fault> decode(Level n, Format b, std::span<const std::uint8_t> tre
     fill_run(map.data(), bit, run, repeated(value, bits(b)));
     bit += run;
     while (--left[d] == 0) {
-      if (d == 0) {
-        if (tree.place() == nodes) return std::nullopt;
-        return Fault{In::tree, tree.place(), "nodes after the end of the tree"};
-      }
+      if (d == 0) return fault_at_end(tree.place(), nodes);
       if (state[d] != mixed) return Fault{In::tree, place, "the last of four sibling leaves of one state"};
       --d;
     }

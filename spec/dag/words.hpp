@@ -32,72 +32,69 @@ struct Words {
   friend bool operator==(const Words&, const Words&) = default;
 };
 
-inline Words arrays(const Dag& dag) {
-  const unsigned b = micromap::bits(dag.format);
-  Words out;
-
-  std::vector<std::uint64_t> reference;  // by the number of a node
-  Writer nodes;
-  for (const Node& node : dag.nodes) {
-    const bool is_wide = wide(node);
-    reference.push_back(2 * (nodes.all.size() / 4) + (is_wide ? 1 : 0));
-    std::uint64_t mask = 0, plane[2] = {0, 0};
-    for (std::size_t k = 0; k < node.children.size(); ++k) {
-      const Part& child = node.children[k];
-      const std::uint64_t state = child.mixed() ? 0 : micromap::code(*child.one_state);
-      mask |= std::uint64_t{child.mixed()} << k;
-      plane[0] |= (state & 1) << k;
-      plane[1] |= (state >> 1) << k;
-    }
-    nodes.put(mask, 2);
-    for (unsigned k = 0; k < b; ++k) nodes.put(plane[k], 2);
-    if (is_wide) nodes.pad_to(4);
-    for (const Part& child : node.children)
-      if (child.mixed())
-        nodes.put(child_level(node.level) == tile_level ? child.number : reference.at(child.number),
-                  is_wide ? 4 : 2);
-    nodes.pad_to(4);
+/// A node in words: its masks, then its children that are mixed.
+/// reference: the references of the nodes before it, by their numbers.
+inline void put_node(Writer& nodes, const Node& node, Format f, const std::vector<std::uint64_t>& reference) {
+  const bool is_wide = wide(node);
+  std::uint64_t mask = 0, plane[2] = {0, 0};
+  for (std::size_t k = 0; k < node.children.size(); ++k) {
+    const Part& child = node.children[k];
+    const std::uint64_t state = child.mixed() ? 0 : micromap::code(*child.one_state);
+    mask |= std::uint64_t{child.mixed()} << k;
+    plane[0] |= (state & 1) << k;
+    plane[1] |= (state >> 1) << k;
   }
-  out.nodes = nodes.all;
+  nodes.put(mask, 2);
+  for (unsigned k = 0; k < micromap::bits(f); ++k) nodes.put(plane[k], 2);
+  if (is_wide) nodes.pad_to(4);
+  for (const Part& child : node.children)
+    if (child.mixed())
+      nodes.put(child_level(node.level) == tile_level ? child.number : reference.at(child.number),
+                is_wide ? 4 : 2);
+  nodes.pad_to(4);
+}
 
-  Writer tiles, flat, records;
+/// The last word of a map's record: its states, or where they are.
+inline std::uint64_t value_of(const Map& map, Format f, const std::vector<std::uint64_t>& reference) {
+  switch (map.kind) {
+    case Map::Kind::small: {
+      std::uint64_t value = 0;
+      const Bytes packed = micromap::pack(map.states, f);
+      for (std::size_t k = 0; k < packed.size(); ++k) value |= std::uint64_t{packed[k]} << 8 * k;
+      return value;
+    }
+    case Map::Kind::uniform:
+      return micromap::code(*map.root.one_state);
+    case Map::Kind::tile:
+      return map.root.number;
+    case Map::Kind::node:
+      return reference.at(map.root.number);
+    case Map::Kind::flat:
+      return map.flat_from;
+  }
+  return 0;
+}
+
+inline Words arrays(const Dag& dag) {
+  std::vector<std::uint64_t> reference;  // by the number of a node
+  Writer nodes, tiles, flat, records;
+  for (const Node& node : dag.nodes) {
+    reference.push_back(2 * (nodes.all.size() / 4) + (wide(node) ? 1 : 0));
+    put_node(nodes, node, dag.format, reference);
+  }
   for (const Node& tile : dag.tiles) {
     States states;
     for (const Part& child : tile.children) states.push_back(child.one_state.value());
     tiles.put(states, dag.format);
   }
-  out.tiles = tiles.all;
   for (const auto& [level, states] : dag.flat) flat.put(states, dag.format);
-  out.flat = flat.all;
-
   for (const Map& map : dag.maps) {
     records.put(map.level, 1);
     records.put(static_cast<std::uint8_t>(map.kind), 1);
     records.put(0, 2);
-    std::uint64_t value = 0;
-    switch (map.kind) {
-      case Map::Kind::small: {
-        const Bytes packed = micromap::pack(map.states, dag.format);
-        for (std::size_t k = 0; k < packed.size(); ++k) value |= std::uint64_t{packed[k]} << 8 * k;
-        break;
-      }
-      case Map::Kind::uniform:
-        value = micromap::code(*map.root.one_state);
-        break;
-      case Map::Kind::tile:
-        value = map.root.number;
-        break;
-      case Map::Kind::node:
-        value = reference.at(map.root.number);
-        break;
-      case Map::Kind::flat:
-        value = map.flat_from;
-        break;
-    }
-    records.put(value, 4);
+    records.put(value_of(map, dag.format, reference), 4);
   }
-  out.records = records.all;
-  return out;
+  return {records.all, tiles.all, flat.all, nodes.all};
 }
 
 /// CRC-32C (Castagnoli), bit by bit: reflected polynomial 0x82f63b78, all ones before and inverted after.

@@ -55,23 +55,12 @@ class Builder {
 
   Built build(std::span<const PackedMap> before, std::span<const PackedMap> maps,
               const Options& options) const {
-    Built built;
-    std::vector<Stored> stored;
-    std::map<std::tuple<std::uint32_t, std::uint32_t, Bytes>, std::uint32_t> known;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> in_array, in_geometry;
+    Work work;
     const bool is_signed = options.encoding == Encoding::i16 || options.encoding == Encoding::i32;
     const unsigned size = options.encoding == Encoding::u8                                         ? 1
                           : options.encoding == Encoding::u16 || options.encoding == Encoding::i16 ? 2
                                                                                                    : 4;
-    // What the array holds already; from the base triangle on it may be shared.
-    for (std::size_t r = 0; r < before.size(); ++r) {
-      const std::uint32_t level = before[r].level, format = static_cast<std::uint32_t>(before[r].format);
-      const Bytes bytes = cleaned(before[r], r);
-      stored.push_back(store(built, bytes, level, format));
-      ++in_array[{level, format}];
-      if (r >= options.base_triangle)
-        known.emplace(std::tuple{level, format, bytes}, static_cast<std::uint32_t>(r));
-    }
+    take_existing(work, before, options.base_triangle);
     for (std::size_t t = 0; t < maps.size(); ++t) {
       const std::uint32_t level = maps[t].level, format = static_cast<std::uint32_t>(maps[t].format);
       const Bytes bytes = cleaned(maps[t], t);
@@ -79,56 +68,89 @@ class Builder {
         int said = state;
         if (wrong_ == Wrong::uniform_two_state_is_unknown && format == 1 && level > 0) said |= 2;
         if (wrong_ == Wrong::i16_special_of_uo && size == 2 && is_signed && said == 3) said = 2;
-        put(built.indices, ~static_cast<std::uint64_t>(said), size);
-        if (wrong_ == Wrong::keeps_record_of_special && state == 3) {
-          stored.push_back(store(built, bytes, level, format));
-          ++in_array[{level, format}];
-        }
+        put(work.built.indices, ~static_cast<std::uint64_t>(said), size);
+        if (wrong_ == Wrong::keeps_record_of_special && state == 3) add(work, bytes, level, format);
         continue;
       }
-      Bytes key = bytes;
-      if (wrong_ == Wrong::turned_maps_share && level == 1 && format == 2)
-        while (key != turned(key) && turned(key) < key) key = turned(key);
-      if (wrong_ == Wrong::padding_tells_maps_apart) key = maps[t].bytes;
-      const std::tuple name{level, wrong_ == Wrong::formats_share && level > 0 ? 0 : format, key};
-      const auto found = known.find(name);
-      const bool near = wrong_ != Wrong::shares_with_the_last_four ||
-                        (found != known.end() && found->second + 4 >= stored.size());
-      std::uint32_t record;
-      if (options.deduplicate && found != known.end() && near) {
-        record = found->second;
-        if (wrong_ == Wrong::bytes_shared_records_not) {
-          const Stored copy = stored[record];
-          record = static_cast<std::uint32_t>(stored.size());
-          stored.push_back(copy);
-          ++in_array[{level, format}];
-        }
-      } else {
-        record = static_cast<std::uint32_t>(stored.size());
-        known[name] = record;
-        stored.push_back(store(built, bytes, level, format));
-        ++in_array[{level, format}];
-        if (wrong_ == Wrong::counts_records_for_geometry) ++in_geometry[{level, format}];
-      }
-      if (wrong_ != Wrong::counts_records_for_geometry) ++in_geometry[{level, format}];
+      const std::uint32_t record = record_of(work, maps[t], bytes, options.deduplicate);
+      if (wrong_ != Wrong::counts_records_for_geometry) ++work.in_geometry[{level, format}];
       const std::uint32_t index = record - options.base_triangle;
-      put(built.indices, wrong_ == Wrong::indices_of_a_byte ? index & 0xff : index, size);
+      put(work.built.indices, wrong_ == Wrong::indices_of_a_byte ? index & 0xff : index, size);
     }
-    for (const Stored& s : stored) {
-      put(built.records, wrong_ == Wrong::offset_of_12_bits ? s.offset & 0xfff : s.offset, 4);
-      put(built.records, wrong_ == Wrong::level_4_said_of_5 && s.level == 5 ? 4 : s.level, 2);
-      put(built.records, s.format, 2);
-    }
-    for (const auto& [key, count] : in_array) built.array_counts.push_back({count, key.first, key.second});
-    if (wrong_ == Wrong::first_of_a_level_is_forgotten && built.array_counts.size() > 3)
-      --built.array_counts[2].count;
-    for (const auto& [key, count] : in_geometry)
-      built.geometry_counts.push_back({count, key.first, key.second});
-    if (wrong_ == Wrong::counts_references_for_array) built.array_counts = built.geometry_counts;
-    return built;
+    write_records(work);
+    write_counts(work);
+    return work.built;
   }
 
  private:
+  struct Work {
+    Built built;
+    std::vector<Stored> stored;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, Bytes>, std::uint32_t> known;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> in_array, in_geometry;
+  };
+
+  /// What the array holds already; from the base triangle on it may be shared.
+  void take_existing(Work& work, std::span<const PackedMap> before, std::uint32_t base_triangle) const {
+    for (std::size_t r = 0; r < before.size(); ++r) {
+      const std::uint32_t level = before[r].level, format = static_cast<std::uint32_t>(before[r].format);
+      const Bytes bytes = cleaned(before[r], r);
+      add(work, bytes, level, format);
+      if (r >= base_triangle)
+        work.known.emplace(std::tuple{level, format, bytes}, static_cast<std::uint32_t>(r));
+    }
+  }
+
+  void add(Work& work, const Bytes& bytes, std::uint32_t level, std::uint32_t format) const {
+    work.stored.push_back(store(work.built, bytes, level, format));
+    ++work.in_array[{level, format}];
+  }
+
+  /// The record of a map whose cleaned bytes these are: one that may be shared, or a new one.
+  std::uint32_t record_of(Work& work, const PackedMap& map, const Bytes& bytes, bool deduplicate) const {
+    const std::uint32_t level = map.level, format = static_cast<std::uint32_t>(map.format);
+    const auto next = static_cast<std::uint32_t>(work.stored.size());
+    Bytes key = bytes;
+    if (wrong_ == Wrong::turned_maps_share && level == 1 && format == 2)
+      while (key != turned(key) && turned(key) < key) key = turned(key);
+    if (wrong_ == Wrong::padding_tells_maps_apart) key = map.bytes;
+    const std::tuple name{level, wrong_ == Wrong::formats_share && level > 0 ? 0 : format, key};
+    const auto found = work.known.find(name);
+    const bool near = wrong_ != Wrong::shares_with_the_last_four ||
+                      (found != work.known.end() && found->second + 4 >= work.stored.size());
+    if (deduplicate && found != work.known.end() && near) {
+      if (wrong_ != Wrong::bytes_shared_records_not) return found->second;
+      const Stored copy = work.stored[found->second];
+      work.stored.push_back(copy);
+      ++work.in_array[{level, format}];
+      return next;
+    }
+    work.known[name] = next;
+    add(work, bytes, level, format);
+    if (wrong_ == Wrong::counts_records_for_geometry) ++work.in_geometry[{level, format}];
+    return next;
+  }
+
+  void write_records(Work& work) const {
+    Bytes& records = work.built.records;
+    for (const Stored& s : work.stored) {
+      put(records, wrong_ == Wrong::offset_of_12_bits ? s.offset & 0xfff : s.offset, 4);
+      put(records, wrong_ == Wrong::level_4_said_of_5 && s.level == 5 ? 4 : s.level, 2);
+      put(records, s.format, 2);
+    }
+  }
+
+  void write_counts(Work& work) const {
+    Built& built = work.built;
+    for (const auto& [key, count] : work.in_array)
+      built.array_counts.push_back({count, key.first, key.second});
+    if (wrong_ == Wrong::first_of_a_level_is_forgotten && built.array_counts.size() > 3)
+      --built.array_counts[2].count;
+    for (const auto& [key, count] : work.in_geometry)
+      built.geometry_counts.push_back({count, key.first, key.second});
+    if (wrong_ == Wrong::counts_references_for_array) built.array_counts = built.geometry_counts;
+  }
+
   bool special(const Options& options) const {
     if (wrong_ == Wrong::special_unasked) return true;
     if (wrong_ == Wrong::never_special) return false;

@@ -205,6 +205,131 @@ class RowOrder : public Hand {
   }
 };
 
+InsideFault steps(const char* law, const char* name, const char* wrong, Levels levels, Fault f,
+                  Reading reading = Reading::printed) {
+  return fault<Exact>(law, name, wrong, levels, reading, false, f);
+}
+InsideFault formula(const char* law, const char* name, const char* wrong, Levels levels, Fault f) {
+  return fault<Exact>(law, name, wrong, levels, Reading::printed, true, f);
+}
+InsideFault wide(const char* law, const char* name, const char* wrong, Levels levels, Fault f) {
+  return fault<Wide>(law, name, wrong, levels, f);
+}
+InsideFault narrow(const char* law, const char* name, const char* wrong, Fault f) {
+  return fault<In32Bits>(law, name, wrong, {17, 17}, f);
+}
+InsideFault rows(const char* law, const char* name, const char* wrong, Levels levels, Fault f) {
+  return fault<RowOrder>(law, name, wrong, levels, f);
+}
+
+InsideRows faults_of_step() {
+  return {steps("paper.step_equals_reference", "turned_t_keeps_tie",
+                "from depth 5 on, T takes the tie on a middle triangle that is flipped at its top", {0, 10},
+                Fault::turned_t_keeps_tie),
+          steps("paper.step_equals_reference", "top_flip_lost_at_depth_7",
+                "at depth 7, T does not flip on a middle triangle", {0, 10}, Fault::top_flip_lost_at_depth_7),
+          steps("paper.step_equals_reference", "w_tie_at_depth_8", "at depth 8, w = 1/2 is the w-corner's",
+                {0, 10}, Fault::w_tie_at_depth_8),
+          steps("paper.step_equals_reference", "one_triangle_of_level_9",
+                "one index of level 9 is that of its neighbour", {0, 10}, Fault::one_triangle_of_level_9)};
+}
+
+/// The three that follow the print where the appendix differs.
+InsideRows faults_of_appendix() {
+  InsideRows all;
+  for (const auto& [id, reading] : {std::pair{"paper.appendix_middle_differs", Reading::middle},
+                                    std::pair{"paper.appendix_ties_differ", Reading::ties},
+                                    std::pair{"paper.appendix_names_differ", Reading::names}}) {
+    all.push_back(steps(id, "as_printed", "it follows the print", {0, 7}, Fault::as_printed, reading));
+    all.push_back(steps(id, "as_printed_from_level_6", "it follows the print from level 6 on", {0, 7},
+                        Fault::as_printed_from_level_6, reading));
+    all.push_back(steps(id, "as_printed_up_to_level_4", "it follows the print up to level 4", {0, 7},
+                        Fault::as_printed_up_to_level_4, reading));
+  }
+  return all;
+}
+
+InsideRows faults_of_index() {
+  return {
+      steps("index.cells_decide", "line_moved_in_some_cells",
+            "in one parent of 64, the last line is a 64th off the grid's", {0, 16},
+            Fault::line_moved_in_some_cells),
+      steps("index.cells_decide", "through_binary64_at_16",
+            "at level 16, the point is rounded down to 53 bits", {0, 16}, Fault::through_binary64_at_16),
+      steps("index.cells_decide", "ties_of_odd_denominators",
+            "a tie is not seen where a denominator is no power of two", {0, 16},
+            Fault::ties_of_odd_denominators),
+      formula("index.fixed_is_rational", "product_of_32_bits",
+              "uN is formed in 32 bits of which 24 are the fraction's", {0, 8}, Fault::product_of_32_bits),
+      steps("index.fixed_is_rational", "rationals_cut_to_8_bits",
+            "rational points are rounded down to 8 bits", {8, 8}, Fault::rationals_cut_to_8_bits),
+      steps("index.fixed_is_rational", "fixed_u_tie_at_depth_7",
+            "at depth 7, fixed point leaves u = 1/2 to the middle", {0, 8}, Fault::fixed_u_tie_at_depth_7),
+      steps("index.sweep_is_spec", "tail_repeats",
+            "the last point of a row of more than 1000 gets the answer before it", {10, 10},
+            Fault::tail_repeats),
+      steps("index.sweep_is_spec", "cut_rows_start_anew",
+            "a row that is cut is answered from its uncut start", {0, 10}, Fault::cut_rows_start_anew),
+      steps("index.sweep_is_spec", "skips_between_siblings",
+            "from level 9 on, a point between two siblings is taken for the first", {0, 10},
+            Fault::skips_between_siblings),
+      formula("index.sweep_is_spec", "second_row_has_firsts_line",
+              "rows after the first lie half a line too high", {0, 10}, Fault::second_row_has_firsts_line)};
+}
+
+InsideRows faults_of_wide_index() {
+  return {wide("index.wide_equals_reference", "answer_of_16_bits", "digits above the eighth are lost", {0, 9},
+               Fault::answer_of_16_bits),
+          wide("index.wide_equals_reference", "parity_of_8_places", "the prefix XOR reaches over 8 places",
+               {0, 9}, Fault::parity_of_8_places),
+          wide("index.wide_equals_reference", "v_corner_not_limited", "at level 9, iv is N in the v-corner",
+               {0, 9}, Fault::v_corner_not_limited),
+          wide("index.wide_equals_reference", "half_of_last_square",
+               "in one square beside the hypotenuse's, the diagonal is the lower half's", {0, 9},
+               Fault::half_of_last_square),
+          wide("index.wide_equals_reference", "cut_rows_start_anew",
+               "a row that is cut is answered from its uncut start", {0, 9}, Fault::cut_rows_start_anew),
+          wide("index.wide_exact_on_floats", "parity_of_16_places", "the prefix XOR reaches over 16 places",
+               {17, 30}, Fault::parity_of_16_places),
+          wide("index.wide_exact_on_floats", "answer_through_binary64", "the index passes through binary64",
+               {27, 30}, Fault::answer_through_binary64),
+          wide("index.wide_exact_on_floats", "limit_in_binary32", "N-1 is rounded to binary32", {25, 30},
+               Fault::limit_in_binary32),
+          wide("index.wide_exact_on_floats", "sum_in_binary32",
+               "the sum of the fractions is rounded to binary32", {17, 30}, Fault::sum_in_binary32),
+          wide("index.wide_exact_on_floats", "low_digit_at_level_30",
+               "at level 30, upper halves have another lowest digit where iv > iu", {30, 30},
+               Fault::low_digit_at_level_30)};
+}
+
+InsideRows faults_of_32_bits() {
+  return {narrow("index.vulkan_ends_at_16", "parity_of_all_places",
+                 "the prefix XOR reaches over all places, and what does not fit is cut off",
+                 Fault::parity_of_all_places),
+          narrow("index.vulkan_ends_at_16", "low_half_of_wide", "it gives the low half of the right index",
+                 Fault::low_half_of_wide),
+          narrow("index.vulkan_ends_at_16", "recursion_instead", "it runs the recursion",
+                 Fault::recursion_instead)};
+}
+
+InsideRows faults_of_row_order() {
+  return {rows("paper.w_minor_holds_point", "column_not_limited", "the column is not limited to the row",
+               {0, 9}, Fault::column_not_limited),
+          rows("paper.w_minor_holds_point", "diagonal_not_limited", "the diagonal is not limited to N-1",
+               {0, 9}, Fault::diagonal_not_limited),
+          rows("paper.w_minor_holds_point", "row_squared_in_16_bits", "the row's square keeps 16 bits",
+               {0, 9}, Fault::row_squared_in_16_bits),
+          rows("paper.w_minor_holds_point", "one_inverted_triangle",
+               "one inverted triangle of level 8 is taken for its neighbour", {0, 9},
+               Fault::one_inverted_triangle),
+          rows("paper.w_minor_binary32_root_errs", "root_is_low_at_squares", "the root of 1023^2 is 1022",
+               {10, 13}, Fault::root_is_low_at_squares),
+          rows("paper.w_minor_binary32_root_errs", "errs_one_index_later",
+               "the first root that errs is one index later", {13, 13}, Fault::errs_one_index_later),
+          rows("paper.w_minor_binary32_root_errs", "one_column_off",
+               "one index of level 10 has the next column", {10, 13}, Fault::one_column_off)};
+}
+
 }  // namespace
 
 std::vector<InsideFault> inside_right_of_index() {
@@ -233,111 +358,11 @@ std::vector<InsideFault> inside_right_of_index() {
   return all;
 }
 
-std::vector<InsideFault> inside_faults_of_index() {
-  std::vector<InsideFault> all;
-  const auto add = [&all](InsideFault f) { all.push_back(std::move(f)); };
-
-  const auto steps = [&](const char* law, const char* name, const char* wrong, Levels levels, Fault f,
-                         Reading reading = Reading::printed) {
-    add(fault<Exact>(law, name, wrong, levels, reading, false, f));
-  };
-  const auto formula = [&](const char* law, const char* name, const char* wrong, Levels levels, Fault f) {
-    add(fault<Exact>(law, name, wrong, levels, Reading::printed, true, f));
-  };
-
-  const char* law = "paper.step_equals_reference";
-  steps(law, "turned_t_keeps_tie",
-        "from depth 5 on, T takes the tie on a middle triangle that is flipped at its top", {0, 10},
-        Fault::turned_t_keeps_tie);
-  steps(law, "top_flip_lost_at_depth_7", "at depth 7, T does not flip on a middle triangle", {0, 10},
-        Fault::top_flip_lost_at_depth_7);
-  steps(law, "w_tie_at_depth_8", "at depth 8, w = 1/2 is the w-corner's", {0, 10}, Fault::w_tie_at_depth_8);
-  steps(law, "one_triangle_of_level_9", "one index of level 9 is that of its neighbour", {0, 10},
-        Fault::one_triangle_of_level_9);
-
-  for (const auto& [id, reading] : {std::pair{"paper.appendix_middle_differs", Reading::middle},
-                                    std::pair{"paper.appendix_ties_differ", Reading::ties},
-                                    std::pair{"paper.appendix_names_differ", Reading::names}}) {
-    steps(id, "as_printed", "it follows the print", {0, 7}, Fault::as_printed, reading);
-    steps(id, "as_printed_from_level_6", "it follows the print from level 6 on", {0, 7},
-          Fault::as_printed_from_level_6, reading);
-    steps(id, "as_printed_up_to_level_4", "it follows the print up to level 4", {0, 7},
-          Fault::as_printed_up_to_level_4, reading);
-  }
-
-  law = "index.cells_decide";
-  steps(law, "line_moved_in_some_cells", "in one parent of 64, the last line is a 64th off the grid's",
-        {0, 16}, Fault::line_moved_in_some_cells);
-  steps(law, "through_binary64_at_16", "at level 16, the point is rounded down to 53 bits", {0, 16},
-        Fault::through_binary64_at_16);
-  steps(law, "ties_of_odd_denominators", "a tie is not seen where a denominator is no power of two", {0, 16},
-        Fault::ties_of_odd_denominators);
-
-  law = "index.fixed_is_rational";
-  formula(law, "product_of_32_bits", "uN is formed in 32 bits of which 24 are the fraction's", {0, 8},
-          Fault::product_of_32_bits);
-  steps(law, "rationals_cut_to_8_bits", "rational points are rounded down to 8 bits", {8, 8},
-        Fault::rationals_cut_to_8_bits);
-  steps(law, "fixed_u_tie_at_depth_7", "at depth 7, fixed point leaves u = 1/2 to the middle", {0, 8},
-        Fault::fixed_u_tie_at_depth_7);
-
-  law = "index.sweep_is_spec";
-  steps(law, "tail_repeats", "the last point of a row of more than 1000 gets the answer before it", {10, 10},
-        Fault::tail_repeats);
-  steps(law, "cut_rows_start_anew", "a row that is cut is answered from its uncut start", {0, 10},
-        Fault::cut_rows_start_anew);
-  steps(law, "skips_between_siblings", "from level 9 on, a point between two siblings is taken for the first",
-        {0, 10}, Fault::skips_between_siblings);
-  formula(law, "second_row_has_firsts_line", "rows after the first lie half a line too high", {0, 10},
-          Fault::second_row_has_firsts_line);
-
-  law = "index.wide_equals_reference";
-  const auto wide = [&](const char* name, const char* wrong, Levels levels, Fault f) {
-    add(fault<Wide>(law, name, wrong, levels, f));
-  };
-  wide("answer_of_16_bits", "digits above the eighth are lost", {0, 9}, Fault::answer_of_16_bits);
-  wide("parity_of_8_places", "the prefix XOR reaches over 8 places", {0, 9}, Fault::parity_of_8_places);
-  wide("v_corner_not_limited", "at level 9, iv is N in the v-corner", {0, 9}, Fault::v_corner_not_limited);
-  wide("half_of_last_square", "in one square beside the hypotenuse's, the diagonal is the lower half's",
-       {0, 9}, Fault::half_of_last_square);
-  wide("cut_rows_start_anew", "a row that is cut is answered from its uncut start", {0, 9},
-       Fault::cut_rows_start_anew);
-
-  law = "index.wide_exact_on_floats";
-  wide("parity_of_16_places", "the prefix XOR reaches over 16 places", {17, 30}, Fault::parity_of_16_places);
-  wide("answer_through_binary64", "the index passes through binary64", {27, 30},
-       Fault::answer_through_binary64);
-  wide("limit_in_binary32", "N-1 is rounded to binary32", {25, 30}, Fault::limit_in_binary32);
-  wide("sum_in_binary32", "the sum of the fractions is rounded to binary32", {17, 30},
-       Fault::sum_in_binary32);
-  wide("low_digit_at_level_30", "at level 30, upper halves have another lowest digit where iv > iu", {30, 30},
-       Fault::low_digit_at_level_30);
-
-  law = "index.vulkan_ends_at_16";
-  const auto narrow = [&](const char* name, const char* wrong, Fault f) {
-    add(fault<In32Bits>(law, name, wrong, {17, 17}, f));
-  };
-  narrow("parity_of_all_places", "the prefix XOR reaches over all places, and what does not fit is cut off",
-         Fault::parity_of_all_places);
-  narrow("low_half_of_wide", "it gives the low half of the right index", Fault::low_half_of_wide);
-  narrow("recursion_instead", "it runs the recursion", Fault::recursion_instead);
-
-  law = "paper.w_minor_holds_point";
-  const auto rows = [&](const char* name, const char* wrong, Levels levels, Fault f) {
-    add(fault<RowOrder>(law, name, wrong, levels, f));
-  };
-  rows("column_not_limited", "the column is not limited to the row", {0, 9}, Fault::column_not_limited);
-  rows("diagonal_not_limited", "the diagonal is not limited to N-1", {0, 9}, Fault::diagonal_not_limited);
-  rows("row_squared_in_16_bits", "the row's square keeps 16 bits", {0, 9}, Fault::row_squared_in_16_bits);
-  rows("one_inverted_triangle", "one inverted triangle of level 8 is taken for its neighbour", {0, 9},
-       Fault::one_inverted_triangle);
-
-  law = "paper.w_minor_binary32_root_errs";
-  rows("root_is_low_at_squares", "the root of 1023^2 is 1022", {10, 13}, Fault::root_is_low_at_squares);
-  rows("errs_one_index_later", "the first root that errs is one index later", {13, 13},
-       Fault::errs_one_index_later);
-  rows("one_column_off", "one index of level 10 has the next column", {10, 13}, Fault::one_column_off);
-  for (InsideFault& f : faults_of_rounding()) add(std::move(f));
+InsideRows inside_faults_of_index() {
+  InsideRows all;
+  for (const auto& some : {faults_of_step(), faults_of_appendix(), faults_of_index(), faults_of_wide_index(),
+                           faults_of_32_bits(), faults_of_row_order(), faults_of_rounding()})
+    all.insert(all.end(), some.begin(), some.end());
   return all;
 }
 

@@ -1,4 +1,5 @@
 // Laws that a prover settles: the shipped statements, with one thing altered in the text.
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -191,15 +192,6 @@ class TreeProof : public proofs::tree::TreeSubject, public Provable {
   const Statements statements_;
 };
 
-InsideFault proof(const char* law, const char* name, const char* wrong, Statements statements) {
-  proofs::SubjectPtr subject;
-  if (std::string(law).starts_with("tree"))
-    subject = std::make_shared<TreeProof>(name, std::move(statements));
-  else
-    subject = std::make_shared<IndexProof>(name, std::move(statements));
-  return {law, name, wrong, std::move(subject), {0, 0}};
-}
-
 /// The published code by another hand, whose set the law is about, whatever its statements say.
 class PublishedProof : public proofs::index::IndexSubject, public Provable {
  public:
@@ -220,13 +212,80 @@ class PublishedProof : public proofs::index::IndexSubject, public Provable {
   const Statements statements_;
 };
 
-InsideFault published_proof(const char* name, const char* wrong, Statements statements) {
-  return {"index.published_differs_where",
-          name,
-          wrong,
-          std::make_shared<PublishedProof>(name, std::move(statements)),
-          {0, 0}};
+constexpr const char* published_law = "index.published_differs_where";
+
+InsideFault proof(const char* law, const char* name, const char* wrong, Statements statements) {
+  proofs::SubjectPtr subject;
+  if (std::string(law) == published_law)
+    subject = std::make_shared<PublishedProof>(name, std::move(statements));
+  else if (std::string(law).starts_with("tree"))
+    subject = std::make_shared<TreeProof>(name, std::move(statements));
+  else
+    subject = std::make_shared<IndexProof>(name, std::move(statements));
+  return {law, name, wrong, std::move(subject), {0, 0}};
 }
+
+struct Alteration {
+  const char *law, *name, *wrong, *statement, *before, *after;
+};
+
+constexpr Alteration alterations[] = {
+    {"index.all_levels", "w_tie_in_upright", "one of upright's comparisons of w with 1/2 takes the tie",
+     "transition_upright", "(< (to_real M) (* 2.0 w))", "(<= (to_real M) (* 2.0 w))"},
+    {"index.all_levels", "sign_of_w_in_middle", "out of a middle triangle, u' has w with the other sign",
+     "transition_middle", "(/ (- (- u v) w) 2.0)", "(/ (+ (- u v) w) 2.0)"},
+    {"index.all_levels", "above_forgotten", "the XOR of the bits above is forgotten", "transition_upright",
+     "(define-fun next_above () Bool (xor above (and (xor bu bv) b0)))",
+     "(define-fun next_above () Bool (and (xor bu bv) b0))"},
+    {"index.all_levels", "beyond_hypotenuse", "the opening is said of points beyond the hypotenuse as well",
+     "opening", "(assert (<= (+ u v) (to_real M)))\n", ""},
+    {"index.all_levels", "middle_is_empty", "what is supposed of a middle triangle cannot be",
+     "witness_transition_middle", "(< 0.0 v) (< 0.0 w)", "(< 0.0 v) (< w 0.0)"},
+    {"index.wide_is_vulkan", "level_17", "the agreement is said of level 17 as well", "agreement",
+     "(assert (bvule N (_ bv65536 32)))", "(assert (bvule N (_ bv131072 32)))"},
+    {"index.wide_is_vulkan", "shift_of_3", "the prefix XOR shifts by 3 in place of 4", "prefix_xor_32",
+     "(bvlshr part_a (_ bv4 32))", "(bvlshr part_a (_ bv3 32))"},
+    {"index.wide_is_vulkan", "mask_of_15", "a mask of the spreading is that of 15", "spread_64",
+     "(bvshl (_ bv1 64) (_ bv16 64))", "(bvshl (_ bv1 64) (_ bv15 64))"},
+    {"index.impl_wide_is_wide", "u_without_bound", "iu may be any word", "square", "(assert (bvule iu N))\n",
+     ""},
+    {"index.impl_wide_is_wide", "mask_lacks_a_bit", "a mask of the spreading lacks its lowest bit", "bits",
+     "(_ bv71777214294589695 64)", "(_ bv71777214294589694 64)"},
+    {"index.impl_wide_is_wide", "iw_of_any_row", "iw has nothing to do with the row", "bits",
+     "(assert (= (bvand iw low) (bvand (bvnot row) low)))\n", ""},
+    {"index.floats", "sum_of_1_is_below", "where uf + vf is 1, it is taken to be below", "lanes_carry",
+     "(fp.geq", "(fp.gt"},
+    {"index.floats", "whole_part_to_nearest", "the whole part is the nearest whole number", "scalar_parts",
+     "((_ fp.to_sbv 32) RTZ", "((_ fp.to_sbv 32) RNE"},
+    {"index.floats", "level_31", "whole parts are said of level 31 as well, which signed words do not hold",
+     "lanes_parts", "(assert (bvule n (_ bv30 8)))", "(assert (bvule n (_ bv31 8)))"},
+    {"index.floats", "rest_without_bound", "what is left of uN may be any number", "reference_32",
+     "(assert (bvult uf (bvshl ((_ zero_extend 152) (_ bv1 32)) (_ bv149 184))))\n", ""},
+    {"index.floats", "v_without_bound", "iv may be any word", "lanes_square", "(assert (bvule iv N))\n", ""},
+    {"index.floats", "not_vacuous_of_nothing", "the witness of the carry is sought where there is none",
+     "witness_carry", "(assert (bvult uf_bits (_ bv1065353216 32)))", "(assert (bvult uf_bits (_ bv0 32)))"},
+    {"index.row_floats", "none_is_more", "0 counts as more than 0", "scalar_more", "(fp.gt", "(fp.geq"},
+    {"index.row_floats", "u_beyond_1", "u may be a hair above 1", "lanes_rows",
+     "(assert (not (and (= iu N) beyond)))\n", ""},
+    {"index.row_floats", "rest_of_u_without_bound", "what is left of uN may be any number", "floor_of_rest",
+     "(assert (bvult uf (bvshl ((_ zero_extend 152) (_ bv1 32)) (_ bv149 184))))\n", ""},
+    {"index.row_floats", "not_vacuous_of_nothing", "the witness of the floors is sought where there is none",
+     "witness_floors", "(assert (bvule iu N))", "(assert (bvult N iu))"},
+    {published_law, "hair_of_24_bits", "the set begins at 1 - 2^-24", "square", "(_ bv124 184)",
+     "(_ bv125 184)"},
+    {published_law, "halves_of_last_square", "the halves differ in the squares at the hypotenuse as well",
+     "halves", "(bvult (bvadd iu iv) low)", "(bvule (bvadd iu iv) low)"},
+    {published_law, "whole_part_up", "the whole part is rounded up", "parts", "((_ fp.to_ubv 32) RTZ",
+     "((_ fp.to_ubv 32) RTP"},
+    {"tree.all_levels", "three_children", "bitscan counts three subtrees below an internal node", "skip_node",
+     "(- (+ c 4) 1)", "(- (+ c 3) 1)"},
+    {"tree.all_levels", "children_exchanged", "Algorithm 2 has the second child above the first", "emit_node",
+     "(stacked (child0 T) (stacked (child1 T)", "(stacked (child1 T) (stacked (child0 T)"},
+    {"tree.all_levels", "node_counts_twice", "an internal node counts as two", "sizes_node",
+     "(+ 1 (nodes (child0 T))", "(+ 2 (nodes (child0 T))"},
+    {"tree.all_levels", "one_quarter_not_supposed", "nothing is supposed of the last quarter",
+     "canonical_node_node", "(assert (alike (part3 T) (part3 S)))\n", ""},
+};
 
 }  // namespace
 
@@ -236,85 +295,17 @@ std::vector<InsideFault> inside_right_of_provers() {
           proof("index.impl_wide_is_wide", "shipped", "", shipped("index/impl_wide_is_wide")),
           proof("index.floats", "shipped", "", shipped("index/floats")),
           proof("index.row_floats", "shipped", "", rows()),
-          published_proof("shipped", "", shipped("index/published_differs_where")),
+          proof(published_law, "shipped", "", shipped("index/published_differs_where")),
           proof("tree.all_levels", "shipped", "", shipped("tree/all_levels"))};
 }
 
 std::vector<InsideFault> inside_faults_of_provers() {
   std::vector<InsideFault> all;
-  const char *law = "index.all_levels", *folder = "index/all_levels";
-  const auto add = [&](const char* name, const char* wrong, const char* statement, const char* before,
-                       const char* after) {
-    all.push_back(proof(law, name, wrong, altered(folder, statement, before, after)));
-  };
-
-  add("w_tie_in_upright", "one of upright's comparisons of w with 1/2 takes the tie", "transition_upright",
-      "(< (to_real M) (* 2.0 w))", "(<= (to_real M) (* 2.0 w))");
-  add("sign_of_w_in_middle", "out of a middle triangle, u' has w with the other sign", "transition_middle",
-      "(/ (- (- u v) w) 2.0)", "(/ (+ (- u v) w) 2.0)");
-  add("above_forgotten", "the XOR of the bits above is forgotten", "transition_upright",
-      "(define-fun next_above () Bool (xor above (and (xor bu bv) b0)))",
-      "(define-fun next_above () Bool (and (xor bu bv) b0))");
-  add("beyond_hypotenuse", "the opening is said of points beyond the hypotenuse as well", "opening",
-      "(assert (<= (+ u v) (to_real M)))\n", "");
-  add("middle_is_empty", "what is supposed of a middle triangle cannot be", "witness_transition_middle",
-      "(< 0.0 v) (< 0.0 w)", "(< 0.0 v) (< w 0.0)");
-
-  law = "index.wide_is_vulkan", folder = "index/wide_is_vulkan";
-  add("level_17", "the agreement is said of level 17 as well", "agreement",
-      "(assert (bvule N (_ bv65536 32)))", "(assert (bvule N (_ bv131072 32)))");
-  add("shift_of_3", "the prefix XOR shifts by 3 in place of 4", "prefix_xor_32", "(bvlshr part_a (_ bv4 32))",
-      "(bvlshr part_a (_ bv3 32))");
-  add("mask_of_15", "a mask of the spreading is that of 15", "spread_64", "(bvshl (_ bv1 64) (_ bv16 64))",
-      "(bvshl (_ bv1 64) (_ bv15 64))");
-
-  law = "index.impl_wide_is_wide", folder = "index/impl_wide_is_wide";
-  add("u_without_bound", "iu may be any word", "square", "(assert (bvule iu N))\n", "");
-  add("mask_lacks_a_bit", "a mask of the spreading lacks its lowest bit", "bits",
-      "(_ bv71777214294589695 64)", "(_ bv71777214294589694 64)");
-  add("iw_of_any_row", "iw has nothing to do with the row", "bits",
-      "(assert (= (bvand iw low) (bvand (bvnot row) low)))\n", "");
-
-  law = "index.floats", folder = "index/floats";
-  add("sum_of_1_is_below", "where uf + vf is 1, it is taken to be below", "lanes_carry", "(fp.geq", "(fp.gt");
-  add("whole_part_to_nearest", "the whole part is the nearest whole number", "scalar_parts",
-      "((_ fp.to_sbv 32) RTZ", "((_ fp.to_sbv 32) RNE");
-  add("level_31", "whole parts are said of level 31 as well, which signed words do not hold", "lanes_parts",
-      "(assert (bvule n (_ bv30 8)))", "(assert (bvule n (_ bv31 8)))");
-  add("rest_without_bound", "what is left of uN may be any number", "reference_32",
-      "(assert (bvult uf (bvshl ((_ zero_extend 152) (_ bv1 32)) (_ bv149 184))))\n", "");
-  add("v_without_bound", "iv may be any word", "lanes_square", "(assert (bvule iv N))\n", "");
-  add("not_vacuous_of_nothing", "the witness of the carry is sought where there is none", "witness_carry",
-      "(assert (bvult uf_bits (_ bv1065353216 32)))", "(assert (bvult uf_bits (_ bv0 32)))");
-
-  law = "index.row_floats", folder = "index/row_floats";
-  add("none_is_more", "0 counts as more than 0", "scalar_more", "(fp.gt", "(fp.geq");
-  add("u_beyond_1", "u may be a hair above 1", "lanes_rows", "(assert (not (and (= iu N) beyond)))\n", "");
-  add("rest_of_u_without_bound", "what is left of uN may be any number", "floor_of_rest",
-      "(assert (bvult uf (bvshl ((_ zero_extend 152) (_ bv1 32)) (_ bv149 184))))\n", "");
-  add("not_vacuous_of_nothing", "the witness of the floors is sought where there is none", "witness_floors",
-      "(assert (bvule iu N))", "(assert (bvult N iu))");
-
-  folder = "index/published_differs_where";
-  const auto add_published = [&](const char* name, const char* wrong, const char* statement,
-                                 const char* before, const char* after) {
-    all.push_back(published_proof(name, wrong, altered(folder, statement, before, after)));
-  };
-  add_published("hair_of_24_bits", "the set begins at 1 - 2^-24", "square", "(_ bv124 184)", "(_ bv125 184)");
-  add_published("halves_of_last_square", "the halves differ in the squares at the hypotenuse as well",
-                "halves", "(bvult (bvadd iu iv) low)", "(bvule (bvadd iu iv) low)");
-  add_published("whole_part_up", "the whole part is rounded up", "parts", "((_ fp.to_ubv 32) RTZ",
-                "((_ fp.to_ubv 32) RTP");
-
-  law = "tree.all_levels", folder = "tree/all_levels";
-  add("three_children", "bitscan counts three subtrees below an internal node", "skip_node", "(- (+ c 4) 1)",
-      "(- (+ c 3) 1)");
-  add("children_exchanged", "Algorithm 2 has the second child above the first", "emit_node",
-      "(stacked (child0 T) (stacked (child1 T)", "(stacked (child1 T) (stacked (child0 T)");
-  add("node_counts_twice", "an internal node counts as two", "sizes_node", "(+ 1 (nodes (child0 T))",
-      "(+ 2 (nodes (child0 T))");
-  add("one_quarter_not_supposed", "nothing is supposed of the last quarter", "canonical_node_node",
-      "(assert (alike (part3 T) (part3 S)))\n", "");
+  for (const Alteration& a : alterations) {
+    std::string folder = a.law;
+    std::replace(folder.begin(), folder.end(), '.', '/');
+    all.push_back(proof(a.law, a.name, a.wrong, altered(folder, a.statement, a.before, a.after)));
+  }
   return all;
 }
 

@@ -89,8 +89,8 @@ MadeFile sealed(ByteList bytes, std::size_t at, unsigned char value, std::size_t
   return {bytes};
 }
 
-std::vector<Case> arrays() {
-  std::vector<Case> all{
+std::vector<Case> alignments_and_strides() {
+  return {
       {"align.data_256", plain("ext", [](RawArray& a) { a.json["data"]["address"] = 128; })},
       {"align.records_256", plain("ext", [](RawArray& a) { a.json["records"]["address"] = 128; })},
       {"align.data_128", plain("khr", [](RawArray& a) { a.json["data"]["address"] = 64; })},
@@ -109,6 +109,11 @@ std::vector<Case> arrays() {
                                a.json["records"]["stride"] = 16;
                                a.records.insert(a.records.begin() + 8, 8, 0);
                              })},
+  };
+}
+
+std::vector<Case> records() {
+  return {
       {"records.size", plain("ext", [](RawArray& a) { a.json["records"]["count"] = 3; })},
       {"records.whole", plain("gltf", [](RawArray& a) { a.records.push_back(0); })},
       {"record.format", plain("ext", [](RawArray& a) { a.records[14] = 3; })},
@@ -126,6 +131,11 @@ std::vector<Case> arrays() {
       {"record.lossy_format", plain("khr", [](RawArray& a) { a.json["lossy"] = true; })},
       {"record.region", plain("ext", [](RawArray& a) { a.data.pop_back(); })},
       {"record.overlap", plain("gltf", [](RawArray& a) { a.records[8] = 3; })},
+  };
+}
+
+std::vector<Case> usage_counts() {
+  return {
       {"counts.format", counted("dxr", 1, 3)},
       {"counts.level", counted("khr", 4, 2, [](RawArray& a) { a.json["limits"]["fourStateLevel"] = 3; })},
       {"counts.level_lossy", counted("khr", 4, 2,
@@ -153,6 +163,11 @@ std::vector<Case> arrays() {
          use_twice(a);
          a.geometry()["usageCounts"] = a.json["usageCounts"];
        })},
+  };
+}
+
+std::vector<Case> indices() {
+  return {
       {"index.encoding", plain("ext",
                                [](RawArray& a) {
                                  a.geometry()["indices"]["type"] = "u8";
@@ -178,7 +193,6 @@ std::vector<Case> arrays() {
                               })},
       {"index.range", plain("ext", [](RawArray& a) { a.indices[2] = 2; })},
   };
-  return all;
 }
 
 std::vector<Case> sidecars() {
@@ -260,7 +274,8 @@ std::vector<Case> gltfs() {
 
 std::vector<Case> cases() {
   std::vector<Case> all;
-  for (const auto& some : {arrays(), sidecars(), containers(), gltfs()})
+  for (const auto& some :
+       {alignments_and_strides(), records(), usage_counts(), indices(), sidecars(), containers(), gltfs()})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

@@ -85,128 +85,126 @@ struct Planted {
   bool two_state = false, second_use = false;
 };
 
-const std::vector<Planted>& planted() {
-  using impl::vq::State;
-  static const std::vector<Planted> all{
-      {"bake.conservative", "an unknown is O", [](Made& m) { change_last(m, 0, 3, 1); }},
-      {"bake.conservative", "an unknown is T", [](Made& m) { change_last(m, 1, 2, 0); }},
-      {"bake.conservative", "a T is O", [](Made& m) { change_last(m, 1, 0, 1); }},
-      {"bake.tight", "a T is UT", [](Made& m) { change_last(m, 1, 0, 2); }},
-      {"bake.tight", "an O is UO", [](Made& m) { change_last(m, 0, 1, 3); }},
-      {"bake.tight", "a uniform O is UO", [](Made& m) { change_uniform(m, 3); }},
-      {"bake.force2", "a T is O", [](Made& m) { change_last(m, 0, 0, 1); }, 4, true},
-      {"bake.force2", "an O is T", [](Made& m) { change_last(m, 1, 1, 0); }, 4, true},
-      {"bake.force2", "a uniform O is T", [](Made& m) { change_uniform(m, 0); }, 4, true},
-      {"micromap.valid", "a geometry count is off",
-       [](Made& m) { m.a.primitives[0].geometry.counts[0].count += 1; }},
-      {"micromap.valid", "a code is beyond the records",
-       [](Made& m) { m.a.primitives[0].geometry.indices[0] = 200; }},
-      {"micromap.valid", "a record is beyond the data",
-       [](Made& m) { m.a.array.records[3].offset += 1 << 20; }},
-      {"micromap.indirection", "two triangles have each other's codes",
-       [](Made& m) {
-         std::swap(m.a.primitives[0].geometry.indices[0], m.a.primitives[0].geometry.indices[2]);
-       }},
-      {"micromap.indirection", "a code is beyond the records",
-       [](Made& m) { m.a.primitives[0].geometry.indices[0] = 200; }},
-      {"micromap.indirection", "a record is beyond the data",
-       [](Made& m) { m.a.array.records[3].offset += 1 << 20; }},
-      {"micromap.indirection", "one state of 16,384 is another in the array",
-       [](Made& m) { m.a.array.data[m.a.array.records[1].offset + 1234] ^= 4; }, 7},
-      {"micromap.indirection",
-       "the second use of a map has another's code",
-       [](Made& m) { m.a.primitives[0].geometry.indices[10] ^= 1; },
-       {},
-       false,
-       true},
-      {"micromap.indirection", "one state too many is counted",
-       [](Made& m) { ++m.b.triangles[0].states[2], --m.b.triangles[0].states[3]; }},
-      {"tree.round_trip", "the sequences are another map's",
-       [](Made& m) {
-         m.codecs.stream = [real = m.codecs.stream](Level n, auto f, auto map) {
-           impl::micromap::Bytes copy;
-           return real(n, f, spoiled(n, map, copy));
-         };
-       }},
-      {"tree.round_trip", "the form for random access is another map's",
-       [](Made& m) {
-         m.codecs.tree = [real = m.codecs.tree](Level n, auto f, auto map) {
-           impl::micromap::Bytes copy;
-           return real(n, f, spoiled(n, map, copy));
-         };
-       }},
-      {"tree.round_trip", "a bit of the values is flipped",
-       [](Made& m) {
-         m.codecs.stream = [real = m.codecs.stream](Level n, auto f, auto map) {
-           impl::tree::Stream stream = real(n, f, map);
-           stream.data[0] ^= 1;
-           return stream;
-         };
-       }},
-      {"vq2.conservative", "a substitution is not counted",
-       [](Made& m) {
-         m.codecs.vq2 = [real = m.codecs.vq2](const auto& map) {
-           auto encoded = real(map);
-           ++encoded.substitutions;
-           return encoded;
-         };
-       }},
-      {"vq2.conservative", "the block is that of all O",
-       [](Made& m) {
-         m.codecs.vq2 = [real = m.codecs.vq2](auto map) {
-           map.fill(State::O);
-           return real(map);
-         };
-       }},
-      {"vq2.conservative", "one C is O",
-       [](Made& m) {
-         m.codecs.vq2 = [real = m.codecs.vq2](auto map) {
-           *std::find(map.rbegin(), map.rend(), State::C) = State::O;
-           return real(map);
-         };
-       }},
-      {"vq4.conservative", "a substitution is not counted",
-       [](Made& m) {
-         m.codecs.vq4 = [real = m.codecs.vq4](const auto& map) {
-           auto encoded = real(map);
-           ++encoded.substitutions;
-           return encoded;
-         };
-       }},
-      {"vq4.conservative", "the block is that of all T",
-       [](Made& m) {
-         m.codecs.vq4 = [real = m.codecs.vq4](auto map) {
-           map.fill(State::T);
-           return real(map);
-         };
-       }},
-      {"vq4.conservative", "one C is T",
-       [](Made& m) {
-         m.codecs.vq4 = [real = m.codecs.vq4](auto map) {
-           *std::find(map.begin(), map.end(), State::C) = State::T;
-           return real(map);
-         };
-       }},
-      {"vq.square_map", "all is O",
-       [](Made& m) {
-         for (auto& map : m.m.vq2) map.fill(State::O);
-       }},
-      {"vq.square_map", "all is C",
-       [](Made& m) {
-         for (auto& map : m.m.vq4) map.fill(State::C);
-       }},
-      {"vq.square_map", "the rows run downwards", [](Made& m) {
-         for (auto& map : m.m.vq4)
-           for (std::size_t y = 0; y < 16; ++y)
-             std::swap_ranges(map.begin() + static_cast<std::ptrdiff_t>(32 * y),
-                              map.begin() + static_cast<std::ptrdiff_t>(32 * y + 32),
-                              map.begin() + static_cast<std::ptrdiff_t>(32 * (31 - y)));
-       }}};
-  return all;
-}
+using VqState = impl::vq::State;
+
+const std::vector<Planted> planted{
+    {"bake.conservative", "an unknown is O", [](Made& m) { change_last(m, 0, 3, 1); }},
+    {"bake.conservative", "an unknown is T", [](Made& m) { change_last(m, 1, 2, 0); }},
+    {"bake.conservative", "a T is O", [](Made& m) { change_last(m, 1, 0, 1); }},
+    {"bake.tight", "a T is UT", [](Made& m) { change_last(m, 1, 0, 2); }},
+    {"bake.tight", "an O is UO", [](Made& m) { change_last(m, 0, 1, 3); }},
+    {"bake.tight", "a uniform O is UO", [](Made& m) { change_uniform(m, 3); }},
+    {"bake.force2", "a T is O", [](Made& m) { change_last(m, 0, 0, 1); }, 4, true},
+    {"bake.force2", "an O is T", [](Made& m) { change_last(m, 1, 1, 0); }, 4, true},
+    {"bake.force2", "a uniform O is T", [](Made& m) { change_uniform(m, 0); }, 4, true},
+    {"micromap.valid", "a geometry count is off",
+     [](Made& m) { m.a.primitives[0].geometry.counts[0].count += 1; }},
+    {"micromap.valid", "a code is beyond the records",
+     [](Made& m) { m.a.primitives[0].geometry.indices[0] = 200; }},
+    {"micromap.valid", "a record is beyond the data",
+     [](Made& m) { m.a.array.records[3].offset += 1 << 20; }},
+    {"micromap.indirection", "two triangles have each other's codes",
+     [](Made& m) {
+       std::swap(m.a.primitives[0].geometry.indices[0], m.a.primitives[0].geometry.indices[2]);
+     }},
+    {"micromap.indirection", "a code is beyond the records",
+     [](Made& m) { m.a.primitives[0].geometry.indices[0] = 200; }},
+    {"micromap.indirection", "a record is beyond the data",
+     [](Made& m) { m.a.array.records[3].offset += 1 << 20; }},
+    {"micromap.indirection", "one state of 16,384 is another in the array",
+     [](Made& m) { m.a.array.data[m.a.array.records[1].offset + 1234] ^= 4; }, 7},
+    {"micromap.indirection",
+     "the second use of a map has another's code",
+     [](Made& m) { m.a.primitives[0].geometry.indices[10] ^= 1; },
+     {},
+     false,
+     true},
+    {"micromap.indirection", "one state too many is counted",
+     [](Made& m) { ++m.b.triangles[0].states[2], --m.b.triangles[0].states[3]; }},
+    {"tree.round_trip", "the sequences are another map's",
+     [](Made& m) {
+       m.codecs.stream = [real = m.codecs.stream](Level n, auto f, auto map) {
+         impl::micromap::Bytes copy;
+         return real(n, f, spoiled(n, map, copy));
+       };
+     }},
+    {"tree.round_trip", "the form for random access is another map's",
+     [](Made& m) {
+       m.codecs.tree = [real = m.codecs.tree](Level n, auto f, auto map) {
+         impl::micromap::Bytes copy;
+         return real(n, f, spoiled(n, map, copy));
+       };
+     }},
+    {"tree.round_trip", "a bit of the values is flipped",
+     [](Made& m) {
+       m.codecs.stream = [real = m.codecs.stream](Level n, auto f, auto map) {
+         impl::tree::Stream stream = real(n, f, map);
+         stream.data[0] ^= 1;
+         return stream;
+       };
+     }},
+    {"vq2.conservative", "a substitution is not counted",
+     [](Made& m) {
+       m.codecs.vq2 = [real = m.codecs.vq2](const auto& map) {
+         auto encoded = real(map);
+         ++encoded.substitutions;
+         return encoded;
+       };
+     }},
+    {"vq2.conservative", "the block is that of all O",
+     [](Made& m) {
+       m.codecs.vq2 = [real = m.codecs.vq2](auto map) {
+         map.fill(VqState::O);
+         return real(map);
+       };
+     }},
+    {"vq2.conservative", "one C is O",
+     [](Made& m) {
+       m.codecs.vq2 = [real = m.codecs.vq2](auto map) {
+         *std::find(map.rbegin(), map.rend(), VqState::C) = VqState::O;
+         return real(map);
+       };
+     }},
+    {"vq4.conservative", "a substitution is not counted",
+     [](Made& m) {
+       m.codecs.vq4 = [real = m.codecs.vq4](const auto& map) {
+         auto encoded = real(map);
+         ++encoded.substitutions;
+         return encoded;
+       };
+     }},
+    {"vq4.conservative", "the block is that of all T",
+     [](Made& m) {
+       m.codecs.vq4 = [real = m.codecs.vq4](auto map) {
+         map.fill(VqState::T);
+         return real(map);
+       };
+     }},
+    {"vq4.conservative", "one C is T",
+     [](Made& m) {
+       m.codecs.vq4 = [real = m.codecs.vq4](auto map) {
+         *std::find(map.begin(), map.end(), VqState::C) = VqState::T;
+         return real(map);
+       };
+     }},
+    {"vq.square_map", "all is O",
+     [](Made& m) {
+       for (auto& map : m.m.vq2) map.fill(VqState::O);
+     }},
+    {"vq.square_map", "all is C",
+     [](Made& m) {
+       for (auto& map : m.m.vq4) map.fill(VqState::C);
+     }},
+    {"vq.square_map", "the rows run downwards", [](Made& m) {
+       for (auto& map : m.m.vq4)
+         for (std::size_t y = 0; y < 16; ++y)
+           std::swap_ranges(map.begin() + static_cast<std::ptrdiff_t>(32 * y),
+                            map.begin() + static_cast<std::ptrdiff_t>(32 * y + 32),
+                            map.begin() + static_cast<std::ptrdiff_t>(32 * (31 - y)));
+     }}};
 
 TEST(SceneLaws, RefuteWhatIsPlanted) {
-  for (const Planted& one : planted()) {
+  for (const Planted& one : planted) {
     Made made(one.level, {0, one.two_state, 0, {}}, one.second_use ? with_a_second_use() : made_scene());
     EXPECT_NE(verdicts(judged(made.data(), std::nullopt, one.law))[one.law], proofs::Verdict::refuted)
         << one.what;
@@ -223,7 +221,7 @@ TEST(SceneLaws, RefuteWhatIsPlanted) {
 
 TEST(SceneLaws, EachHasThreePlants) {
   std::map<std::string, std::set<std::string>> plants;
-  for (const Planted& one : planted()) plants[one.law].insert(one.what);
+  for (const Planted& one : planted) plants[one.law].insert(one.what);
   for (const bool two_state : {false, true})
     for (const auto& [law, verdict] : verdicts(judged(Made(4, {0, two_state, 0, {}}).data())))
       EXPECT_GE(plants[law].size(), 3u) << law;

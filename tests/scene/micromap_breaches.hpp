@@ -76,105 +76,100 @@ inline Json sparse_of(Subject& s, const std::string& where, const std::string& w
           {"values", {{"bufferView", values}}}};
 }
 
-inline const std::vector<Breach>& breaches() {
-  static const std::vector<Breach> all{
-      {"file.readable", "", [](Subject& s) { s.file.json["asset"]["version"] = 2; }},
-      {"used.listed", "/extensionsUsed", [](Subject& s) { s.file.json.erase("extensionsUsed"); }},
-      {"required.unlisted", "/extensionsRequired",
-       [](Subject& s) { s.file.json["extensionsRequired"] = {name}; }},
-      {"root.micromaps", root_at + "/micromaps",
-       [](Subject& s) {
-         s.root()["micromaps"] = Json::array();
-         for (Json& primitive : s.file.json["meshes"][0]["primitives"]) primitive.erase("extensions");
-       }},
-      {"root.object", root_at,
-       [](Subject& s) {
-         s.root() = 7;
-         for (Json& primitive : s.file.json["meshes"][0]["primitives"]) primitive.erase("extensions");
-       }},
-      {"micromap.object", micromap_at, [](Subject& s) { s.micromap() = Json::array(); }},
-      {"micromap.missing", micromap_at, [](Subject& s) { s.micromap().erase("usageLevels"); }},
-      {"micromap.missing", micromap_at, [](Subject& s) { s.micromap().erase("data"); }},
-      {"micromap.missing", micromap_at, [](Subject& s) { s.micromap().erase("triangles"); }},
-      {"micromap.name", micromap_at + "/name", [](Subject& s) { s.micromap()["name"] = 1; }},
-      {"micromap.view", micromap_at + "/data", [](Subject& s) { s.micromap()["data"] = 99; }},
-      {"micromap.view", micromap_at + "/triangles", [](Subject& s) { s.micromap()["triangles"] = -1; }},
-      {"view.stride", micromap_at + "/triangles", [](Subject& s) { s.records_view()["byteStride"] = 8; }},
-      {"view.stride", micromap_at + "/data", [](Subject& s) { s.data_view()["byteStride"] = 4; }},
-      {"view.stride", indices_at, [](Subject& s) { s.indices_view()["byteStride"] = 4; }},
-      {"view.inside", micromap_at + "/data", [](Subject& s) { s.data_view()["byteLength"] = 100000; }},
-      {"usage.array", micromap_at + "/usageFormats", [](Subject& s) { s.micromap()["usageFormats"] = 1; }},
-      {"usage.integer", micromap_at + "/usageLevels/0",
-       [](Subject& s) { s.micromap()["usageLevels"][0] = 1.5; }},
-      {"usage.integer", micromap_at + "/usageCounts/1",
-       [](Subject& s) { s.micromap()["usageCounts"][1] = -1; }},
-      {"usage.integer", micromap_at + "/usageCounts/1",
-       [](Subject& s) { s.micromap()["usageCounts"][1] = 4294967297; }},
-      {"usage.length", micromap_at + "/usageLevels", [](Subject& s) { s.micromap()["usageLevels"] = {1}; }},
-      {"counts.zero", micromap_at + "/usageCounts/2",
-       [](Subject& s) {
-         s.micromap()["usageCounts"].push_back(0);
-         s.micromap()["usageLevels"].push_back(1);
-         s.micromap()["usageFormats"].push_back(1);
-       }},
-      // A count of what no record can be breaks counts.array as well; so these come with a record of it.
-      {"counts.level_12", micromap_at + "/usageLevels/0", {}},
-      {"counts.format", micromap_at + "/usageFormats/0", {}},
-      {"counts.array", micromap_at + "/usageCounts",
-       [](Subject& s) {
-         s.micromap()["usageCounts"] = {2, 1};
-       }},
-      {"records.whole", micromap_at + "/triangles", [](Subject& s) { s.records_view()["byteLength"] = 17; }},
-      {"record.region", micromap_at + "/triangles", [](Subject& s) { s.data_view()["byteLength"] = 4; }},
-      {"record.overlap", micromap_at + "/triangles", [](Subject& s) { s.byte_of(s.records_view(), 8) = 3; }},
-      {"record.level_12", micromap_at + "/triangles", {}},
-      {"record.format", micromap_at + "/triangles", {}},
-      {"primitive.object", primitive_at, [](Subject& s) { s.extension() = "0"; }},
-      {"primitive.micromap", primitive_at + "/micromap", [](Subject& s) { s.extension()["micromap"] = 1; }},
-      {"primitive.micromap", primitive_at + "/micromap", [](Subject& s) { s.extension().erase("micromap"); }},
-      {"primitive.base", primitive_at + "/micromapBaseTriangle",
-       [](Subject& s) { s.extension()["micromapBaseTriangle"] = -1; }},
-      {"primitive.mode", "/meshes/0/primitives/1/mode",
-       [](Subject& s) { s.file.json["meshes"][0]["primitives"][1]["mode"] = 5; }},
-      {"indices.accessor", indices_at, [](Subject& s) { s.extension()["micromapIndices"] = 4; }},
-      {"indices.type", accessor_at + "/type", [](Subject& s) { s.accessor()["type"] = "VEC2"; }},
-      {"indices.component", accessor_at + "/componentType",
-       [](Subject& s) { s.accessor()["componentType"] = 5126; }},
-      {"indices.component", accessor_at + "/componentType",
-       [](Subject& s) { s.accessor()["componentType"] = 5120; }},
-      {"indices.normalized", accessor_at + "/normalized",
-       [](Subject& s) { s.accessor()["normalized"] = true; }},
-      {"indices.count", indices_at, [](Subject& s) { s.accessor()["count"] = 1; }},
-      {"indices.inside", indices_at, [](Subject& s) { s.accessor()["byteOffset"] = 2; }},
-      {"indices.sparse", accessor_at + "/sparse/indices",
-       [](Subject& s) { s.accessor()["sparse"] = sparse_of(s, "\2", std::string("\0\0", 2)); }},
-      {"indices.sparse", accessor_at + "/sparse/indices",
-       [](Subject& s) {
-         s.accessor()["sparse"] = sparse_of(s, std::string("\1\0", 2), std::string(4, '\0'));
-       }},
-      {"indices.sparse", accessor_at + "/sparse/values",
-       [](Subject& s) {
-         s.accessor()["sparse"] = sparse_of(s, std::string("\0\1", 2), std::string(3, '\0'));
-       }},
-      {"align.index", indices_at,
-       [](Subject& s) {
-         s.indices_view()["byteOffset"] = s.indices_view()["byteOffset"].get<int>() - 1;
-         s.byte_of(s.indices_view(), 0) = s.byte_of(s.indices_view(), 1) = 0;
-         s.byte_of(s.indices_view(), 2) = s.byte_of(s.indices_view(), 3) = 0;
-       }},
-      {"index.special", indices_at, [](Subject& s) { s.byte_of(s.indices_view(), 2) = '\xfb'; }},
-      {"index.range", indices_at, [](Subject& s) { s.byte_of(s.indices_view(), 0) = 2; }},
-      {"index.range", "/meshes/0/primitives/1" + root_at,
-       [](Subject& s) { s.extension(1)["micromapBaseTriangle"] = 2; }},
-      {"index.range", "/meshes/0/primitives/1" + root_at,
-       [](Subject& s) { s.extension(1)["micromapBaseTriangle"] = 4294967295; }},
-      {"limits.indices", accessor_at + "/count",
-       [](Subject& s) {
-         s.accessor().erase("bufferView");
-         s.accessor()["count"] = 4194305;
-       }},
-  };
-  return all;
-}
+inline const std::vector<Breach> all_breaches{
+    {"file.readable", "", [](Subject& s) { s.file.json["asset"]["version"] = 2; }},
+    {"used.listed", "/extensionsUsed", [](Subject& s) { s.file.json.erase("extensionsUsed"); }},
+    {"required.unlisted", "/extensionsRequired",
+     [](Subject& s) { s.file.json["extensionsRequired"] = {name}; }},
+    {"root.micromaps", root_at + "/micromaps",
+     [](Subject& s) {
+       s.root()["micromaps"] = Json::array();
+       for (Json& primitive : s.file.json["meshes"][0]["primitives"]) primitive.erase("extensions");
+     }},
+    {"root.object", root_at,
+     [](Subject& s) {
+       s.root() = 7;
+       for (Json& primitive : s.file.json["meshes"][0]["primitives"]) primitive.erase("extensions");
+     }},
+    {"micromap.object", micromap_at, [](Subject& s) { s.micromap() = Json::array(); }},
+    {"micromap.missing", micromap_at, [](Subject& s) { s.micromap().erase("usageLevels"); }},
+    {"micromap.missing", micromap_at, [](Subject& s) { s.micromap().erase("data"); }},
+    {"micromap.missing", micromap_at, [](Subject& s) { s.micromap().erase("triangles"); }},
+    {"micromap.name", micromap_at + "/name", [](Subject& s) { s.micromap()["name"] = 1; }},
+    {"micromap.view", micromap_at + "/data", [](Subject& s) { s.micromap()["data"] = 99; }},
+    {"micromap.view", micromap_at + "/triangles", [](Subject& s) { s.micromap()["triangles"] = -1; }},
+    {"view.stride", micromap_at + "/triangles", [](Subject& s) { s.records_view()["byteStride"] = 8; }},
+    {"view.stride", micromap_at + "/data", [](Subject& s) { s.data_view()["byteStride"] = 4; }},
+    {"view.stride", indices_at, [](Subject& s) { s.indices_view()["byteStride"] = 4; }},
+    {"view.inside", micromap_at + "/data", [](Subject& s) { s.data_view()["byteLength"] = 100000; }},
+    {"usage.array", micromap_at + "/usageFormats", [](Subject& s) { s.micromap()["usageFormats"] = 1; }},
+    {"usage.integer", micromap_at + "/usageLevels/0",
+     [](Subject& s) { s.micromap()["usageLevels"][0] = 1.5; }},
+    {"usage.integer", micromap_at + "/usageCounts/1",
+     [](Subject& s) { s.micromap()["usageCounts"][1] = -1; }},
+    {"usage.integer", micromap_at + "/usageCounts/1",
+     [](Subject& s) { s.micromap()["usageCounts"][1] = 4294967297; }},
+    {"usage.length", micromap_at + "/usageLevels", [](Subject& s) { s.micromap()["usageLevels"] = {1}; }},
+    {"counts.zero", micromap_at + "/usageCounts/2",
+     [](Subject& s) {
+       s.micromap()["usageCounts"].push_back(0);
+       s.micromap()["usageLevels"].push_back(1);
+       s.micromap()["usageFormats"].push_back(1);
+     }},
+    // A count of what no record can be breaks counts.array as well; so these come with a record of it.
+    {"counts.level_12", micromap_at + "/usageLevels/0", {}},
+    {"counts.format", micromap_at + "/usageFormats/0", {}},
+    {"counts.array", micromap_at + "/usageCounts",
+     [](Subject& s) {
+       s.micromap()["usageCounts"] = {2, 1};
+     }},
+    {"records.whole", micromap_at + "/triangles", [](Subject& s) { s.records_view()["byteLength"] = 17; }},
+    {"record.region", micromap_at + "/triangles", [](Subject& s) { s.data_view()["byteLength"] = 4; }},
+    {"record.overlap", micromap_at + "/triangles", [](Subject& s) { s.byte_of(s.records_view(), 8) = 3; }},
+    {"record.level_12", micromap_at + "/triangles", {}},
+    {"record.format", micromap_at + "/triangles", {}},
+    {"primitive.object", primitive_at, [](Subject& s) { s.extension() = "0"; }},
+    {"primitive.micromap", primitive_at + "/micromap", [](Subject& s) { s.extension()["micromap"] = 1; }},
+    {"primitive.micromap", primitive_at + "/micromap", [](Subject& s) { s.extension().erase("micromap"); }},
+    {"primitive.base", primitive_at + "/micromapBaseTriangle",
+     [](Subject& s) { s.extension()["micromapBaseTriangle"] = -1; }},
+    {"primitive.mode", "/meshes/0/primitives/1/mode",
+     [](Subject& s) { s.file.json["meshes"][0]["primitives"][1]["mode"] = 5; }},
+    {"indices.accessor", indices_at, [](Subject& s) { s.extension()["micromapIndices"] = 4; }},
+    {"indices.type", accessor_at + "/type", [](Subject& s) { s.accessor()["type"] = "VEC2"; }},
+    {"indices.component", accessor_at + "/componentType",
+     [](Subject& s) { s.accessor()["componentType"] = 5126; }},
+    {"indices.component", accessor_at + "/componentType",
+     [](Subject& s) { s.accessor()["componentType"] = 5120; }},
+    {"indices.normalized", accessor_at + "/normalized",
+     [](Subject& s) { s.accessor()["normalized"] = true; }},
+    {"indices.count", indices_at, [](Subject& s) { s.accessor()["count"] = 1; }},
+    {"indices.inside", indices_at, [](Subject& s) { s.accessor()["byteOffset"] = 2; }},
+    {"indices.sparse", accessor_at + "/sparse/indices",
+     [](Subject& s) { s.accessor()["sparse"] = sparse_of(s, "\2", std::string("\0\0", 2)); }},
+    {"indices.sparse", accessor_at + "/sparse/indices",
+     [](Subject& s) { s.accessor()["sparse"] = sparse_of(s, std::string("\1\0", 2), std::string(4, '\0')); }},
+    {"indices.sparse", accessor_at + "/sparse/values",
+     [](Subject& s) { s.accessor()["sparse"] = sparse_of(s, std::string("\0\1", 2), std::string(3, '\0')); }},
+    {"align.index", indices_at,
+     [](Subject& s) {
+       s.indices_view()["byteOffset"] = s.indices_view()["byteOffset"].get<int>() - 1;
+       s.byte_of(s.indices_view(), 0) = s.byte_of(s.indices_view(), 1) = 0;
+       s.byte_of(s.indices_view(), 2) = s.byte_of(s.indices_view(), 3) = 0;
+     }},
+    {"index.special", indices_at, [](Subject& s) { s.byte_of(s.indices_view(), 2) = '\xfb'; }},
+    {"index.range", indices_at, [](Subject& s) { s.byte_of(s.indices_view(), 0) = 2; }},
+    {"index.range", "/meshes/0/primitives/1" + root_at,
+     [](Subject& s) { s.extension(1)["micromapBaseTriangle"] = 2; }},
+    {"index.range", "/meshes/0/primitives/1" + root_at,
+     [](Subject& s) { s.extension(1)["micromapBaseTriangle"] = 4294967295; }},
+    {"limits.indices", accessor_at + "/count",
+     [](Subject& s) {
+       s.accessor().erase("bufferView");
+       s.accessor()["count"] = 4194305;
+     }},
+};
+
+inline const std::vector<Breach>& breaches() { return all_breaches; }
 
 }  // namespace mmverify::tests::micromap_file

@@ -240,11 +240,12 @@ TEST(SceneWrite, OldMicromapsAreReplaced) {
   EXPECT_FALSE(taken_apart(without).primitive().contains("extensions"));
 }
 
-TEST(SceneWrite, BuffersAndImagesFromEverywhere) {
-  const Folder folder;
+const std::string webp = "RIFF....WEBPVP8 .", ktx2 = "\xabKTX 20\xbb\r\n\x1a\n.";
+
+/// A square whose buffers and images lie in files of the folder and in data URIs; leaf.gltf is the file itself.
+GltfFile square_from_everywhere(const Folder& folder, const std::string& uvs) {
   GltfFile file = square();
   // The UVs in a buffer of their own, of an odd size, in a data URI; the rest in a file.
-  const std::string uvs = view_of(file, file.accessor("TEXCOORD_0")["bufferView"]);
   file.json["buffers"][0]["uri"] = "leaf.bin";
   file.json["buffers"].push_back(
       {{"byteLength", uvs.size() + 7},
@@ -252,7 +253,6 @@ TEST(SceneWrite, BuffersAndImagesFromEverywhere) {
   file.view("TEXCOORD_0") = {{"buffer", 1}, {"byteOffset", 4}, {"byteLength", uvs.size()}};
   file.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = {
       {"buffer", 1}, {"byteOffset", 1}, {"byteLength", 3}, {"byteStride", 4}, {"count", 1}};
-  std::string webp = "RIFF....WEBPVP8 .", ktx2 = "\xabKTX 20\xbb\r\n\x1a\n.";
   file.json["images"] = {{{"uri", "leaf%201.png"}},
                          {{"uri", "data:image/jpeg;base64," + base64("\xff\xd8\xff\xe0!")}},
                          {{"uri", "photo.jpg"}, {"name", "photo"}, {"extras", 5}},
@@ -267,6 +267,14 @@ TEST(SceneWrite, BuffersAndImagesFromEverywhere) {
   GltfFile::write(folder / "k", ktx2);
   GltfFile::write(folder / "strange", "?");
   GltfFile::write(folder / "leaf.gltf", file.json.dump());
+  return file;
+}
+
+TEST(SceneWrite, BuffersAndImagesFromEverywhere) {
+  const Folder folder;
+  GltfFile whole = square();
+  const std::string uvs = view_of(whole, whole.accessor("TEXCOORD_0")["bufferView"]);
+  GltfFile file = square_from_everywhere(folder, uvs);
   Chosen chosen{{0, 65535}};
   const Bytes glb = to_glb(folder / "leaf.gltf", chosen.micromaps);
   expect_clean(glb);

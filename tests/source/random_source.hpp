@@ -142,7 +142,13 @@ uint32_t word_up_to(float) __asm__("llvm.fptoui.sat.i32.f32");
   }
 
   std::string word() final {
-    switch (random_.below(35)) {
+    const std::uint64_t kind = random_.below(35);
+    return kind >= 22 ? word_of_call(kind) : word_of_operator(kind);
+  }
+
+  /// Calls of the functions above, and of two that compilers know.
+  std::string word_of_call(std::uint64_t kind) {
+    switch (kind) {
       case 22:
         return fmt::format("of_pair(paired({}, {}))", a(), a());
       case 23:
@@ -171,10 +177,15 @@ uint32_t word_up_to(float) __asm__("llvm.fptoui.sat.i32.f32");
       case 33:
         return fmt::format("(uint32_t)__builtin_elementwise_{}((int32_t){}, (int32_t){})",
                            one_of({"min", "max"}), a(), a());
-      case 34: {
+      default: {
         const std::string y = x();
         return fmt::format("{0} == {0} ? word_up_to({0}) : 3u", y);
       }
+    }
+  }
+
+  std::string word_of_operator(std::uint64_t kind) {
+    switch (kind) {
       case 0:
         return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}), a());
       case 1:

@@ -203,143 +203,142 @@ struct Breach {
   std::string more = {};  ///< names the way if a rule is broken in several ways
 };
 
-std::vector<Breach> breaches() {
-  const auto codes = [](Build& b, std::vector<std::uint32_t> codes, Encoding e) {
-    b.set_indices(codes, e, width(e) / 8);
-  };
-  return {
-      {Rule::align_data_256, [](Build& b) { b.data_address = 128; }},
-      {Rule::align_records_256, [](Build& b) { b.records_address = 128; }},
-      {Rule::align_data_128, [](Build& b) { b.data_address = 64; }},
-      {Rule::align_records_128, [](Build& b) { b.records_address = 64; }},
-      {Rule::align_records_4, [](Build& b) { b.records_address = 2; }},
-      {Rule::align_index, [](Build& b) { b.indices_address = 1; }},
-      {Rule::stride_least, [](Build& b) { b.record_stride = 4; }},
-      {Rule::stride_multiple, [](Build& b) { b.set_records(b.records, 10); }},
-      {Rule::stride_tight, [](Build& b) { b.set_records(b.records, 12); }},
-      {Rule::records_size, [](Build& b) { ++b.record_count; }},
-      {Rule::records_whole, [](Build& b) { b.record_bytes.resize(b.record_bytes.size() + 3); }},
-      {Rule::record_format,
-       [](Build& b) {
-         b.set_records({{0, 2, 2}, {4, 1, 3}, {5, 1, 2}});
-       }},
-      {Rule::record_format,
-       [](Build& b) {
-         b.set_records({{0, 2, 2}, {4, 1, 0}, {5, 1, 2}});
-       },
-       "0"},
-      {Rule::record_level, [](Build& b) { b.limits.four_state_level = 1; }},
-      {Rule::record_level, [](Build& b) { b.limits.two_state_level = 0; }, "2-state"},
-      {Rule::record_level_lossy, [](Build& b) { b = good_lossy(), b.limits.lossy_four_state_level = 1; }},
-      {Rule::record_level_12,
-       [](Build& b) {
-         b.set_records({{0, 13, 2}, {4, 1, 1}, {5, 1, 2}});
-       }},
-      {Rule::record_lossy_format, [](Build& b) { b.lossy = true; }},
-      {Rule::record_region, [](Build& b) { b.data.pop_back(); }},
-      {Rule::record_region,
-       [](Build& b) {
-         b.set_records({{0, 2, 2}, {0xffffffff, 1, 1}, {5, 1, 2}});
-       },
-       "offset 2^32 - 1"},
-      {Rule::record_region,
-       [](Build& b) {
-         b.set_records({{0, 65535, 2}, {4, 1, 1}, {5, 1, 2}});
-       },
-       "level 65535"},
-      {Rule::record_overlap,
-       [](Build& b) {
-         b.set_records({{0, 2, 2}, {3, 1, 1}, {5, 1, 2}});
-       }},
-      {Rule::record_overlap,
-       [](Build& b) {
-         b.set_records({{0, 2, 2}, {4, 1, 1}, {0, 1, 2}});
-       },
-       "the same begin"},
-      {Rule::counts_format,
-       [](Build& b) {
-         b.counts->push_back({1, 1, 3});
-       }},
-      {Rule::counts_format,
-       [](Build& b) {
-         b.geometry_counts->push_back({1, 1, 0});
-       },
-       "the geometry's"},
-      {Rule::counts_level,
-       [](Build& b) {
-         b.counts->push_back({1, 13, 2});
-       }},
-      {Rule::counts_level_lossy,
-       [](Build& b) {
-         b = good_lossy(), b.limits.lossy_four_state_level = 2, b.counts->push_back({1, 3, 2});
-       }},
-      {Rule::counts_level_12,
-       [](Build& b) {
-         b.counts->push_back({1, 13, 2});
-       }},
-      {Rule::counts_lossy_format,
-       [](Build& b) {
-         b = good_lossy(), b.counts->push_back({1, 1, 1});
-       }},
-      {Rule::counts_zero,
-       [](Build& b) {
-         b.counts->push_back({0, 3, 1});
-       }},
-      {Rule::counts_limit, [](Build& b) { b.limits.triangles = 2; }},
-      {Rule::counts_array, [](Build& b) { ++b.counts->front().count; }},
-      {Rule::counts_array, [](Build& b) { b.counts->pop_back(); }, "one left out"},
-      {Rule::counts_array_is_geometry, [](Build& b) { b.counts = b.geometry_counts; }},
-      {Rule::counts_geometry, [](Build& b) { ++b.geometry_counts->front().count; }},
-      {Rule::counts_geometry,
-       [](Build& b) {
-         b.geometry_counts->front().count += 1, b.geometry_counts->push_back({1, 0, 2});
-       },
-       "special ones counted"},
-      {Rule::counts_geometry_is_array, [](Build& b) { b.geometry_counts = b.counts; }},
-      {Rule::index_encoding,
-       [codes](Build& b) {
-         codes(b, {0, 1, 2}, Encoding::i16);
-       }},
-      {Rule::index_encoding,
-       [codes](Build& b) {
-         b.sets = EXT, codes(b, {0, 1, 2}, Encoding::u8);
-       },
-       "u8 of EXT"},
-      {Rule::index_stride,
-       [](Build& b) {
-         b.set_indices({0, 1, 2, 0xfffe, 0}, Encoding::u16, 3);
-       }},
-      {Rule::index_stride_most, [](Build& b) { b.index_stride = std::uint64_t{1} << 32; }},
-      {Rule::index_tight,
-       [](Build& b) {
-         b.set_indices({0, 1, 2, 0xfffe, 0}, Encoding::u16, 4);
-       }},
-      {Rule::index_size, [](Build& b) { b.indices.pop_back(); }},
-      {Rule::index_size, [](Build& b) { b.indices.clear(); }, "none"},
-      {Rule::index_count, [](Build& b) { b.indices.resize(b.indices.size() + 2); }},
-      {Rule::index_special,
-       [codes](Build& b) {
-         codes(b, {0, 1, 2, 0xfffb, 0}, Encoding::i16);
-       }},
-      {Rule::index_range,
-       [codes](Build& b) {
-         codes(b, {0, 1, 2, 3, 0}, Encoding::u16);
-       },
-       "one too many"},
-      {Rule::index_range,
-       [codes](Build& b) {
-         codes(b, {0, 1, 2, 0xfffb, 0}, Encoding::u16);
-       },
-       "-5 without a sign"},
-      {Rule::index_range, [](Build& b) { b.base = 1; }, "by the base"},
-      {Rule::index_range, [](Build& b) { b.base = 0xffffffff; }, "a base that would wrap"},
-      {Rule::index_range, [](Build& b) { b.indexed = false, b.triangles = 4, b.indices.clear(); },
-       "no index buffer"},
-  };
+void set_tight(Build& b, const std::vector<std::uint32_t>& codes, Encoding e) {
+  b.set_indices(codes, e, width(e) / 8);
 }
 
+const std::vector<Breach> breaches{
+    {Rule::align_data_256, [](Build& b) { b.data_address = 128; }},
+    {Rule::align_records_256, [](Build& b) { b.records_address = 128; }},
+    {Rule::align_data_128, [](Build& b) { b.data_address = 64; }},
+    {Rule::align_records_128, [](Build& b) { b.records_address = 64; }},
+    {Rule::align_records_4, [](Build& b) { b.records_address = 2; }},
+    {Rule::align_index, [](Build& b) { b.indices_address = 1; }},
+    {Rule::stride_least, [](Build& b) { b.record_stride = 4; }},
+    {Rule::stride_multiple, [](Build& b) { b.set_records(b.records, 10); }},
+    {Rule::stride_tight, [](Build& b) { b.set_records(b.records, 12); }},
+    {Rule::records_size, [](Build& b) { ++b.record_count; }},
+    {Rule::records_whole, [](Build& b) { b.record_bytes.resize(b.record_bytes.size() + 3); }},
+    {Rule::record_format,
+     [](Build& b) {
+       b.set_records({{0, 2, 2}, {4, 1, 3}, {5, 1, 2}});
+     }},
+    {Rule::record_format,
+     [](Build& b) {
+       b.set_records({{0, 2, 2}, {4, 1, 0}, {5, 1, 2}});
+     },
+     "0"},
+    {Rule::record_level, [](Build& b) { b.limits.four_state_level = 1; }},
+    {Rule::record_level, [](Build& b) { b.limits.two_state_level = 0; }, "2-state"},
+    {Rule::record_level_lossy, [](Build& b) { b = good_lossy(), b.limits.lossy_four_state_level = 1; }},
+    {Rule::record_level_12,
+     [](Build& b) {
+       b.set_records({{0, 13, 2}, {4, 1, 1}, {5, 1, 2}});
+     }},
+    {Rule::record_lossy_format, [](Build& b) { b.lossy = true; }},
+    {Rule::record_region, [](Build& b) { b.data.pop_back(); }},
+    {Rule::record_region,
+     [](Build& b) {
+       b.set_records({{0, 2, 2}, {0xffffffff, 1, 1}, {5, 1, 2}});
+     },
+     "offset 2^32 - 1"},
+    {Rule::record_region,
+     [](Build& b) {
+       b.set_records({{0, 65535, 2}, {4, 1, 1}, {5, 1, 2}});
+     },
+     "level 65535"},
+    {Rule::record_overlap,
+     [](Build& b) {
+       b.set_records({{0, 2, 2}, {3, 1, 1}, {5, 1, 2}});
+     }},
+    {Rule::record_overlap,
+     [](Build& b) {
+       b.set_records({{0, 2, 2}, {4, 1, 1}, {0, 1, 2}});
+     },
+     "the same begin"},
+    {Rule::counts_format,
+     [](Build& b) {
+       b.counts->push_back({1, 1, 3});
+     }},
+    {Rule::counts_format,
+     [](Build& b) {
+       b.geometry_counts->push_back({1, 1, 0});
+     },
+     "the geometry's"},
+    {Rule::counts_level,
+     [](Build& b) {
+       b.counts->push_back({1, 13, 2});
+     }},
+    {Rule::counts_level_lossy,
+     [](Build& b) {
+       b = good_lossy(), b.limits.lossy_four_state_level = 2, b.counts->push_back({1, 3, 2});
+     }},
+    {Rule::counts_level_12,
+     [](Build& b) {
+       b.counts->push_back({1, 13, 2});
+     }},
+    {Rule::counts_lossy_format,
+     [](Build& b) {
+       b = good_lossy(), b.counts->push_back({1, 1, 1});
+     }},
+    {Rule::counts_zero,
+     [](Build& b) {
+       b.counts->push_back({0, 3, 1});
+     }},
+    {Rule::counts_limit, [](Build& b) { b.limits.triangles = 2; }},
+    {Rule::counts_array, [](Build& b) { ++b.counts->front().count; }},
+    {Rule::counts_array, [](Build& b) { b.counts->pop_back(); }, "one left out"},
+    {Rule::counts_array_is_geometry, [](Build& b) { b.counts = b.geometry_counts; }},
+    {Rule::counts_geometry, [](Build& b) { ++b.geometry_counts->front().count; }},
+    {Rule::counts_geometry,
+     [](Build& b) {
+       b.geometry_counts->front().count += 1, b.geometry_counts->push_back({1, 0, 2});
+     },
+     "special ones counted"},
+    {Rule::counts_geometry_is_array, [](Build& b) { b.geometry_counts = b.counts; }},
+    {Rule::index_encoding,
+     [](Build& b) {
+       set_tight(b, {0, 1, 2}, Encoding::i16);
+     }},
+    {Rule::index_encoding,
+     [](Build& b) {
+       b.sets = EXT, set_tight(b, {0, 1, 2}, Encoding::u8);
+     },
+     "u8 of EXT"},
+    {Rule::index_stride,
+     [](Build& b) {
+       b.set_indices({0, 1, 2, 0xfffe, 0}, Encoding::u16, 3);
+     }},
+    {Rule::index_stride_most, [](Build& b) { b.index_stride = std::uint64_t{1} << 32; }},
+    {Rule::index_tight,
+     [](Build& b) {
+       b.set_indices({0, 1, 2, 0xfffe, 0}, Encoding::u16, 4);
+     }},
+    {Rule::index_size, [](Build& b) { b.indices.pop_back(); }},
+    {Rule::index_size, [](Build& b) { b.indices.clear(); }, "none"},
+    {Rule::index_count, [](Build& b) { b.indices.resize(b.indices.size() + 2); }},
+    {Rule::index_special,
+     [](Build& b) {
+       set_tight(b, {0, 1, 2, 0xfffb, 0}, Encoding::i16);
+     }},
+    {Rule::index_range,
+     [](Build& b) {
+       set_tight(b, {0, 1, 2, 3, 0}, Encoding::u16);
+     },
+     "one too many"},
+    {Rule::index_range,
+     [](Build& b) {
+       set_tight(b, {0, 1, 2, 0xfffb, 0}, Encoding::u16);
+     },
+     "-5 without a sign"},
+    {Rule::index_range, [](Build& b) { b.base = 1; }, "by the base"},
+    {Rule::index_range, [](Build& b) { b.base = 0xffffffff; }, "a base that would wrap"},
+    {Rule::index_range, [](Build& b) { b.indexed = false, b.triangles = 4, b.indices.clear(); },
+     "no index buffer"},
+};
+
 void add_broken(Builder& out) {
-  for (const Breach& breach : breaches()) {
+  for (const Breach& breach : breaches) {
     Build b = good(text(breach.rule).sets);
     breach.change(b);
     add(out, std::string(text(breach.rule).id) + (breach.more.empty() ? "" : ": " + breach.more), b);

@@ -111,16 +111,18 @@ Texture made(std::uint32_t width, std::uint32_t height,
 
 constexpr std::array<float, 6> half_square{0, 0, 1, 0, 0, 1};
 
-void add_all(Builder& out) {
-  const std::uint32_t half = bits_of(0.5f), one = bits_of(1);
-  const auto disc = [](std::uint32_t x, std::uint32_t y) {
-    const int dx = 2 * static_cast<int>(x) - 5, dy = 2 * static_cast<int>(y) - 5;
-    return static_cast<unsigned>(std::max(0, 255 - 9 * (dx * dx + dy * dy)));
-  };
-  const auto checks = [](std::uint32_t x, std::uint32_t y) { return (x + y) % 2 == 0 ? 255u : 0u; };
-  const auto step = [](std::uint32_t x, std::uint32_t) { return x == 0 ? 0u : 255u; };
-  const auto full = [](std::uint32_t, std::uint32_t) { return 255u; };
+const std::uint32_t half = bits_of(0.5f);
 
+unsigned disc(std::uint32_t x, std::uint32_t y) {
+  const int dx = 2 * static_cast<int>(x) - 5, dy = 2 * static_cast<int>(y) - 5;
+  return static_cast<unsigned>(std::max(0, 255 - 9 * (dx * dx + dy * dy)));
+}
+unsigned checks(std::uint32_t x, std::uint32_t y) { return (x + y) % 2 == 0 ? 255u : 0u; }
+unsigned step(std::uint32_t x, std::uint32_t) { return x == 0 ? 0u : 255u; }
+unsigned full(std::uint32_t, std::uint32_t) { return 255u; }
+
+void add_few_texels(Builder& out) {
+  const std::uint32_t one = bits_of(1);
   add(out, {"one texel, opaque", made(1, 1, full), half_square, 1, half});
   add(out, {"alpha is the cutoff everywhere: a tie", made(1, 1, full), half_square, 1, one});
   add(out, {"cutoff 0: always opaque", made(2, 2, checks), half_square, 1, 0});
@@ -129,7 +131,7 @@ void add_all(Builder& out) {
             made(2, 1, [](std::uint32_t x, std::uint32_t) { return 127 + x; }), half_square, 2, half});
   add(out, {"a contour along grid lines: ties", made(2, 1, step), half_square, 2, half});
   add(out, {"the same, turned: u and v exchanged",
-            made(1, 2, [&](std::uint32_t x, std::uint32_t y) { return step(y, x); }), half_square, 2, half});
+            made(1, 2, [](std::uint32_t x, std::uint32_t y) { return step(y, x); }), half_square, 2, half});
   add(out, {"texels' edges along grid lines: contact of area 0", made(2, 2, checks, Filter::nearest),
             half_square, 2, half});
   add(out, {"nearest, texels' edges across", made(3, 3, checks, Filter::nearest), half_square, 2, half});
@@ -143,6 +145,9 @@ void add_all(Builder& out) {
             {0, 0, 0.9375f, 0.0625f, 0.03125f, 0.96875f},
             1,
             half});
+}
+
+void add_discs_and_blends(Builder& out) {
   add(out, {"a disc", made(6, 6, disc), half_square, 3, half});
   add(out, {"a disc, another cutoff",
             made(6, 6, disc),
@@ -156,6 +161,10 @@ void add_all(Builder& out) {
             half});
   add(out, {"BLEND: opaque from 1, transparent up to 0", made(6, 6, disc), half_square, 2, half, true});
   add(out, {"BLEND, nearest", made(3, 3, checks, Filter::nearest), half_square, 2, half, true});
+}
+
+/// Coordinates beyond the texture, by each addressing.
+void add_addressings(Builder& out) {
   constexpr std::array<float, 6> beyond{-0.75f, -0.5f, 1.625f, -0.25f, -0.375f, 1.75f};
   for (const auto& [about, wrap] : {std::pair{"beyond the texture: repeat", Wrap::repeat},
                                     {"beyond the texture: mirrored repeat", Wrap::mirrored_repeat},
@@ -174,6 +183,9 @@ void add_all(Builder& out) {
   apart.texture.wrap_x = Wrap::mirrored_repeat;
   apart.texture.wrap_y = Wrap::repeat;
   add(out, apart);
+}
+
+void add_shapes_and_any_texels(Builder& out) {
   add(out, {"clockwise in the texture", made(6, 6, disc), {0, 1, 1, 0, 0, 0}, 2, half});
   add(out,
       {"coordinates on a line", made(4, 4, checks), {0.125f, 0.25f, 0.875f, 0.25f, 0.5f, 0.25f}, 2, half});
@@ -226,7 +238,10 @@ Family family() {
        {"above", Kind::digits, "states: opaque above the cutoff alone, edges and corners count"},
        {"gaps", Kind::binary32s, "of closed: by how much alpha may be off before T, O or unknown changes"},
        {"sides", Kind::binary32s, "by how much alpha at the centroid is off the line between UT and UO"}});
-  add_all(out);
+  add_few_texels(out);
+  add_discs_and_blends(out);
+  add_addressings(out);
+  add_shapes_and_any_texels(out);
   return out.take();
 }
 

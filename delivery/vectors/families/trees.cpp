@@ -123,6 +123,27 @@ void add_lookups(Builder& out) {
       });
 }
 
+/// Containers of trees and flat maps that have another, canonical one, or are no map's.
+void add_not_canonical(Builder& out, const States& apart, const States& full) {
+  const Level n = 3;
+  const spec::tree::Succinct s = spec::tree::encode(full, n);
+  out.add({"a tree where flat takes fewer bytes",
+           container_of(n, Format::four_state, true, static_cast<std::uint32_t>(s.tree.size() / 4),
+                        spec::tree::bytes(s, Format::four_state))});
+  out.add({"flat where a tree takes fewer bytes",
+           container_of(n, Format::four_state, false, 0, micromap::pack(apart, Format::four_state))});
+  const spec::tree::Succinct alike{{true, false, false, false, false},
+                                   {State::O, State::O, State::O, State::O}};
+  out.add({"four leaves of one state below a node",
+           container_of(n, Format::four_state, true, 1, spec::tree::bytes(alike, Format::four_state))});
+  spec::tree::Succinct deep{
+      {true, true, true, false, false, false, false, false, false, false, false, false, false},
+      States(10, State::T)};
+  deep.data[0] = State::O;
+  out.add({"a tree deeper than its level",
+           container_of(1, Format::four_state, true, 3, spec::tree::bytes(deep, Format::four_state))});
+}
+
 void add_broken(Builder& out) {
   const Level n = 3;
   const States apart = map_of(n, [](std::uint32_t k) { return k == 0 ? 1 : 0; });
@@ -167,22 +188,7 @@ void add_broken(Builder& out) {
   spoil(
       "2^32 - 1 internal nodes", tree,
       [](Bytes& b) { std::fill(b.begin() + 8, b.begin() + 12, std::uint8_t{0xff}); }, true);
-  const spec::tree::Succinct s = spec::tree::encode(full, n);
-  out.add({"a tree where flat takes fewer bytes",
-           container_of(n, Format::four_state, true, static_cast<std::uint32_t>(s.tree.size() / 4),
-                        spec::tree::bytes(s, Format::four_state))});
-  out.add({"flat where a tree takes fewer bytes",
-           container_of(n, Format::four_state, false, 0, micromap::pack(apart, Format::four_state))});
-  const spec::tree::Succinct alike{{true, false, false, false, false},
-                                   {State::O, State::O, State::O, State::O}};
-  out.add({"four leaves of one state below a node",
-           container_of(n, Format::four_state, true, 1, spec::tree::bytes(alike, Format::four_state))});
-  spec::tree::Succinct deep{
-      {true, true, true, false, false, false, false, false, false, false, false, false, false},
-      States(10, State::T)};
-  deep.data[0] = State::O;
-  out.add({"a tree deeper than its level",
-           container_of(1, Format::four_state, true, 3, spec::tree::bytes(deep, Format::four_state))});
+  add_not_canonical(out, apart, full);
 }
 
 /// The maps of a graph, in the order of their addition.

@@ -64,6 +64,27 @@ TexturePropertiesOf<Texel>::TexturePropertiesOf(const TexelView<Texel>& texture,
   const auto least = least_opaque_ = least_opaque<Texel>(limits);
   const bool visible = !limits.zero;
   threshold = threshold_of(limits.opaque);
+  measure(visible);
+  threshold = std::clamp(threshold, -2 * scale, 2 * scale);
+  gap = limits.blend && visible ? threshold : 0;
+
+  opaque_ = plane(least);
+  if (limits.blend) {
+    // Visible texels are at least the least number above 0.
+    if constexpr (std::is_same_v<Texel, float>)
+      visible_ = plane(visible ? std::numeric_limits<float>::denorm_min() : HUGE_VALF);
+    else
+      visible_ = plane(visible ? 1 : std::int32_t{std::numeric_limits<Texel>::max()} + 1);
+  }
+  const bool border_opaque = border >= least;
+  border_marks_ = static_cast<Marks>((border_opaque ? 0 : below) |
+                                     ((limits.blend ? visible && border > 0 : border_opaque) ? opaque : 0));
+}
+
+/// Sets what bounds the stored numbers, and their distances from the threshold, which is not limited yet.
+template <class Texel>
+void TexturePropertiesOf<Texel>::measure(bool visible) {
+  const auto least = least_opaque_;
   if constexpr (std::is_same_v<Texel, float>) {
     double size = 0;
     clear_below = clear_opaque = HUGE_VAL;
@@ -79,15 +100,15 @@ TexturePropertiesOf<Texel>::TexturePropertiesOf(const TexelView<Texel>& texture,
       finest = std::min(finest, b.e);
       most = std::max(most, b.e + bits(b.m));
     };
-    for (std::uint32_t j = 0; j < texture.height; ++j)
-      for (std::uint32_t i = 0; i < texture.width; ++i) {
-        const float r = texture.texels[j * texture.pitch + i];
+    for (std::uint32_t j = 0; j < texture_.height; ++j)
+      for (std::uint32_t i = 0; i < texture_.width; ++i) {
+        const float r = texture_.texels[j * texture_.pitch + i];
         if (!std::isfinite(r))
           throw std::invalid_argument("bake: texel (" + std::to_string(i) + ", " + std::to_string(j) +
                                       ") is not finite");
         take(r);
       }
-    take(border);
+    take(border_);
     if (size == 0) finest = most = 0;
     scale = 2 * size;
   } else {
@@ -96,33 +117,21 @@ TexturePropertiesOf<Texel>::TexturePropertiesOf(const TexelView<Texel>& texture,
     clear_below = threshold - (least - 1);
     clear_opaque = limits.blend ? 1 : least - threshold;
   }
-  threshold = std::clamp(threshold, -2 * scale, 2 * scale);
-  gap = limits.blend && visible ? threshold : 0;
+}
 
-  // The plane of texels that are at least `from`.
-  const auto plane = [&texture](auto from) {
-    return Plane(texture.width, texture.height, [&](std::uint32_t j, std::uint8_t* bytes) {
-      const Texel* const row = texture.texels + j * texture.pitch;
-      if constexpr (std::is_same_v<Texel, float>) {
-        std::fill_n(bytes, (texture.width + 7) / 8, std::uint8_t{0});
-        for (std::uint32_t i = 0; i < texture.width; ++i)
-          bytes[i / 8] = static_cast<std::uint8_t>(bytes[i / 8] | (row[i] >= from) << (i % 8));
-      } else {
-        at_least(row, texture.width, from, bytes);
-      }
-    });
-  };
-  opaque_ = plane(least);
-  if (limits.blend) {
-    // Visible texels are at least the least number above 0.
-    if constexpr (std::is_same_v<Texel, float>)
-      visible_ = plane(visible ? std::numeric_limits<float>::denorm_min() : HUGE_VALF);
-    else
-      visible_ = plane(visible ? 1 : std::int32_t{std::numeric_limits<Texel>::max()} + 1);
-  }
-  const bool border_opaque = border >= least;
-  border_marks_ = static_cast<Marks>((border_opaque ? 0 : below) |
-                                     ((limits.blend ? visible && border > 0 : border_opaque) ? opaque : 0));
+template <class Texel>
+template <class From>
+Plane TexturePropertiesOf<Texel>::plane(From from) const {
+  return Plane(texture_.width, texture_.height, [&](std::uint32_t j, std::uint8_t* bytes) {
+    const Texel* const row = texture_.texels + j * texture_.pitch;
+    if constexpr (std::is_same_v<Texel, float>) {
+      std::fill_n(bytes, (texture_.width + 7) / 8, std::uint8_t{0});
+      for (std::uint32_t i = 0; i < texture_.width; ++i)
+        bytes[i / 8] = static_cast<std::uint8_t>(bytes[i / 8] | (row[i] >= from) << (i % 8));
+    } else {
+      at_least(row, texture_.width, from, bytes);
+    }
+  });
 }
 
 template <class Texel>

@@ -135,6 +135,11 @@ class TexturePropertiesOf final : public TextureProperties {
   const Plane& visible_plane() const noexcept { return limits.blend ? visible_ : opaque_; }
 
  private:
+  void measure(bool visible);
+  /// The plane of the texels that are at least `from`.
+  template <class From>
+  Plane plane(From from) const;
+
   TexelView<Texel> texture_;
   Texel border_;
   std::conditional_t<std::is_same_v<Texel, float>, float, std::int32_t>

@@ -27,6 +27,50 @@ std::string numbers_of(const Arguments& a, std::size_t arrays, std::size_t bytes
 
 using Places = std::unordered_map<std::string, std::size_t>;
 
+/// Adds pairs of elements to `order`: a neighbour, and then the element that differs from it in one bit.
+void add_pairs_that_differ_in_a_bit(const std::vector<std::string>& numbers, const Places& places,
+                                    std::vector<std::size_t>& order) {
+  if (numbers.empty()) return;
+  std::string varies(numbers[0].size(), '\0');
+  for (const std::string& one : numbers)
+    for (std::size_t b = 0; b < one.size(); ++b)
+      varies[b] = static_cast<char>(varies[b] | (one[b] ^ numbers[0][b]));
+  for (std::size_t bit = 0; bit < 8 * varies.size(); ++bit) {
+    const auto flip = static_cast<char>(1u << bit % 8);
+    if ((varies[bit / 8] & flip) == 0) continue;
+    std::size_t left = most_found;
+    // Elements are taken from all over the batch: the first ones may have no neighbour in it.
+    const std::size_t step = std::max<std::size_t>(1, numbers.size() / most_tried);
+    for (std::size_t k = bit % step; k < numbers.size() && left != 0; k += step) {
+      std::string other = numbers[k];
+      other[bit / 8] = static_cast<char>(other[bit / 8] ^ flip);
+      if (const auto there = places.find(other); there != places.end()) {
+        order.insert(order.end(), {there->second, k});
+        --left;
+      }
+    }
+  }
+}
+
+/// The same of elements that differ in one number.
+void add_pairs_that_differ_in_a_number(const std::vector<std::string>& numbers, std::size_t arrays,
+                                       std::size_t bytes, std::vector<std::size_t>& order) {
+  for (std::size_t array = 0; array < arrays; ++array) {
+    Places last;
+    std::size_t left = most_tried;
+    for (std::size_t k = 0; k < numbers.size() && left != 0; ++k) {
+      std::string rest = numbers[k];
+      rest.erase(array * bytes, bytes);
+      const auto [same, is_new] = last.emplace(std::move(rest), k);
+      if (!is_new && numbers[same->second] != numbers[k]) {
+        order.insert(order.end(), {same->second, k});
+        same->second = k;
+        --left;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void Desk::ask_slot_after_neighbours(std::size_t slot) {
@@ -41,47 +85,9 @@ void Desk::ask_slot_after_neighbours(std::size_t slot) {
     numbers.push_back(numbers_of(a, arrays, bytes, k));
     places.emplace(numbers.back(), k);
   }
-  // Pairs of elements: a neighbour, and then the element that differs from it.
   std::vector<std::size_t> order;
-  const auto found = [&order](std::size_t neighbour, std::size_t k) {
-    order.push_back(neighbour);
-    order.push_back(k);
-  };
-  // Neighbours that differ in one bit of one number.
-  std::string varies(arrays * bytes, '\0');
-  for (const std::string& one : numbers)
-    for (std::size_t b = 0; b < one.size(); ++b)
-      varies[b] = static_cast<char>(varies[b] | (one[b] ^ numbers[0][b]));
-  for (std::size_t bit = 0; bit < 8 * varies.size(); ++bit) {
-    const auto flip = static_cast<char>(1u << bit % 8);
-    if ((varies[bit / 8] & flip) == 0) continue;
-    std::size_t left = most_found;
-    // Elements are taken from all over the batch: the first ones may have no neighbour in it.
-    const std::size_t step = std::max<std::size_t>(1, count / most_tried);
-    for (std::size_t k = bit % step; k < count && left != 0; k += step) {
-      std::string other = numbers[k];
-      other[bit / 8] = static_cast<char>(other[bit / 8] ^ flip);
-      if (const auto there = places.find(other); there != places.end()) {
-        found(there->second, k);
-        --left;
-      }
-    }
-  }
-  // Neighbours that differ in one number.
-  for (std::size_t array = 0; array < arrays; ++array) {
-    Places last;
-    std::size_t left = most_tried;
-    for (std::size_t k = 0; k < count && left != 0; ++k) {
-      std::string rest = numbers[k];
-      rest.erase(array * bytes, bytes);
-      const auto [same, is_new] = last.emplace(std::move(rest), k);
-      if (!is_new && numbers[same->second] != numbers[k]) {
-        found(same->second, k);
-        same->second = k;
-        --left;
-      }
-    }
-  }
+  add_pairs_that_differ_in_a_bit(numbers, places, order);
+  add_pairs_that_differ_in_a_number(numbers, arrays, bytes, order);
   constexpr char how[] = "asked after one that differs in one number";
   ask_slot_elements(slot, order, how);
   Fenced here(wide, blank_again);

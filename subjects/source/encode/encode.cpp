@@ -198,11 +198,10 @@ class Encoder {
         return is(n.of_constant(0, node.type.bits));
       case Op::table:
         return is(n.of_bits(looked_up(node)));
-      case Op::freeze:
-        if (of(node, 0).poison == "false") return of(node, 0);
-        return is(n.chosen(of(node, 0).poison, n.of_bits(d.free_word(node.type.bits)), x(0)));
       case Op::read:
-        return of(node, 0);
+      case Op::freeze:
+        if (node.op == Op::read || of(node, 0).poison == "false") return of(node, 0);
+        return is(n.chosen(of(node, 0).poison, n.of_bits(d.free_word(node.type.bits)), x(0)));
       case Op::float_of:
         return is(n.of_bits(word(node, 0)));
       case Op::fadd:
@@ -223,9 +222,8 @@ class Encoder {
       case Op::copysign:
         return is(n.with_sign_of(x(0), x(1)));
       case Op::fmin:
-        return is(n.lesser(x(0), x(1), false));
       case Op::fmax:
-        return is(n.lesser(x(0), x(1), true));
+        return is(n.lesser(x(0), x(1), node.op == Op::fmax));
       case Op::floor:
       case Op::ceil:
       case Op::ftrunc:
@@ -377,80 +375,99 @@ class Encoder {
     }
   }
 
-  Value two_words(const Node& node) {
-    const unsigned bits = node.type.bits;
-    const Bits a = word(node, 0), b = word(node, 1);
-    const std::uint64_t most_a = of(node, 0).most, most_b = of(node, 1).most, all = mask(bits);
+  /// The operands of an operation on two words.
+  struct Operands {
+    unsigned bits;
+    Bits a, b;
+    std::uint64_t most_a, most_b;
+  };
+
+  /// Whether the exact result differs from the one of as many bits as the operands have.
+  Condition wraps(const char* head, const Operands& of, const Bits& result, bool with_sign) {
+    const unsigned bits = of.bits, width = head == std::string_view("bvmul") ? 2 * bits : bits + 1;
+    const auto widen = [&](const Bits& w) {
+      return with_sign ? d.widened_with_sign(w, width) : d.widened(w, width);
+    };
+    return negated(d.equal(d.binary(head, widen(of.a), widen(of.b)), widen(result)));
+  }
+
+  Value arithmetic(const Node& node, const char* head, const Operands& of, std::uint64_t most) {
+    const Bits result = d.binary(head, of.a, of.b);
+    if (node.flags & no_unsigned_wrap) poison_where(wraps(head, of, result, false));
+    if (node.flags & no_signed_wrap) poison_where(wraps(head, of, result, true));
+    return is(result, most);
+  }
+
+  Value saturated(const char* head, const Operands& of, bool with_sign) {
+    const unsigned bits = of.bits;
+    const std::uint64_t all = mask(bits);
+    const Bits result = d.binary(head, of.a, of.b);
+    const Condition over = wraps(head, of, result, with_sign);
+    if (!with_sign) return is(d.choose_word(over, head[2] == 'a' ? ones(bits) : zeros(bits), result), all);
+    const Bits least = d.concat(constant(1, 1), zeros(bits - 1)), most = d.concat(zeros(1), ones(bits - 1));
+    return is(d.choose_word(over, d.choose_word(d.bit(of.a, bits - 1), least, most), result), all);
+  }
+
+  Value quotient(const Node& node, const Operands& of) {
+    const auto& [bits, a, b, most_a, most_b] = of;
+    const Bits q = d.binary(node.op == Op::udiv ? "bvudiv" : "bvsdiv", a, b);
+    if (node.flags & exact) poison_where(negated(d.equal(d.binary("bvmul", q, b), a)));
+    // Division by zero gives all ones.
+    return is(q, node.op == Op::udiv && b.value && *b.value != 0 ? most_a / *b.value : mask(bits));
+  }
+
+  Value shifted(const Node& node, const Operands& of) {
+    const auto& [bits, a, b, most_a, most_b] = of;
+    const std::uint64_t all = mask(bits);
     const bool nuw = node.flags & no_unsigned_wrap, nsw = node.flags & no_signed_wrap,
                whole = node.flags & exact;
-    const auto wide = [&](const char* head, bool with_sign, unsigned width) {
-      const auto widen = [&](const Bits& w) {
-        return with_sign ? d.widened_with_sign(w, width) : d.widened(w, width);
-      };
-      return d.binary(head, widen(a), widen(b));
-    };
-    /// Whether the exact result differs from the one of `bits` bits.
-    const auto wraps = [&](const char* head, const Bits& result, bool with_sign) {
-      const unsigned width = head == std::string_view("bvmul") ? 2 * bits : bits + 1;
-      return negated(d.equal(wide(head, with_sign, width),
-                             with_sign ? d.widened_with_sign(result, width) : d.widened(result, width)));
-    };
-    const auto arithmetic = [&](const char* head, std::uint64_t most) {
-      const Bits result = d.binary(head, a, b);
-      if (nuw) poison_where(wraps(head, result, false));
-      if (nsw) poison_where(wraps(head, result, true));
-      return is(result, most);
-    };
-    const auto saturated = [&](const char* head, bool with_sign) {
-      const Bits result = d.binary(head, a, b);
-      const Condition over = wraps(head, result, with_sign);
-      if (!with_sign) return is(d.choose_word(over, head[2] == 'a' ? ones(bits) : zeros(bits), result), all);
-      const Bits least = d.concat(constant(1, 1), zeros(bits - 1)), most = d.concat(zeros(1), ones(bits - 1));
-      return is(d.choose_word(over, d.choose_word(d.bit(a, bits - 1), least, most), result), all);
-    };
+    if (most_b >= bits) poison_where(negated(d.below(b, constant(bits, bits))));
+    const bool up = node.op == Op::shl;
+    const char* back = up && nsw && !nuw ? "bvashr" : up ? "bvlshr" : "bvshl";
+    const Bits result = d.binary(up ? "bvshl" : node.op == Op::lshr ? "bvlshr" : "bvashr", a, b);
+    const auto returns = [&](const char* head) { return d.equal(d.binary(head, result, b), a); };
+    if (up && nuw) poison_where(negated(returns("bvlshr")));
+    if (up && nsw) poison_where(negated(returns("bvashr")));
+    if (!up && whole) poison_where(negated(returns(back)));
+    if (up) {
+      const bool fits = b.value && *b.value < bits && most_a <= all >> *b.value;
+      return is(result, fits ? most_a << *b.value : all);
+    }
+    const bool down = node.op == Op::lshr;
+    return is(result, !down ? all : b.value && *b.value < bits ? most_a >> *b.value : most_a);
+  }
+
+  Value two_words(const Node& node) {
+    const unsigned bits = node.type.bits;
+    const Operands of_both{bits, word(node, 0), word(node, 1), of(node, 0).most, of(node, 1).most};
+    const Bits &a = of_both.a, &b = of_both.b;
+    const std::uint64_t most_a = of_both.most_a, most_b = of_both.most_b;
+    const std::uint64_t all = mask(bits);
     const auto chosen = [&](const Condition& first, std::uint64_t most) {
       return is(d.choose_word(first, a, b), most);
     };
     switch (node.op) {
       case Op::add: {
         const bool fits = most_a <= all - most_b;
-        return arithmetic("bvadd", fits ? most_a + most_b : all);
+        return arithmetic(node, "bvadd", of_both, fits ? most_a + most_b : all);
       }
       case Op::sub:
-        return arithmetic("bvsub", all);
+        return arithmetic(node, "bvsub", of_both, all);
       case Op::mul: {
         const bool fits = most_b == 0 || most_a <= all / most_b;
-        return arithmetic("bvmul", fits ? most_a * most_b : all);
+        return arithmetic(node, "bvmul", of_both, fits ? most_a * most_b : all);
       }
       case Op::udiv:
-      case Op::sdiv: {
-        const Bits q = d.binary(node.op == Op::udiv ? "bvudiv" : "bvsdiv", a, b);
-        if (whole) poison_where(negated(d.equal(d.binary("bvmul", q, b), a)));
-        // Division by zero gives all ones.
-        return is(q, node.op == Op::udiv && b.value && *b.value != 0 ? most_a / *b.value : all);
-      }
+      case Op::sdiv:
+        return quotient(node, of_both);
       case Op::urem:
         return is(d.binary("bvurem", a, b), most_a);
       case Op::srem:
         return is(d.binary("bvsrem", a, b), all);
       case Op::shl:
       case Op::lshr:
-      case Op::ashr: {
-        if (most_b >= bits) poison_where(negated(d.below(b, constant(bits, bits))));
-        const bool up = node.op == Op::shl;
-        const char* back = up && nsw && !nuw ? "bvashr" : up ? "bvlshr" : "bvshl";
-        const Bits result = d.binary(up ? "bvshl" : node.op == Op::lshr ? "bvlshr" : "bvashr", a, b);
-        const auto returns = [&](const char* head) { return d.equal(d.binary(head, result, b), a); };
-        if (up && nuw) poison_where(negated(returns("bvlshr")));
-        if (up && nsw) poison_where(negated(returns("bvashr")));
-        if (!up && whole) poison_where(negated(returns(back)));
-        if (up) {
-          const bool fits = b.value && *b.value < bits && most_a <= all >> *b.value;
-          return is(result, fits ? most_a << *b.value : all);
-        }
-        const bool down = node.op == Op::lshr;
-        return is(result, !down ? all : b.value && *b.value < bits ? most_a >> *b.value : most_a);
-      }
+      case Op::ashr:
+        return shifted(node, of_both);
       case Op::bit_and:
         return bits == 1 ? is(both(of(node, 0).condition, of(node, 1).condition))
                          : is(d.binary("bvand", a, b), std::min(most_a, most_b));
@@ -469,13 +486,13 @@ class Encoder {
       case Op::smax:
         return chosen(d.asked("bvslt", b, a), all);
       case Op::uadd_sat:
-        return saturated("bvadd", false);
+        return saturated("bvadd", of_both, false);
       case Op::usub_sat:
-        return saturated("bvsub", false);
+        return saturated("bvsub", of_both, false);
       case Op::sadd_sat:
-        return saturated("bvadd", true);
+        return saturated("bvadd", of_both, true);
       case Op::ssub_sat:
-        return saturated("bvsub", true);
+        return saturated("bvsub", of_both, true);
       default:
         not_encoded(node, "no such word");
     }

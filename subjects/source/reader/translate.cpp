@@ -44,6 +44,18 @@ std::string name_of(const llvm::Instruction& at) {
   throw NotKnown((where.empty() ? file : where) + ": " + name_of(at) + (why.empty() ? "" : ": " + why));
 }
 
+using I = llvm::Instruction;
+
+/// The instructions that are operations with the same operands, two or one.
+const std::map<unsigned, Op> of_two{{I::Sub, Op::sub},     {I::Mul, Op::mul},     {I::Shl, Op::shl},
+                                    {I::AShr, Op::ashr},   {I::And, Op::bit_and}, {I::Or, Op::bit_or},
+                                    {I::Xor, Op::bit_xor}, {I::FAdd, Op::fadd},   {I::FSub, Op::fsub},
+                                    {I::FMul, Op::fmul},   {I::FDiv, Op::fdiv}};
+const std::map<unsigned, Op> of_one{
+    {I::SExt, Op::sext},     {I::Trunc, Op::trunc},   {I::Freeze, Op::freeze},  {I::FNeg, Op::fneg},
+    {I::Load, Op::read},     {I::FPToUI, Op::fptoui}, {I::FPToSI, Op::fptosi},  {I::UIToFP, Op::uitofp},
+    {I::SIToFP, Op::sitofp}, {I::FPExt, Op::fpext},   {I::FPTrunc, Op::fptrunc}};
+
 class Translation {
  public:
   Translation(const llvm::Function& f, Planted planted) : function_(f), planted_(planted) {}
@@ -309,7 +321,6 @@ class Translation {
   }
 
   Number plain_sum(const llvm::CallInst& call, unsigned opcode, unsigned flags, Number a, Number b) {
-    using I = llvm::Instruction;
     const Op op = opcode == I::Add ? Op::add : opcode == I::Sub ? Op::sub : Op::mul;
     return add({op, type_at(call, call.getArgOperand(2)->getType()), {a, b}, {}, flags});
   }
@@ -399,12 +410,13 @@ class Translation {
   /// The operation of the instruction with that opcode and detail (undefined.hpp). It is `at` itself, or the
   /// call `at` stands for it; its operands begin at `first`.
   Number plain(const llvm::Instruction& at, unsigned opcode, unsigned detail, unsigned first) {
-    using I = llvm::Instruction;
     const unsigned flags = opcode == I::ICmp || opcode == I::FCmp ? 0 : detail;
     const Type type = type_at(at, at.getType());
     const auto of = [&](unsigned k) { return value(at, at.getOperand(first + k)); };
     const auto binary = [&](Op op) { return add({op, type, {of(0), of(1)}, {}, flags}); };
     const auto unary = [&](Op op) { return add({op, type, {of(0)}}); };
+    if (const auto known = of_two.find(opcode); known != of_two.end()) return binary(known->second);
+    if (const auto known = of_one.find(opcode); known != of_one.end()) return unary(known->second);
     switch (opcode) {
       case I::Add: {
         const Number made = binary(Op::add);
@@ -412,10 +424,6 @@ class Translation {
           return add({Op::bit_and, type, {made, word(0x7fffffff, 32)}});
         return made;
       }
-      case I::Sub:
-        return binary(Op::sub);
-      case I::Mul:
-        return binary(Op::mul);
       case I::UDiv:
         return division(at, Op::udiv, of(0), of(1), false, flags);
       case I::URem:
@@ -424,59 +432,19 @@ class Translation {
         return division(at, Op::sdiv, of(0), of(1), true, flags);
       case I::SRem:
         return division(at, Op::srem, of(0), of(1), true, flags);
-      case I::Shl:
-        return binary(Op::shl);
       case I::LShr: {
         if (planted_ != Planted::shift_by_one_less) return binary(Op::lshr);
         const Number by = add({Op::usub_sat, type, {of(1), word(1, type.bits)}});
         return add({Op::lshr, type, {of(0), by}});
       }
-      case I::AShr:
-        return binary(Op::ashr);
-      case I::And:
-        return binary(Op::bit_and);
-      case I::Or:
-        return binary(Op::bit_or);
-      case I::Xor:
-        return binary(Op::bit_xor);
       case I::Select:
         return add({Op::select, type, {of(0), of(1), of(2)}});
       case I::ZExt:
         return unary(planted_ == Planted::widened_with_sign ? Op::sext : Op::zext);
-      case I::SExt:
-        return unary(Op::sext);
-      case I::Trunc:
-        return unary(Op::trunc);
-      case I::Freeze:
-        return unary(Op::freeze);
-      case I::FAdd:
-        return binary(Op::fadd);
-      case I::FSub:
-        return binary(Op::fsub);
-      case I::FMul:
-        return binary(Op::fmul);
-      case I::FDiv:
-        return binary(Op::fdiv);
-      case I::FNeg:
-        return unary(Op::fneg);
       case I::ICmp:
         return comparison(static_cast<llvm::CmpInst::Predicate>(detail), of(0), of(1));
       case I::FCmp:
         return add({Op::fcmp, type, {of(0), of(1)}, {detail}});
-      case I::Load:
-        return unary(Op::read);
-      case I::FPToUI:
-        return unary(Op::fptoui);
-      case I::FPToSI:
-        return unary(Op::fptosi);
-      case I::UIToFP:
-        return unary(Op::uitofp);
-      case I::SIToFP:
-        return unary(Op::sitofp);
-      case I::FPExt:
-        return unary(Op::fpext);
-      case I::FPTrunc:
-        return unary(Op::fptrunc);
       case I::BitCast: {
         const Number from = of(0);
         if (type_of(from) == type) return from;

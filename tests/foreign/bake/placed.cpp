@@ -16,7 +16,9 @@ bool is_far(const mmverify_bake_case_t& c) {
   return std::any_of(c.uv, c.uv + 6, [](float x) { return std::abs(x) > 1000; });
 }
 
-Placed place(const mmverify_bake_case_t& c, Index width, Index height, unsigned mip, bool nearest) {
+namespace {
+
+std::array<Dyadic, 6> coordinates_of(const mmverify_bake_case_t& c) {
   std::array<Dyadic, 6> uv;
   float whole[2] = {};
   if (has(far_repeats_in_float) && is_far(c))
@@ -28,6 +30,10 @@ Placed place(const mmverify_bake_case_t& c, Index width, Index height, unsigned 
     if (has(far_repeats_off_each_vertex)) x = std::clamp(x, -0x1p22F, 0x1p22F);
     uv[k] = dyadic(x);
   }
+  return uv;
+}
+
+float margin_of(const mmverify_bake_case_t& c, Index width, unsigned mip, bool nearest) {
   float margin = c.margin;
   if (!(margin >= 0)) throw Declined{};
   if (has(margin_of_first_mip)) margin = std::ldexp(margin, -static_cast<int>(mip));
@@ -43,6 +49,14 @@ Placed place(const mmverify_bake_case_t& c, Index width, Index height, unsigned 
     const auto d = [&](int k) { return static_cast<double>(c.uv[k]); };
     if ((d(2) - d(0)) * (d(5) - d(1)) == (d(3) - d(1)) * (d(4) - d(0))) margin = 0;
   }
+  return margin;
+}
+
+}  // namespace
+
+Placed place(const mmverify_bake_case_t& c, Index width, Index height, unsigned mip, bool nearest) {
+  const std::array<Dyadic, 6> uv = coordinates_of(c);
+  const float margin = margin_of(c, width, mip, nearest);
   const Dyadic grown = dyadic(margin);
   Dyadic grown_y = grown;
   if (has(margin_in_uv_of_width))

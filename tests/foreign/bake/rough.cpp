@@ -1,6 +1,7 @@
 // LINEAR in binary64.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tests/foreign/bake/sampled.hpp"
 
@@ -18,6 +19,19 @@ void clip(double at, double by, bool has_low, double low, bool has_high, double 
   if (by > 0 ? has_high : has_low) t1 = std::min(t1, ((by > 0 ? high : low) - at) / by);
 }
 
+/// Where the line at height y meets the polygon: from left to right; right < left where it does not.
+std::pair<double, double> span_at(const std::vector<Point<double>>& p, double y) {
+  double left = 1e300, right = -1e300;
+  for (std::size_t e = 0; e < p.size(); ++e) {
+    const Point<double>&a = p[e], &b = p[(e + 1) % p.size()];
+    if (std::min(a.y, b.y) > y || std::max(a.y, b.y) < y || a.y == b.y) continue;
+    const double x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
+    left = std::min(left, x);
+    right = std::max(right, x);
+  }
+  return {left, right};
+}
+
 }  // namespace
 
 template <class T>
@@ -29,8 +43,7 @@ unsigned Sampled<T>::rough_signs(const std::vector<Point<T>>& polygon, const Fie
     p.push_back({real(q.x) / unit_real_, real(q.y) / unit_real_});
     extent = std::max({extent, std::abs(p.back().x), std::abs(p.back().y)});
   }
-  double near = extent * 0x1p-40;
-  if (has(double_decides)) near = 0;
+  const double near = has(double_decides) ? 0 : extent * 0x1p-40;
   unsigned seen = 0;
   const auto meet = [&](double value) {
     if (value > near)
@@ -74,17 +87,20 @@ unsigned Sampled<T>::rough_signs(const std::vector<Point<T>>& polygon, const Fie
     }
   }
   if (has(saddle)) saddles(box, f, meet);
-  if (!inside || p.size() < 3) return seen;
-  for (Index j = std::max(box.top, rows_.low + 1); j <= last && j <= rows_.high; ++j) {
-    const auto y = static_cast<double>(j);
-    double left = 1e300, right = -1e300;
-    for (std::size_t e = 0; e < p.size(); ++e) {
-      const Point<double>&a = p[e], &b = p[(e + 1) % p.size()];
-      if (std::min(a.y, b.y) > y || std::max(a.y, b.y) < y || a.y == b.y) continue;
-      const double x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
-      left = std::min(left, x);
-      right = std::max(right, x);
-    }
+  if (inside && p.size() >= 3)
+    rough_interior(p, box.top, last, [&](Index i, Index j) {
+      meet(f.approximate[texel(i, j)]);
+      return !settled(seen, aim);
+    });
+  return seen;
+}
+
+template <class T>
+template <class Visit>
+void Sampled<T>::rough_interior(const std::vector<Point<double>>& p, Index first, Index last,
+                                const Visit& visit) const {
+  for (Index j = std::max(first, rows_.low + 1); j <= last && j <= rows_.high; ++j) {
+    const auto [left, right] = span_at(p, static_cast<double>(j));
     if (left > right) continue;
     Index from = std::clamp(index_of(static_cast<Wide>(std::ceil(left))),
                             std::max(columns_.low + 1, -endless), columns_.high);
@@ -92,12 +108,9 @@ unsigned Sampled<T>::rough_signs(const std::vector<Point<T>>& polygon, const Fie
                              columns_.high);
     if (along_all_ != endless) until = std::min(until, from + along_all_ - 1);
     spend(until - from);
-    for (Index i = from; i <= until; ++i) {
-      meet(f.approximate[texel(i, j)]);
-      if (settled(seen, aim)) return seen;
-    }
+    for (Index i = from; i <= until; ++i)
+      if (!visit(i, j)) return;
   }
-  return seen;
 }
 
 template <class T>

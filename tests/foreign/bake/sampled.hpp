@@ -149,6 +149,9 @@ class Sampled {
   /// Signs from binary64.  All of it is off by a few dozen roundings of numbers that are at most the extent.
   unsigned rough_signs(const std::vector<Point<T>>& polygon, const Field& f, Aim aim, bool inside,
                        bool& unsure, const Node& node) const;
+  /// Visits the texels inside the polygon within rows first..last, until `visit` returns false.
+  template <class Visit>
+  void rough_interior(const std::vector<Point<double>>& p, Index first, Index last, const Visit& visit) const;
   template <class Meet>
   void saddles(const Box& box, const Field& f, const Meet& meet) const;
   template <class Meet>

@@ -28,36 +28,78 @@ void decode(const Format& f, StateAt state_at, const std::uint8_t* block, std::u
     }
 }
 
+struct Place {
+  int x, y;
+};
+
+/// Caches of the vector that was asked last: where a state is read in place of `at`, by what `last` was.
+Place by_cached_vector(const Format& f, Place at, Place& last, bool is_first) {
+  const int X = at.x / f.vector, Y = at.y / f.vector;
+  const auto in_last = [&] {
+    return Place{last.x * f.vector + at.x % f.vector, last.y * f.vector + at.y % f.vector};
+  };
+  if (has(region_cache_by_x)) {
+    if (X != last.x) last = {X, Y};
+    at.y = in_last().y;
+  }
+  if (has(region_cache_by_sum)) {
+    if (X + 8 * Y != last.x + 8 * last.y && X + Y != last.x + last.y) last = {X, Y};
+    if (X + Y == last.x + last.y) at = in_last();
+  }
+  if (has(region_cache_across_seam) && !is_first) {  // keyed by the place within a quadrant
+    if (X % 4 == last.x % 4 && Y % 4 == last.y % 4 && X != last.x && Y != last.y) at = in_last();
+  }
+  if (!has(region_cache_by_x) && !has(region_cache_by_sum)) last = {X, Y};
+  return at;
+}
+
+/// A block that is kept until one of another side or key is asked.
+struct HeldBlock {
+  std::uint8_t bytes[64] = {};
+  int side = 0;
+  void keep(const Format& f, const std::uint8_t* block, bool same_key) {
+    if (side == f.side && same_key) return;
+    std::memcpy(bytes, block, size(f));
+    side = f.side;
+  }
+  static std::size_t size(const Format& f) { return f.side == 16 ? 32 : 64; }
+};
+
+std::uint64_t xor_of_words(const std::uint8_t* bytes, std::size_t size) {
+  std::uint64_t all = 0;
+  for (std::size_t at = 0; at < size; at += 8) {
+    std::uint64_t word;
+    std::memcpy(&word, bytes + at, 8);
+    all ^= word;
+  }
+  return all;
+}
+
+/// Caches of blocks: the block that is read in place of `block`.
+const std::uint8_t* by_cached_block(const Format& f, const std::uint8_t* block) {
+  const std::size_t size = HeldBlock::size(f);
+  if (has(region_block_by_its_first_bytes) || has(region_block_by_its_last_bytes)) {
+    static thread_local HeldBlock held;
+    const std::size_t key = has(region_block_by_its_first_bytes) ? 0 : size - 8;
+    held.keep(f, block, std::memcmp(held.bytes + key, block + key, 8) == 0);
+    return held.bytes;
+  }
+  if (has(region_block_by_xor)) {
+    static thread_local HeldBlock held;
+    held.keep(f, block, xor_of_words(held.bytes, size) == xor_of_words(block, size));
+    return held.bytes;
+  }
+  return block;
+}
+
 void regions(const Format& f, StateAt state_at, const std::uint8_t* block, const std::uint32_t* x,
              const std::uint32_t* y, std::uint8_t* state, std::size_t count) {
-  struct Last {
-    int X = -1, Y = -1;
-  } last;
+  Place last{-1, -1};
   for (std::size_t k = 0; k < count; ++k) {
     std::size_t from = k;
     if (has(region_batch_over_256)) from = k & 255u;
     if (has(region_batch_over_1024)) from = k & 1023u;
-    int i = static_cast<int>(x[from]), j = static_cast<int>(y[from]);
-    const int X = i / f.vector, Y = j / f.vector;
-
-    // Caches of the vector that was asked last.
-    if (has(region_cache_by_x)) {
-      if (X != last.X) last = {X, Y};
-      j = last.Y * f.vector + j % f.vector;
-    }
-    if (has(region_cache_by_sum)) {
-      if (X + 8 * Y != last.X + 8 * last.Y && X + Y != last.X + last.Y) last = {X, Y};
-      if (X + Y == last.X + last.Y)
-        i = last.X * f.vector + i % f.vector, j = last.Y * f.vector + j % f.vector;
-    }
-    if (has(region_cache_across_seam) && k > 0) {  // keyed by the place within a quadrant
-      if (X % 4 == last.X % 4 && Y % 4 == last.Y % 4 && X != last.X && Y != last.Y)
-        i = last.X * f.vector + i % f.vector, j = last.Y * f.vector + j % f.vector;
-    }
-    if (has(region_cache_by_x) || has(region_cache_by_sum)) {
-    } else {
-      last = {X, Y};
-    }
+    auto [i, j] = by_cached_vector(f, {static_cast<int>(x[from]), static_cast<int>(y[from])}, last, k == 0);
     // Rows are expected in order.
     if (has(region_rows_in_order) && k > 0 && y[k] < y[k - 1]) j = static_cast<int>(y[k - 1]);
     if (has(region_tail_of_three) && count % 4 == 3 && count > 4 && k == count - 1)
@@ -69,41 +111,7 @@ void regions(const Format& f, StateAt state_at, const std::uint8_t* block, const
     if (has(region_alone) && count == 1 && i % f.vector == 1 && j % f.vector == 1) i -= 1;
     if (has(region_x_of_four_bits) && f.side == 32) i = (i & 15) | (j >= 16 ? i & 16 : 0);
     if (has(region_at_15_is_14) && f.side == 16 && i == 15 && j == 8) i = 14;
-
-    // Caches of blocks.
-    if (has(region_block_by_its_first_bytes) || has(region_block_by_its_last_bytes)) {
-      static thread_local std::uint8_t held[64];
-      static thread_local int held_side = 0;
-      const std::size_t size = f.side == 16 ? 32 : 64;
-      const std::size_t key = has(region_block_by_its_first_bytes) ? 0 : size - 8;
-      if (held_side != f.side || std::memcmp(held + key, block + key, 8) != 0) {
-        std::memcpy(held, block, size);
-        held_side = f.side;
-      }
-      state[k] = state_at(held, i, j, Way::region);
-      continue;
-    }
-    if (has(region_block_by_xor)) {
-      static thread_local std::uint8_t held[64];
-      static thread_local int held_side = 0;
-      const std::size_t size = f.side == 16 ? 32 : 64;
-      const auto sum = [size](const std::uint8_t* of) {
-        std::uint64_t all = 0;
-        for (std::size_t at = 0; at < size; at += 8) {
-          std::uint64_t word;
-          std::memcpy(&word, of + at, 8);
-          all ^= word;
-        }
-        return all;
-      };
-      if (held_side != f.side || sum(held) != sum(block)) {
-        std::memcpy(held, block, size);
-        held_side = f.side;
-      }
-      state[k] = state_at(held, i, j, Way::region);
-      continue;
-    }
-    state[k] = state_at(block, i, j, Way::region);
+    state[k] = state_at(by_cached_block(f, block), i, j, Way::region);
   }
 }
 

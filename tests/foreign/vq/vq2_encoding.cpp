@@ -129,6 +129,57 @@ Vq2Plan vq2_lossy(const Vq2Needs& needs, const Turned& all) {
   return plan;
 }
 
+/// Whether vectors have T and O beside each other; faults change those.
+bool change_mixed(Vectors& shown) {
+  bool mixed = false;
+  for (std::size_t k = 0; k < 64; ++k) {
+    Vector& v = shown[k];
+    if (v.t == 0 || v.o == 0) continue;
+    mixed = true;
+    const int quadrant = quadrant_of(static_cast<int>(k % 8), static_cast<int>(k / 8));
+    if (has(encode_vq2_opaque_beside_transparent)) v = {v.t | v.o, 0};
+    if (has(encode_vq2_opaque_diagonal_in_tr) && quadrant == TR && v.t == 6 && v.o == 9) v = {0, 15};
+    if (has(encode_vq2_mixed_copies_lose) && quadrant == BL && k > 0 && shown[k - 1] == v) v = {v.t | v.o, 0};
+    if (has(encode_vq2_mixed_third_kind) && quadrant == TL && v.t == 1 && v.o == 14 && k % 8 == 3)
+      v = {0, 15};
+  }
+  return mixed;
+}
+
+Vq2Needs vq2_needs(const Turned& all) {
+  Vq2Needs needs{};
+  for (std::size_t q = 0; q < 4; ++q)
+    for (std::size_t t = 0; t < 8; ++t)
+      for (const Vector& v : all[q][t])
+        if (!vq2_uniform(v)) needs[q][t] |= 1u << vq2_word_of(v.t != 0 ? Vector{v.t, 0} : v);
+  return needs;
+}
+
+/// How many words the plan's quadrants need together.
+int vq2_words(const Vq2Needs& needs, const Vq2Plan& plan) {
+  std::uint32_t words = 0;
+  for (std::size_t q = 0; q < 4; ++q) words |= needs[q][plan.transforms[q]];
+  return std::popcount(words);
+}
+
+/// Writes quadrant q's own entries, with q = 0 the shared ones; returns all that the quadrant can name.
+std::vector<Choice> write_entries(const Vq2Plan& plan, std::size_t q, std::uint8_t* block) {
+  std::vector<Choice> entries;
+  for (std::size_t k = 0; k < plan.shared.size(); ++k) {
+    entries.push_back({static_cast<unsigned>(3 + k), vq2_vector_of(plan.shared[k])});
+    if (q == 0) set_bits(block, static_cast<int>(201 + 5 * k), 5, plan.shared[k]);
+  }
+  for (std::size_t k = 0; k < plan.own[q].size(); ++k) {
+    if (k == 2) {  // a third own entry has no place: it overwrites the second
+      entries.push_back({7, vq2_vector_of(plan.own[q][k])});
+      continue;
+    }
+    entries.push_back({static_cast<unsigned>(6 + k), vq2_vector_of(plan.own[q][k])});
+    set_bits(block, static_cast<int>(201 + 5 * (3 + 2 * q + k)), 5, plan.own[q][k]);
+  }
+  return entries;
+}
+
 }  // namespace
 
 void vq2_encode(const std::uint8_t* map, std::uint8_t* block) {
@@ -142,39 +193,12 @@ void vq2_encode(const std::uint8_t* map, std::uint8_t* block) {
     return;
   }
   Vectors shown = vectors_of(vq2, map);
-  bool mixed = false;
-  for (std::size_t k = 0; k < 64; ++k) {
-    Vector& v = shown[k];
-    if (v.t != 0 && v.o != 0) {
-      mixed = true;
-      const int quadrant = quadrant_of(static_cast<int>(k % 8), static_cast<int>(k / 8));
-      if (has(encode_vq2_opaque_beside_transparent)) v = {v.t | v.o, 0};
-      if (has(encode_vq2_opaque_diagonal_in_tr) && quadrant == TR && v.t == 6 && v.o == 9) v = {0, 15};
-      if (has(encode_vq2_mixed_copies_lose) && quadrant == BL && k > 0 && shown[k - 1] == v)
-        v = {v.t | v.o, 0};
-      if (has(encode_vq2_mixed_third_kind) && quadrant == TL && v.t == 1 && v.o == 14 && k % 8 == 3)
-        v = {0, 15};
-    }
-  }
-
+  const bool mixed = change_mixed(shown);
   const Turned all = turned(vq2, shown);
-  Vq2Needs needs{};
-  for (std::size_t q = 0; q < 4; ++q)
-    for (std::size_t t = 0; t < 8; ++t)
-      for (const Vector& v : all[q][t])
-        if (!vq2_uniform(v)) needs[q][t] |= 1u << vq2_word_of(v.t != 0 ? Vector{v.t, 0} : v);
-
+  const Vq2Needs needs = vq2_needs(all);
   std::optional<Vq2Plan> exact = mixed ? std::nullopt : vq2_exact(needs);
-  if (has(encode_exact_only_below_nine_words) && exact) {
-    std::uint32_t words = 0;
-    for (std::size_t q = 0; q < 4; ++q) words |= needs[q][exact->transforms[q]];
-    if (std::popcount(words) > 8) exact.reset();
-  }
-  if (has(encode_vq2_none_of_two) && exact) {
-    std::uint32_t words = 0;
-    for (std::size_t q = 0; q < 4; ++q) words |= needs[q][exact->transforms[q]];
-    if (std::popcount(words) == 2) exact = Vq2Plan{};
-  }
+  if (has(encode_exact_only_below_nine_words) && exact && vq2_words(needs, *exact) > 8) exact.reset();
+  if (has(encode_vq2_none_of_two) && exact && vq2_words(needs, *exact) == 2) exact = Vq2Plan{};
   Vq2Plan plan = exact ? *exact : vq2_lossy(needs, all);
   if (has(encode_shared_entries_change_places)) {
     static std::atomic<unsigned> calls{0};
@@ -182,19 +206,7 @@ void vq2_encode(const std::uint8_t* map, std::uint8_t* block) {
   }
   write_transforms(vq2, block, plan.transforms, exact.has_value());
   for (std::size_t q = 0; q < 4; ++q) {
-    std::vector<Choice> entries;
-    for (std::size_t k = 0; k < plan.shared.size(); ++k) {
-      entries.push_back({static_cast<unsigned>(3 + k), vq2_vector_of(plan.shared[k])});
-      if (q == 0) set_bits(block, static_cast<int>(201 + 5 * k), 5, plan.shared[k]);
-    }
-    for (std::size_t k = 0; k < plan.own[q].size(); ++k) {
-      if (k == 2) {  // a third own entry has no place: it overwrites the second
-        entries.push_back({7, vq2_vector_of(plan.own[q][k])});
-        continue;
-      }
-      entries.push_back({static_cast<unsigned>(6 + k), vq2_vector_of(plan.own[q][k])});
-      set_bits(block, static_cast<int>(201 + 5 * (3 + 2 * q + k)), 5, plan.own[q][k]);
-    }
+    const std::vector<Choice> entries = write_entries(plan, q, block);
     const auto places = places_of(static_cast<int>(q));
     for (std::size_t k = 0; k < 16; ++k) {
       const Vector& v = all[q][plan.transforms[q]][k];

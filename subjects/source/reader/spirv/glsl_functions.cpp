@@ -42,6 +42,19 @@ void Values::first_bit(const Instruction& i, std::uint32_t which) {
   });
 }
 
+llvm::Value* Values::sign_of_float(llvm::Value* a) {
+  llvm::Value *zero = llvm::ConstantFP::get(a->getType(), 0), *up = llvm::ConstantFP::get(a->getType(), 1),
+              *down = llvm::ConstantFP::get(a->getType(), -1);
+  return build_.CreateSelect(build_.CreateFCmpOLT(a, zero), down,
+                             build_.CreateSelect(build_.CreateFCmpOGT(a, zero), up, zero));
+}
+
+llvm::Value* Values::sign_of_word(llvm::Value* a) {
+  llvm::Value* up = build_.CreateZExt(build_.CreateICmpSGT(a, whole(a, 0)), a->getType());
+  return build_.CreateSelect(build_.CreateICmpSLT(a, whole(a, 0)),
+                             llvm::Constant::getAllOnesValue(a->getType()), up);
+}
+
 void Values::extended(const Instruction& i) {
   const auto named = module_.sets.find(operand(i, 0));
   const std::string set_name = named != module_.sets.end() ? named->second : "";
@@ -82,19 +95,9 @@ void Values::extended(const Instruction& i) {
     case spv::SAbs:
       return each(i, 2, Sort::words, [&](auto* a) { return of_two(I::abs, a, build_.getFalse()); });
     case spv::FSign:
-      return each(i, 2, Sort::floats, [&](auto* a) {
-        llvm::Value *zero = llvm::ConstantFP::get(a->getType(), 0),
-                    *up = llvm::ConstantFP::get(a->getType(), 1),
-                    *down = llvm::ConstantFP::get(a->getType(), -1);
-        return build_.CreateSelect(build_.CreateFCmpOLT(a, zero), down,
-                                   build_.CreateSelect(build_.CreateFCmpOGT(a, zero), up, zero));
-      });
+      return each(i, 2, Sort::floats, [&](auto* a) { return sign_of_float(a); });
     case spv::SSign:
-      return each(i, 2, Sort::words, [&](auto* a) {
-        llvm::Value* up = build_.CreateZExt(build_.CreateICmpSGT(a, whole(a, 0)), a->getType());
-        return build_.CreateSelect(build_.CreateICmpSLT(a, whole(a, 0)),
-                                   llvm::Constant::getAllOnesValue(a->getType()), up);
-      });
+      return each(i, 2, Sort::words, [&](auto* a) { return sign_of_word(a); });
     case spv::Step:
       return pairs(i, 2, Sort::floats, [&](auto* edge, auto* x) {
         return build_.CreateSelect(build_.CreateFCmpOLT(x, edge), llvm::ConstantFP::get(x->getType(), 0),

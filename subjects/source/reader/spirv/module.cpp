@@ -144,6 +144,25 @@ Instruction instruction_at(const std::vector<std::uint32_t>& words, std::size_t&
   return i;
 }
 
+/// Begins a function, adds a parameter to it, or ends it; inside: the function that is not ended yet, or null.
+void frame_function(SpirvModule& module, SpirvFunction*& inside, const Instruction& i) {
+  switch (i.opcode) {
+    case spv::Function:
+      if (inside != nullptr) bad("a function in a function");
+      if (i.operands.size() < 2) bad("an instruction has too few operands");
+      module.functions.push_back({i, {}, {}});
+      inside = &module.functions.back();
+      return;
+    case spv::FunctionParameter:
+      if (inside == nullptr || !inside->body.empty()) bad("a parameter of no function");
+      inside->parameters.push_back(i);
+      return;
+    default:
+      if (inside == nullptr) bad("the end of no function");
+      inside = nullptr;
+  }
+}
+
 /// All words, in this machine's order of bytes.
 std::vector<std::uint32_t> module_words(const std::string& bytes) {
   if (bytes.size() % 4 != 0 || bytes.size() < 4 * header_words) bad("it is cut short");
@@ -197,20 +216,12 @@ SpirvModule read_spirv_module(const std::string& bytes) {
       case spv::GroupMemberDecorate:
         annotate(module, i);
         break;
-      case spv::Function:
-        if (inside != nullptr) bad("a function in a function");
-        needs(2);
-        module.functions.push_back({i, {}, {}});
-        inside = &module.functions.back();
-        break;
       case spv::FunctionEnd:
-        if (inside == nullptr) bad("the end of no function");
-        inside = nullptr;
         file = line = 0;
-        break;
+        [[fallthrough]];
+      case spv::Function:
       case spv::FunctionParameter:
-        if (inside == nullptr || !inside->body.empty()) bad("a parameter of no function");
-        inside->parameters.push_back(i);
+        frame_function(module, inside, i);
         break;
       default:
         if (inside != nullptr) {

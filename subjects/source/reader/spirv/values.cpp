@@ -217,6 +217,52 @@ std::size_t Values::place(Id& type, const Instruction& i, std::size_t from) cons
   return at;
 }
 
+void Values::extract(const Instruction& i) {
+  const Scalars all = value(operand(i, 0));
+  Id type = type_of(operand(i, 0));
+  const std::size_t at = place(type, i, 1), count = types_.scalars(type);
+  if (at + count > all.size()) invalid("there is no such part of a value");
+  const auto from = all.begin() + static_cast<std::ptrdiff_t>(at);
+  set(i, Scalars(from, from + static_cast<std::ptrdiff_t>(count)));
+}
+
+void Values::insert(const Instruction& i) {
+  const Scalars part = value(operand(i, 0));
+  Scalars all = value(operand(i, 1));
+  Id type = type_of(operand(i, 1));
+  const std::size_t at = place(type, i, 2);
+  if (at + part.size() > all.size()) invalid("there is no such part of a value");
+  std::copy(part.begin(), part.end(), all.begin() + static_cast<std::ptrdiff_t>(at));
+  set(i, std::move(all));
+}
+
+void Values::shuffle(const Instruction& i) {
+  Scalars both = value(operand(i, 0));
+  append(both, value(operand(i, 1)));
+  Scalars all;
+  for (std::size_t k = 2; k < i.operands.size(); ++k) {
+    std::uint32_t from = i.operands[k];
+    if (planted_ == Planted::shuffled_otherwise && from == 1) from = 0;
+    if (from != 0xffffffff && from >= both.size()) invalid("there is no such component");
+    all.push_back(from == 0xffffffff ? never_set(build_, both.at(0)->getType()) : both[from]);
+  }
+  set(i, std::move(all));
+}
+
+void Values::select(const Instruction& i) {
+  const Scalars yes = value(operand(i, 0)), a = value(operand(i, 1)), b = value(operand(i, 2));
+  if (a.size() != b.size() || (yes.size() != 1 && yes.size() != a.size()))
+    invalid("operands of different sizes");
+  Scalars all;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    llvm::Value* condition = yes[yes.size() == 1 ? 0 : k];
+    if (a[k]->getType() != b[k]->getType() || !condition->getType()->isIntegerTy(1))
+      invalid("operands of different types");
+    all.push_back(build_.CreateSelect(condition, a[k], b[k]));
+  }
+  set(i, std::move(all));
+}
+
 bool Values::composite(const Instruction& i) {
   switch (i.opcode) {
     case spv::CompositeConstruct: {
@@ -227,38 +273,12 @@ bool Values::composite(const Instruction& i) {
       set(i, std::move(all));
       return true;
     }
-    case spv::CompositeExtract: {
-      const Scalars all = value(operand(i, 0));
-      Id type = type_of(operand(i, 0));
-      const std::size_t at = place(type, i, 1), count = types_.scalars(type);
-      if (at + count > all.size()) invalid("there is no such part of a value");
-      const auto from = all.begin() + static_cast<std::ptrdiff_t>(at);
-      set(i, Scalars(from, from + static_cast<std::ptrdiff_t>(count)));
-      return true;
-    }
-    case spv::CompositeInsert: {
-      const Scalars part = value(operand(i, 0));
-      Scalars all = value(operand(i, 1));
-      Id type = type_of(operand(i, 1));
-      const std::size_t at = place(type, i, 2);
-      if (at + part.size() > all.size()) invalid("there is no such part of a value");
-      std::copy(part.begin(), part.end(), all.begin() + static_cast<std::ptrdiff_t>(at));
-      set(i, std::move(all));
-      return true;
-    }
-    case spv::VectorShuffle: {
-      Scalars both = value(operand(i, 0));
-      append(both, value(operand(i, 1)));
-      Scalars all;
-      for (std::size_t k = 2; k < i.operands.size(); ++k) {
-        std::uint32_t from = i.operands[k];
-        if (planted_ == Planted::shuffled_otherwise && from == 1) from = 0;
-        if (from != 0xffffffff && from >= both.size()) invalid("there is no such component");
-        all.push_back(from == 0xffffffff ? never_set(build_, both.at(0)->getType()) : both[from]);
-      }
-      set(i, std::move(all));
-      return true;
-    }
+    case spv::CompositeExtract:
+      return extract(i), true;
+    case spv::CompositeInsert:
+      return insert(i), true;
+    case spv::VectorShuffle:
+      return shuffle(i), true;
     case spv::VectorExtractDynamic: {
       const Scalars all = value(operand(i, 0));
       llvm::Value* index = word(operand(i, 1));
@@ -282,20 +302,8 @@ bool Values::composite(const Instruction& i) {
       set(i, {sum});
       return true;
     }
-    case spv::Select: {
-      const Scalars yes = value(operand(i, 0)), a = value(operand(i, 1)), b = value(operand(i, 2));
-      if (a.size() != b.size() || (yes.size() != 1 && yes.size() != a.size()))
-        invalid("operands of different sizes");
-      Scalars all;
-      for (std::size_t k = 0; k < a.size(); ++k) {
-        llvm::Value* condition = yes[yes.size() == 1 ? 0 : k];
-        if (a[k]->getType() != b[k]->getType() || !condition->getType()->isIntegerTy(1))
-          invalid("operands of different types");
-        all.push_back(build_.CreateSelect(condition, a[k], b[k]));
-      }
-      set(i, std::move(all));
-      return true;
-    }
+    case spv::Select:
+      return select(i), true;
     default:
       return false;
   }

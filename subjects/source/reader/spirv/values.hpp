@@ -51,8 +51,14 @@ class Values {
                         llvm::Value* b);
   void clamp(const Instruction& i, Sort sort, llvm::Intrinsic::ID most, llvm::Intrinsic::ID least,
              bool orders);
+  llvm::Value* sign_of_float(llvm::Value* a);
+  llvm::Value* sign_of_word(llvm::Value* a);
   void first_bit(const Instruction& i, std::uint32_t which);
   void field(const Instruction& i);
+  void extract(const Instruction& i);
+  void insert(const Instruction& i);
+  void shuffle(const Instruction& i);
+  void select(const Instruction& i);
   std::size_t place(Id& type, const Instruction& i, std::size_t from) const;
   llvm::Type* scalar_type(Id type) const;
   llvm::Value* of_one(llvm::Intrinsic::ID id, llvm::Value* a) { return build_.CreateUnaryIntrinsic(id, a); }
