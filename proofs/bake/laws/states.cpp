@@ -302,7 +302,7 @@ Law grid_law() {
   return law;
 }
 
-// What the laws say.
+// The claims of the laws.
 constexpr char conservative[] =
     "alpha is opaque on all of a closed micro-triangle that is O, transparent on all of one that is T";
 constexpr char tight[] =
