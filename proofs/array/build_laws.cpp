@@ -134,6 +134,11 @@ Law special_indices() {
       uses_special_indices);
 }
 
+void leave_base_on(const BuildCase& c, Answer& a) {
+  for (std::size_t t = 0; t < c.maps.size(); ++t)
+    if (target_of(a, c, t).kind == Target::Kind::record) set_code(a, c, t, code_of(a, c, t) + c.options.base);
+}
+
 Law range() {
   return on_small_arrays(
       {.id = "array.index_range",
@@ -142,12 +147,7 @@ Law range() {
        .source = indices_source,
        .subjects = {"array-spec", "array"},
        .fast_seconds = 4,
-       .mutants = {mutant("the base triangle is not taken off", "array", {0, 1},
-                          answering([](const BuildCase& c, Answer& a) {
-                            for (std::size_t t = 0; t < c.maps.size(); ++t)
-                              if (target_of(a, c, t).kind == Target::Kind::record)
-                                set_code(a, c, t, code_of(a, c, t) + c.options.base);
-                          })),
+       .mutants = {mutant("the base triangle is not taken off", "array", {0, 1}, answering(leave_base_on)),
                    mutant("the last index may be the number of records", "array-spec", {1, 1},
                           answering([](const BuildCase& c, Answer& a) {
                             if (c.maps.size() == 3 && c.options.encoding == Encoding::u16 &&
@@ -287,6 +287,19 @@ Finding all_checks(const Answer& a, const BuildCase& c) {
   return c.options.bound > 0 ? Finding{digest_of(a)} : shares(a, c);
 }
 
+void cut_indices_to_8_bits(Functions& f) {
+  f.build = [real = f.build](const BuildCase& c) {
+    std::optional<Answer> a = real(c);
+    if (a || c.options.encoding != Encoding::u8) return a;
+    BuildCase wide = c;
+    wide.options.encoding = Encoding::u16;
+    a = real(wide);
+    for (std::size_t t = 0; t < c.maps.size(); ++t) a->indices[t] = a->indices[2 * t];
+    a->indices.resize(c.maps.size());
+    return a;
+  };
+}
+
 Law sampled() {
   return on_cases(
       {.id = "array.on_samples",
@@ -313,25 +326,9 @@ Law sampled() {
                           })),
                    mutant("the base triangle is not taken off signed indices", "array", {0, 5},
                           answering([](const BuildCase& c, Answer& a) {
-                            if (c.options.encoding != Encoding::i16) return;
-                            for (std::size_t t = 0; t < c.maps.size(); ++t)
-                              if (target_of(a, c, t).kind == Target::Kind::record)
-                                set_code(a, c, t, code_of(a, c, t) + c.options.base);
+                            if (c.options.encoding == Encoding::i16) leave_base_on(c, a);
                           })),
-                   mutant("indices of 16 bits are cut to 8", "array", {0, 5},
-                          [](Functions& f) {
-                            f.build = [real = f.build](const BuildCase& c) {
-                              std::optional<Answer> a = real(c);
-                              if (a || c.options.encoding != Encoding::u8) return a;
-                              BuildCase wide = c;
-                              wide.options.encoding = Encoding::u16;
-                              a = real(wide);
-                              for (std::size_t t = 0; t < c.maps.size(); ++t)
-                                a->indices[t] = a->indices[2 * t];
-                              a->indices.resize(c.maps.size());
-                              return a;
-                            };
-                          }),
+                   mutant("indices of 16 bits are cut to 8", "array", {0, 5}, cut_indices_to_8_bits),
                    mutant("the last state of a map of level 4", "array", {4, 5}, building([](BuildCase& c) {
                             for (PackedMap& m : c.maps)
                               if (m.level == 4) m.bytes.back() ^= 0x80;

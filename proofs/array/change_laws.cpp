@@ -281,6 +281,40 @@ Law changes_on_samples() {
        4});
 }
 
+void keep_base(const Bundle& was, Bundle& is) {
+  for (std::size_t p = 0; p < is.parts.size(); ++p) is.parts[p].base = was.parts[p].base;
+}
+
+void keep_a_byte(const Bundle& was, Bundle& is) {
+  if (is.array.records.size() < was.array.records.size()) is.array.data.push_back(0);
+}
+
+void move_special_index(const Bundle& was, Bundle& is) {
+  for (std::size_t t = 0; t < is.parts[0].indices.size(); ++t)
+    if (was.parts[0].base == 1 && is.parts[0].indices[t] == 0xfd) is.parts[0].indices[t] = 0;
+}
+
+void keep_order(Functions& f) {
+  f.reorder = [](const Bundle& b) {
+    std::vector<std::uint64_t> order;
+    for (std::uint64_t r = 0; r < b.array.records.size(); ++r) order.push_back(r);
+    return spec::array::arranged(b, order);
+  };
+}
+
+void keep_second_base(const Bundle&, const Bundle& b, Bundle& is) { is.parts[1].base = b.parts[0].base; }
+
+void keep_offsets(const Bundle& a, const Bundle& b, Bundle& is) {
+  for (std::size_t r = 0; r < b.array.records.size(); ++r)
+    is.array.records[a.array.records.size() + r].offset = b.array.records[r].offset;
+}
+
+void grow_indices(const Bundle& a, const Bundle&, Bundle& is) {
+  for (std::size_t t = 0; t + 4 <= is.parts[1].indices.size(); t += 4)
+    if (is.parts[1].indices[t + 3] == 0)
+      is.parts[1].indices[t] = static_cast<std::uint8_t>(is.parts[1].indices[t] + a.array.records.size());
+}
+
 }  // namespace
 
 std::vector<Law> change_laws() {
@@ -290,17 +324,9 @@ std::vector<Law> change_laws() {
                               "byte is a record's",
                       .fast_seconds = 0.5,
                       .mutants = {mutant("keeps a base triangle that is gone", "array", {1, 1},
-                                         changing(&Functions::compact,
-                                                  [](const Bundle& was, Bundle& is) {
-                                                    for (std::size_t p = 0; p < is.parts.size(); ++p)
-                                                      is.parts[p].base = was.parts[p].base;
-                                                  })),
+                                         changing(&Functions::compact, keep_base)),
                                   mutant("drops records and keeps their bytes", "array-spec", {1, 1},
-                                         changing(&Functions::compact,
-                                                  [](const Bundle& was, Bundle& is) {
-                                                    if (is.array.records.size() < was.array.records.size())
-                                                      is.array.data.push_back(0);
-                                                  })),
+                                         changing(&Functions::compact, keep_a_byte)),
                                   mutant("drops nothing", "array", {1, 1},
                                          [](Functions& f) { f.compact = f.reorder; })}},
                      entry::compact, compacts_case),
@@ -314,21 +340,8 @@ std::vector<Law> change_laws() {
                                   changing(&Functions::reorder,
                                            [](const Bundle& was, Bundle& is) { is.parts = was.parts; })),
                            mutant("special indices are moved, too", "array-spec", {1, 1},
-                                  changing(&Functions::reorder,
-                                           [](const Bundle& was, Bundle& is) {
-                                             for (std::size_t t = 0; t < is.parts[0].indices.size(); ++t)
-                                               if (was.parts[0].base == 1 && is.parts[0].indices[t] == 0xfd)
-                                                 is.parts[0].indices[t] = 0;
-                                           })),
-                           mutant("keeps the order of records", "array", {1, 1},
-                                  [](Functions& f) {
-                                    f.reorder = [](const Bundle& b) {
-                                      std::vector<std::uint64_t> order;
-                                      for (std::uint64_t r = 0; r < b.array.records.size(); ++r)
-                                        order.push_back(r);
-                                      return spec::array::arranged(b, order);
-                                    };
-                                  })}},
+                                  changing(&Functions::reorder, move_special_index)),
+                           mutant("keeps the order of records", "array", {1, 1}, keep_order)}},
               entry::reorder, reorders_case),
           on_bundles({.id = "array.concatenate",
                       .topic = "array",
@@ -336,26 +349,11 @@ std::vector<Law> change_laws() {
                               "records are there",
                       .fast_seconds = 0.5,
                       .mutants = {mutant("the second's base triangle stays", "array", {1, 1},
-                                         spoils(&Functions::concatenate,
-                                                [](const Bundle&, const Bundle& b, Bundle& is) {
-                                                  is.parts[1].base = b.parts[0].base;
-                                                })),
+                                         spoils(&Functions::concatenate, keep_second_base)),
                                   mutant("offsets stay", "array-spec", {1, 1},
-                                         spoils(&Functions::concatenate,
-                                                [](const Bundle& a, const Bundle& b, Bundle& is) {
-                                                  for (std::size_t r = 0; r < b.array.records.size(); ++r)
-                                                    is.array.records[a.array.records.size() + r].offset =
-                                                        b.array.records[r].offset;
-                                                })),
+                                         spoils(&Functions::concatenate, keep_offsets)),
                                   mutant("indices grow as well as the base", "array", {1, 1},
-                                         spoils(&Functions::concatenate,
-                                                [](const Bundle& a, const Bundle&, Bundle& is) {
-                                                  for (std::size_t t = 0; t + 4 <= is.parts[1].indices.size();
-                                                       t += 4)
-                                                    if (is.parts[1].indices[t + 3] == 0)
-                                                      is.parts[1].indices[t] = static_cast<std::uint8_t>(
-                                                          is.parts[1].indices[t] + a.array.records.size());
-                                                }))}},
+                                         spoils(&Functions::concatenate, grow_indices))}},
                      entry::concatenate, concatenates_case),
           changes_on_samples()};
 }

@@ -176,6 +176,37 @@ Law on_files(Law law, const Entry& needed, std::uint64_t one_in, FileCheck check
                    64});
 }
 
+/// A file is read as if its checksum were right.
+void mend_checksum(Functions& f) {
+  f.read = [real = f.read](std::span<const std::uint8_t> file) {
+    auto b = real(file);
+    if (b || file.size() < 24 || file[8] != 2) return b;
+    Bytes mended(file.begin(), file.end());
+    const std::uint32_t sum = spec::array::checksum(file.first(file.size() - 4));
+    for (unsigned j = 0; j < 4; ++j) mended[mended.size() - 4 + j] = static_cast<std::uint8_t>(sum >> 8 * j);
+    return real(mended);
+  };
+}
+
+void let_a_byte_pass(Functions& f) {
+  f.read = [real = f.read](std::span<const std::uint8_t> file) {
+    auto b = real(file);
+    return b || file.empty() ? b : real(file.first(file.size() - 1));
+  };
+}
+
+void take_version_3(Functions& f) {
+  f.read = [real = f.read](std::span<const std::uint8_t> file) {
+    auto b = real(file);
+    if (b || file.size() < 12 || file[8] != 3) return b;
+    Bytes other(file.begin(), file.end());
+    other[8] = 1;
+    if (auto first = real(other)) return first;
+    other[8] = 2;
+    return real(other);
+  };
+}
+
 }  // namespace
 
 std::vector<Law> file_laws() {
@@ -212,39 +243,9 @@ std::vector<Law> file_laws() {
                 .fast_seconds = 1,
                 .domain =
                     named_domain("1 of 97 of the arrays of array.files: every cut, every bit, a byte behind"),
-                .mutants = {mutant("the checksum is not looked at", "array", {1, 1},
-                                   [](Functions& f) {
-                                     f.read = [real = f.read](std::span<const std::uint8_t> file) {
-                                       auto b = real(file);
-                                       if (b || file.size() < 24 || file[8] != 2) return b;
-                                       Bytes mended(file.begin(), file.end());
-                                       const std::uint32_t sum =
-                                           spec::array::checksum(file.first(file.size() - 4));
-                                       for (unsigned j = 0; j < 4; ++j)
-                                         mended[mended.size() - 4 + j] =
-                                             static_cast<std::uint8_t>(sum >> 8 * j);
-                                       return real(mended);
-                                     };
-                                   }),
-                            mutant("bytes behind are let pass", "array-spec", {1, 1},
-                                   [](Functions& f) {
-                                     f.read = [real = f.read](std::span<const std::uint8_t> file) {
-                                       auto b = real(file);
-                                       return b || file.empty() ? b : real(file.first(file.size() - 1));
-                                     };
-                                   }),
-                            mutant("version 3 is read as version 2", "array", {1, 1},
-                                   [](Functions& f) {
-                                     f.read = [real = f.read](std::span<const std::uint8_t> file) {
-                                       auto b = real(file);
-                                       if (b || file.size() < 12 || file[8] != 3) return b;
-                                       Bytes other(file.begin(), file.end());
-                                       other[8] = 1;
-                                       if (auto first = real(other)) return first;
-                                       other[8] = 2;
-                                       return real(other);
-                                     };
-                                   })}},
+                .mutants = {mutant("the checksum is not looked at", "array", {1, 1}, mend_checksum),
+                            mutant("bytes behind are let pass", "array-spec", {1, 1}, let_a_byte_pass),
+                            mutant("version 3 is read as version 2", "array", {1, 1}, take_version_3)}},
                entry::our_file, 97, refuses),
       files_on_samples()};
 }

@@ -68,6 +68,24 @@ void each_setting(Chunk chunk, std::uint64_t elements, Visit visit) {
 }
 
 template <class Element>
+Replayed replay_element(const Batches<Element>& cases, const AttributeSubject& s, Level n,
+                        const std::string& at) {
+  const auto colon = at.find(':');
+  const auto setting = std::find(cases.settings.begin(), cases.settings.end(), at.substr(0, colon));
+  if (colon == std::string::npos || setting == cases.settings.end())
+    throw BadCase(
+        fmt::format("'{:.60}': begin with one of {}, then a colon", at, fmt::join(cases.settings, ", ")));
+  Element element{};
+  read(n, at.substr(colon + 1), element);
+  const auto number = static_cast<std::size_t>(setting - cases.settings.begin());
+  Outcome outcome;
+  cases.check(s, n, number, {&element, 1}, {&outcome, 1});
+  if (outcome.holds) return {true, "ok", "ok", {}};
+  const Words words = cases.words(s, n, number, element);
+  return {false, words.expected, words.got, {}};
+}
+
+template <class Element>
 Law on_batches(Law law, Lacks lacks, Batches<Element> cases) {
   law.topic = "attribute";
   law.unfit = unfit_by(std::move(lacks));
@@ -114,21 +132,8 @@ Law on_batches(Law law, Lacks lacks, Batches<Element> cases) {
         },
         as_one_case(cases.kind));
   };
-  law.replay = [cases](const Subject& subject, Level n, const std::string& at) -> Replayed {
-    const AttributeSubject& s = subject_as<AttributeSubject>(subject);
-    const auto colon = at.find(':');
-    const auto setting = std::find(cases.settings.begin(), cases.settings.end(), at.substr(0, colon));
-    if (colon == std::string::npos || setting == cases.settings.end())
-      throw BadCase(
-          fmt::format("'{:.60}': begin with one of {}, then a colon", at, fmt::join(cases.settings, ", ")));
-    Element element{};
-    read(n, at.substr(colon + 1), element);
-    const auto number = static_cast<std::size_t>(setting - cases.settings.begin());
-    Outcome outcome;
-    cases.check(s, n, number, {&element, 1}, {&outcome, 1});
-    if (outcome.holds) return {true, "ok", "ok", {}};
-    const Words words = cases.words(s, n, number, element);
-    return {false, words.expected, words.got, {}};
+  law.replay = [cases](const Subject& subject, Level n, const std::string& at) {
+    return replay_element(cases, subject_as<AttributeSubject>(subject), n, at);
   };
   return law;
 }

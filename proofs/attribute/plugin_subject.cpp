@@ -96,8 +96,7 @@ Column corner(std::span<const Triplet> of, std::size_t which) {
   return words;
 }
 
-Orders orders_of(const LibraryPtr& library) {
-  Orders f;
+void ask_vertices(const LibraryPtr& library, Orders& f) {
   if (library->offers(Call::attribute_vertex_index))
     f.vertex_index = [=](VertexOrder order, Level n, std::span<const Vertex> at,
                          std::span<std::uint32_t> out) {
@@ -116,6 +115,9 @@ Orders orders_of(const LibraryPtr& library) {
           out.size(), out.data());
       asked.leave_out(out, Vertex{none, none});
     };
+}
+
+void ask_faces(const LibraryPtr& library, Orders& f) {
   if (library->offers(Call::attribute_face_index))
     f.face_index = [=](FaceOrder order, Level n, std::span<const MicroTriangle> at,
                        std::span<std::uint32_t> out) {
@@ -142,6 +144,9 @@ Orders orders_of(const LibraryPtr& library) {
       }
       asked.leave_out(out, nowhere);
     };
+}
+
+void ask_triplets(const LibraryPtr& library, Orders& f) {
   if (library->offers(Call::attribute_triplet))
     f.triplet = [=](FaceOrder faces, VertexOrder vertices, Level n, Numbers face, std::span<Triplet> out) {
       const Within asked(face, spec::attribute::face_count(n));
@@ -177,6 +182,13 @@ Orders orders_of(const LibraryPtr& library) {
                     out.size(), out.data());
       for (const std::size_t k : beyond) out[k] = none;
     };
+}
+
+Orders orders_of(const LibraryPtr& library) {
+  Orders f;
+  ask_vertices(library, f);
+  ask_faces(library, f);
+  ask_triplets(library, f);
   return f;
 }
 

@@ -306,6 +306,42 @@ Bytes again_behind_its_tiles(const DagSubject& s, Format f, const Map& map) {
   return sealed(bytes);
 }
 
+namespace {
+
+/// A code with a word, or an array's length, changed in one of six ways.
+struct Changed {
+  std::uint64_t kind;
+  Bytes bytes;
+};
+Changed changed_at_random(const Bytes& code, Random& random) {
+  const std::uint64_t words = code.size() / 4;
+  Bytes bytes = code;
+  const std::size_t at = 4 * static_cast<std::size_t>(8 + random.below(words - 8)),
+                    also = 4 * static_cast<std::size_t>(8 + random.below(words - 8));
+  const std::uint64_t kind = random.below(6);
+  if (kind == 0) bytes[at + random.below(4)] = static_cast<std::uint8_t>(random.next());
+  if (kind == 1) bytes[at] = static_cast<std::uint8_t>(bytes[at] + random.between(-2, 2));
+  if (kind == 2) swap_words(bytes, at, also);
+  if (kind == 3) bytes[at + random.below(4)] ^= static_cast<std::uint8_t>(1u << random.below(8));
+  if (kind == 4)
+    std::copy_n(code.begin() + static_cast<std::ptrdiff_t>(also), 4,
+                bytes.begin() + static_cast<std::ptrdiff_t>(at));
+  if (kind == 5) {  // an array a word longer, or one a word shorter
+    const std::size_t count = 8 + 4 * static_cast<std::size_t>(random.below(4));
+    const bool longer = random.below(2) == 0;
+    bytes[count] = static_cast<std::uint8_t>(bytes[count] + (longer ? 1 : -1));
+    if (longer)
+      bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(at), 4 * (1 + random.below(4)), 0);
+    else
+      bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                  bytes.begin() + static_cast<std::ptrdiff_t>(
+                                      std::min<std::size_t>(bytes.size(), at + 4 * (1 + random.below(4)))));
+  }
+  return {kind, std::move(bytes)};
+}
+
+}  // namespace
+
 Finding damage(const DagSubject& s, const Scene& scene, bool every, std::uint64_t most) {
   const Bytes code = s.functions.bytes(s.functions.encode(scene));
   Hash digest;
@@ -343,30 +379,8 @@ Finding damage(const DagSubject& s, const Scene& scene, bool every, std::uint64_
       !goes_on("a record again behind its tiles,", again_behind_its_tiles(s, scene.format, *map)))
     return found;
   Random random(hash_of(code), most, 3);
-  const std::uint64_t words = code.size() / 4;
   for (std::uint64_t k = 0; k < most; ++k) {
-    Bytes bytes = code;
-    const std::size_t at = 4 * static_cast<std::size_t>(8 + random.below(words - 8)),
-                      also = 4 * static_cast<std::size_t>(8 + random.below(words - 8));
-    const std::uint64_t kind = random.below(6);
-    if (kind == 0) bytes[at + random.below(4)] = static_cast<std::uint8_t>(random.next());
-    if (kind == 1) bytes[at] = static_cast<std::uint8_t>(bytes[at] + random.between(-2, 2));
-    if (kind == 2) swap_words(bytes, at, also);
-    if (kind == 3) bytes[at + random.below(4)] ^= static_cast<std::uint8_t>(1u << random.below(8));
-    if (kind == 4)
-      std::copy_n(code.begin() + static_cast<std::ptrdiff_t>(also), 4,
-                  bytes.begin() + static_cast<std::ptrdiff_t>(at));
-    if (kind == 5) {  // an array a word longer, or one a word shorter
-      const std::size_t count = 8 + 4 * static_cast<std::size_t>(random.below(4));
-      const bool longer = random.below(2) == 0;
-      bytes[count] = static_cast<std::uint8_t>(bytes[count] + (longer ? 1 : -1));
-      if (longer)
-        bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(at), 4 * (1 + random.below(4)), 0);
-      else
-        bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(at),
-                    bytes.begin() + static_cast<std::ptrdiff_t>(
-                                        std::min<std::size_t>(bytes.size(), at + 4 * (1 + random.below(4)))));
-    }
+    const auto [kind, bytes] = changed_at_random(code, random);
     if (!goes_on(fmt::format("change {} of kind {},", k, kind), sealed(bytes))) return found;
   }
   return {digest.value()};

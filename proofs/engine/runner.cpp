@@ -301,11 +301,9 @@ std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const
   return results;
 }
 
-Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const OnResult& on_result) {
-  Report report;
-  report.threads = options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-  oneapi::tbb::task_arena arena(static_cast<int>(report.threads));
+namespace {
 
+Run run_by(const RunOptions& options, oneapi::tbb::task_arena& arena) {
   Run run;
   run.arena = &arena;
   run.errors = options.errors;
@@ -314,14 +312,51 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   run.cases = options.cases;
   run.options = options.options;
   run.near = options.near;
+  return run;
+}
 
-  const Shard shard = options.shard.value_or(Shard{});
+std::uint64_t count_cases(const std::vector<Job>& jobs, const Run& run, const Shard& shard) {
   std::uint64_t total = 0;
   for (const Job& job : jobs)
     for (Level n = job.levels.first; job.unfit.empty() && n <= job.levels.last; ++n)
       if (!job.law->unfit(*job.subject, n)) total += job.law->cases(n, run) / shard.of;
+  return total;
+}
 
-  Progress progress(total, options.show_progress);
+void diagnose(const std::vector<Job>& jobs, Report& report) {
+  for (const Job& job : jobs)
+    if (const auto results = refuting(report, job);
+        job.law->diagnose && !results.empty() && !interrupted() && report.gave_up.empty()) {
+      try {
+        Diagnosis diagnosis{job.law->id, job.subject->name(), job.law->diagnose(*job.subject, results)};
+        if (!said_before(report, diagnosis)) report.diagnoses.push_back(std::move(diagnosis));
+      } catch (const Interrupted&) {
+      } catch (const NoResources&) {
+        // The verdict stands without the diagnosis.
+      } catch (const SubjectBroken& broken) {
+        report.diagnoses.push_back({job.law->id, job.subject->name(), {broken.what()}});
+      }
+    }
+}
+
+/// The laws of the jobs that are run at some level, each once.
+std::vector<const Law*> laws_run(const std::vector<Job>& jobs) {
+  std::vector<const Law*> laws;
+  for (const Job& job : jobs)
+    if (unfit_throughout(job).empty() && std::find(laws.begin(), laws.end(), job.law) == laws.end())
+      laws.push_back(job.law);
+  return laws;
+}
+
+}  // namespace
+
+Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const OnResult& on_result) {
+  Report report;
+  report.threads = options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  oneapi::tbb::task_arena arena(static_cast<int>(report.threads));
+  Run run = run_by(options, arena);
+  const Shard shard = options.shard.value_or(Shard{});
+  Progress progress(count_cases(jobs, run, shard), options.show_progress);
   const InterruptGuard guard;
   run.progress = &progress;
   const auto add = [&](const Job& job, Result r) {
@@ -363,25 +398,9 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   run.progress = nullptr;
   run.division = nullptr;
   withdraw_changed(jobs, options, report);
-  for (const Job& job : jobs)
-    if (const auto results = refuting(report, job);
-        job.law->diagnose && !results.empty() && !interrupted() && report.gave_up.empty()) {
-      try {
-        Diagnosis diagnosis{job.law->id, job.subject->name(), job.law->diagnose(*job.subject, results)};
-        if (!said_before(report, diagnosis)) report.diagnoses.push_back(std::move(diagnosis));
-      } catch (const Interrupted&) {
-      } catch (const NoResources&) {
-        // The verdict stands without the diagnosis.
-      } catch (const SubjectBroken& broken) {
-        report.diagnoses.push_back({job.law->id, job.subject->name(), {broken.what()}});
-      }
-    }
-
-  std::vector<const Law*> laws;
-  for (const Job& job : jobs)
-    if (unfit_throughout(job).empty() && std::find(laws.begin(), laws.end(), job.law) == laws.end())
-      laws.push_back(job.law);
-  if (shard.number == 1 && options.mutants && report.gave_up.empty()) report.mutants = run_mutants(laws, run);
+  diagnose(jobs, report);
+  if (shard.number == 1 && options.mutants && report.gave_up.empty())
+    report.mutants = run_mutants(laws_run(jobs), run);
   report.interrupted = interrupted();
   return report;
 }

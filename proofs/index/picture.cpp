@@ -122,6 +122,38 @@ std::string coordinate_text(const Rational& q) {
   return fraction.size() <= 24 ? fraction : fmt::format("{:a}", nearest(q));
 }
 
+void label_corners(Canvas& canvas, const View& view, double N) {
+  const Pixel w = view(view.i0, view.j0), u = view(view.i0 + view.span, view.j0),
+              v = view(view.i0, view.j0 + view.span);
+  if (view.span == N) {
+    canvas.text({w.x - 8, w.y + 22}, "w = 1 (first vertex)", 13, ink, "middle");
+    canvas.text({u.x, u.y + 22}, "u = 1 (second vertex)", 13, ink, "middle");
+    canvas.text({v.x + 12, v.y + 2}, "v = 1 (third vertex)", 13, ink, "start");
+  } else {
+    canvas.text({w.x, w.y + 22}, fmt::format("u = {}/{}, v = {}/{}", view.i0, N, view.j0, N), 13, ink,
+                "middle");
+    canvas.text({u.x, u.y + 22}, fmt::format("u = {}/{}", view.i0 + view.span, N), 13, ink, "middle");
+    canvas.text({v.x + 12, v.y + 2}, fmt::format("v = {}/{}", view.j0 + view.span, N), 13, ink, "start");
+  }
+}
+
+/// Draws the legend.  `wrong_answer`: the words beside the hatched square, which a right answer has not.
+void draw_legend(Canvas& canvas, const std::string& wrong_answer, Order order) {
+  const double y = top + drawing_size * slope + 58;
+  canvas.dot({34, y}, 6, "#000000", "#ffffff");
+  canvas.text({48, y + 5}, "the point", 14);
+  canvas.polygon({{140, y - 8}, {158, y - 8}, {158, y + 8}, {140, y + 8}}, blue, blue, 2, 0.25);
+  canvas.text({166, y + 5}, wrong_answer.empty() ? "expected and returned" : "expected", 14);
+  if (!wrong_answer.empty()) {
+    canvas.polygon({{260, y - 8}, {278, y - 8}, {278, y + 8}, {260, y + 8}}, "url(#hatch)", vermilion, 2);
+    canvas.text({286, y + 5}, wrong_answer, 14);
+  }
+  canvas.text({24, y + 38},
+              order == Order::curve ? "Numbers are indices along the space-filling curve, the thin line."
+                                    : "Numbers are indices in row order, rows counted from the w-corner.",
+              13, "#555555");
+}
+
 }  // namespace
 
 std::string picture(Level n, const RationalPoint& p, std::uint32_t expected, std::uint32_t got, Order order) {
@@ -156,18 +188,8 @@ std::string picture(Level n, const RationalPoint& p, std::uint32_t expected, std
   if (shown) label(got, vermilion);
   canvas.dot(view(pi, pj), 6, "#000000", "#ffffff");
 
-  const bool whole = view.span == N;
-  const Pixel w = view(view.i0, view.j0), u = view(view.i0 + view.span, view.j0),
-              v = view(view.i0, view.j0 + view.span);
-  if (whole) {
-    canvas.text({w.x - 8, w.y + 22}, "w = 1 (first vertex)", 13, ink, "middle");
-    canvas.text({u.x, u.y + 22}, "u = 1 (second vertex)", 13, ink, "middle");
-    canvas.text({v.x + 12, v.y + 2}, "v = 1 (third vertex)", 13, ink, "start");
-  } else {
-    canvas.text({w.x, w.y + 22}, fmt::format("u = {}/{}, v = {}/{}", view.i0, N, view.j0, N), 13, ink,
-                "middle");
-    canvas.text({u.x, u.y + 22}, fmt::format("u = {}/{}", view.i0 + view.span, N), 13, ink, "middle");
-    canvas.text({v.x + 12, v.y + 2}, fmt::format("v = {}/{}", view.j0 + view.span, N), 13, ink, "start");
+  label_corners(canvas, view, N);
+  if (view.span != N) {
     // A small picture of the whole triangle shows the window's place.
     const View small{0, 0, N, width - 190, top + 6, 160};
     canvas.polygon({small(0, 0), small(N, 0), small(0, N)}, "#f4f4f4", ink, 1);
@@ -179,23 +201,13 @@ std::string picture(Level n, const RationalPoint& p, std::uint32_t expected, std
     canvas.text({small(0, 0).x + 80, small(0, 0).y + 16}, "the whole triangle", 12, ink, "middle");
   }
 
-  const double y = top + drawing_size * slope + 58;
-  canvas.dot({34, y}, 6, "#000000", "#ffffff");
-  canvas.text({48, y + 5}, "the point", 14);
-  canvas.polygon({{140, y - 8}, {158, y - 8}, {158, y + 8}, {140, y + 8}}, blue, blue, 2, 0.25);
-  canvas.text({166, y + 5}, right ? "expected and returned" : "expected", 14);
-  if (!right) {
-    canvas.polygon({{260, y - 8}, {278, y - 8}, {278, y + 8}, {260, y + 8}}, "url(#hatch)", vermilion, 2);
-    canvas.text({286, y + 5},
-                shown      ? "returned"
-                : in_range ? "returned: outside this window"
-                           : "returned: no such micro-triangle",
-                14);
-  }
-  canvas.text({24, y + 38},
-              order == Order::curve ? "Numbers are indices along the space-filling curve, the thin line."
-                                    : "Numbers are indices in row order, rows counted from the w-corner.",
-              13, "#555555");
+  draw_legend(canvas,
+              right      ? ""
+              : shown    ? "returned"
+              : in_range ? "returned: outside this window"
+                         : "returned: no such micro-triangle",
+              order);
+
   return canvas.str();
 }
 

@@ -41,11 +41,8 @@ States fetched(const Built& b, const Options& o, std::uint64_t t, std::uint64_t 
   return slow::unpack(std::span(b.data).subspan(r.offset), static_cast<Format>(r.format), count);
 }
 
-Finding builds(const MicromapSubject& s, const BuildCase& c) {
-  const Options& o = c.options;
-  const Built built = s.functions.build(c.before, c.maps, o);
-
-  // Validity first: then nothing below reads outside.
+/// A built array with its indices, without a geometry's counts, by glTF's rules.
+Input input_of(const Built& built, const BuildCase& c) {
   Input in;
   in.sets = slow::glTF;
   in.records = built.records;
@@ -54,10 +51,19 @@ Finding builds(const MicromapSubject& s, const BuildCase& c) {
   in.triangles = c.maps.size();
   in.indexed = true;
   in.indices = built.indices;
-  in.encoding = o.encoding;
-  in.index_stride = slow::width(o.encoding) / 8;
-  in.base_triangle = o.base_triangle;
+  in.encoding = c.options.encoding;
+  in.index_stride = slow::width(c.options.encoding) / 8;
+  in.base_triangle = c.options.base_triangle;
   in.array_counts = built.array_counts;
+  return in;
+}
+
+Finding builds(const MicromapSubject& s, const BuildCase& c) {
+  const Options& o = c.options;
+  const Built built = s.functions.build(c.before, c.maps, o);
+
+  // Validity first: then nothing below reads outside.
+  Input in = input_of(built, c);
   if (const auto found = slow::validate(in); !found.empty())
     return wrong("a clean array", text(found.front()));
   in.sets = slow::EXT;
@@ -136,24 +142,27 @@ auto builds_otherwise(Choose choose) {
   };
 }
 
+BuildCase pair_of(std::initializer_list<Map> two) {
+  BuildCase c;
+  for (const Map& map : two) c.maps.push_back({map.level, map.format, map.packed});
+  c.options = {Encoding::u8, 0, true, true};
+  return c;
+}
+
+BuildCase pair_number(Level n, std::uint64_t k) {
+  const std::uint64_t maps = map_count(n);
+  return pair_of({map_number(n, k / maps), map_number(n, k % maps)});
+}
+
+std::string text_of_pair(const BuildCase& c) {
+  std::string line;
+  for (const PackedMap& m : c.maps)
+    line += (line.empty() ? "" : "|") + text_of_states({m.level, m.format, m.bytes});
+  return line;
+}
+
 // Every ordered pair of maps of one small level, with sharing and special indices.
 Law pairs() {
-  const auto pair = [](Level n, std::uint64_t k) {
-    const std::uint64_t maps = map_count(n);
-    BuildCase c;
-    for (const std::uint64_t number : {k / maps, k % maps}) {
-      const Map map = map_number(n, number);
-      c.maps.push_back({map.level, map.format, map.packed});
-    }
-    c.options = {Encoding::u8, 0, true, true};
-    return c;
-  };
-  const auto at = [](const BuildCase& c) {
-    std::string line;
-    for (const PackedMap& m : c.maps)
-      line += (line.empty() ? "" : "|") + text_of_states({m.level, m.format, m.bytes});
-    return line;
-  };
   return on_cases(
       {.id = "micromap.build",
        .topic = "micromap",
@@ -189,20 +198,34 @@ Law pairs() {
                           }))}},
       {entry::build},
       {[](Level n) -> std::uint64_t { return n > 1 ? 0 : map_count(n) * map_count(n); },
-       [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) { return builds(s, pair(n, k)); },
-       [=](Level n, std::uint64_t k, const Run&) { return at(pair(n, k)); },
+       [](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) {
+         return builds(s, pair_number(n, k));
+       },
+       [](Level n, std::uint64_t k, const Run&) { return text_of_pair(pair_number(n, k)); },
        [](const MicromapSubject& s, Level n, const std::string& text) {
          const auto bar = text.find('|');
          if (bar == std::string::npos) throw BadCase("'" + text + "': write 4-state:0123|2-state:0110");
-         BuildCase c;
-         for (const std::string& part : {text.substr(0, bar), text.substr(bar + 1)}) {
-           const Map map = map_from_text(n, part);
-           c.maps.push_back({map.level, map.format, map.packed});
-         }
-         c.options = {Encoding::u8, 0, true, true};
-         return builds(s, c);
+         return builds(
+             s, pair_of({map_from_text(n, text.substr(0, bar)), map_from_text(n, text.substr(bar + 1))}));
        },
        1024});
+}
+
+void drop_last_bit(std::span<const PackedMap>, std::span<const PackedMap> maps, const Options& o, Built& b) {
+  if (o.encoding == Encoding::i16 && !maps.empty() && maps.back().level == 5 && !b.data.empty())
+    drop_bit(b.data, b.data.size() - 1, 7);
+}
+
+void count_one_more(std::span<const PackedMap>, std::span<const PackedMap> maps, const Options& o, Built& b) {
+  if (maps.size() > 8 && o.special && o.encoding == Encoding::u32 && !b.geometry_counts.empty() &&
+      b.geometry_counts.size() < maps.size())
+    ++b.geometry_counts.front().count;
+}
+
+void add_base_triangle(std::span<const PackedMap>, std::span<const PackedMap>, const Options& o, Built& b) {
+  if (o.base_triangle == 2 && o.encoding == Encoding::i32)
+    for (std::size_t at = 0; at < b.indices.size(); at += 4)
+      if (b.indices[at + 3] == 0) b.indices[at] = static_cast<std::uint8_t>(b.indices[at] + 2);
 }
 
 Law sampled_builds() {
@@ -222,31 +245,15 @@ Law sampled_builds() {
                  "up to 23 maps of levels 0..{} after up to 5, all encodings, options and base triangles", n);
            },
        .mutants = {mutant("a bit of the last byte of a map of level 5", "micromap", {5, 5},
-                          spoils(&Functions::build,
-                                 [](auto, auto maps, const Options& o, Built& b) {
-                                   if (o.encoding == Encoding::i16 && !maps.empty() &&
-                                       maps.back().level == 5 && !b.data.empty())
-                                     drop_bit(b.data, b.data.size() - 1, 7);
-                                 })),
+                          spoils(&Functions::build, drop_last_bit)),
                    mutant("shares though not asked to", "micromap", {2, 4},
                           builds_otherwise([](auto maps, Options& o) {
                             if (maps.size() == 20) o.deduplicate = true;
                           })),
                    mutant("counts a special index", "micromap-spec", {0, 3},
-                          spoils(&Functions::build,
-                                 [](auto, auto maps, const Options& o, Built& b) {
-                                   if (maps.size() > 8 && o.special && o.encoding == Encoding::u32 &&
-                                       !b.geometry_counts.empty() && b.geometry_counts.size() < maps.size())
-                                     ++b.geometry_counts.front().count;
-                                 })),
+                          spoils(&Functions::build, count_one_more)),
                    mutant("adds the base triangle where it has to subtract it", "micromap", {0, 5},
-                          spoils(&Functions::build,
-                                 [](auto, auto, const Options& o, Built& b) {
-                                   if (o.base_triangle == 2 && o.encoding == Encoding::i32)
-                                     for (std::size_t at = 0; at < b.indices.size(); at += 4)
-                                       if (b.indices[at + 3] == 0)
-                                         b.indices[at] = static_cast<std::uint8_t>(b.indices[at] + 2);
-                                 })),
+                          spoils(&Functions::build, add_base_triangle)),
                    mutant("shares a record before the base triangle", "micromap-spec", {0, 5},
                           builds_otherwise([](auto, Options& o) {
                             if (o.deduplicate && o.base_triangle == 3) o.base_triangle = 0;

@@ -88,6 +88,50 @@ std::vector<UsageCount> to_slow(std::span<const fast::UsageCount> counts) {
 
 Bytes room(std::uint64_t count, Format f) { return Bytes(static_cast<std::size_t>(packed_bytes(count, f))); }
 
+Built built(std::span<const PackedMap> before, std::span<const PackedMap> maps, const Options& options) {
+  const auto views = [](std::span<const PackedMap> some) {
+    std::vector<fast::PackedMap> out;
+    for (const PackedMap& m : some) out.push_back({m.level, to_fast(m.format), m.bytes});
+    return out;
+  };
+  fast::Array array;
+  fast::append(array, views(before), {fast::Encoding::u32, 0, false, false});
+  const fast::Geometry g = fast::append(array, views(maps),
+                                        {static_cast<fast::Encoding>(options.encoding), options.base_triangle,
+                                         options.deduplicate, options.special});
+  return {fast::record_buffer(array.records), array.data, g.indices,
+          to_slow(fast::usage_counts(array.records)), to_slow(g.counts)};
+}
+
+std::vector<Violation> violations(const Input& in) {
+  fast::Input to;
+  to.sets = in.sets;
+  to.limits = {in.limits.two_state_level, in.limits.four_state_level, in.limits.lossy_four_state_level,
+               in.limits.triangles};
+  to.lossy = in.lossy;
+  to.records = in.records;
+  to.record_count = in.record_count;
+  to.record_stride = in.record_stride;
+  to.records_address = in.records_address;
+  to.data = in.data;
+  to.data_address = in.data_address;
+  std::vector<fast::UsageCount> array_counts, geometry_counts;
+  if (in.array_counts) to.array_counts = array_counts = to_fast(*in.array_counts);
+  to.triangles = in.triangles;
+  to.indexed = in.indexed;
+  to.indices = in.indices;
+  to.encoding = static_cast<fast::Encoding>(in.encoding);
+  to.index_stride = in.index_stride;
+  to.indices_address = in.indices_address;
+  to.base_triangle = in.base_triangle;
+  if (in.geometry_counts) to.geometry_counts = geometry_counts = to_fast(*in.geometry_counts);
+  std::vector<Violation> out;
+  for (const fast::Violation& v : fast::validate(to))
+    out.push_back(
+        {static_cast<slow::Rule>(v.rule), static_cast<slow::Place>(v.place), v.where, v.found, v.other});
+  return out;
+}
+
 Functions library() {
   Functions f;
   f.pack = [](Format format, const States& all) {
@@ -141,49 +185,8 @@ Functions library() {
     const fast::Substitutions found = fast::substitutions(was, is, micro_triangles(n));
     return {found.allowed(), found.conservative(), found.force2_stable()};
   };
-  f.build = [](std::span<const PackedMap> before, std::span<const PackedMap> maps,
-               const Options& options) -> Built {
-    const auto views = [](std::span<const PackedMap> some) {
-      std::vector<fast::PackedMap> out;
-      for (const PackedMap& m : some) out.push_back({m.level, to_fast(m.format), m.bytes});
-      return out;
-    };
-    fast::Array array;
-    fast::append(array, views(before), {fast::Encoding::u32, 0, false, false});
-    const fast::Geometry g = fast::append(array, views(maps),
-                                          {static_cast<fast::Encoding>(options.encoding),
-                                           options.base_triangle, options.deduplicate, options.special});
-    return {fast::record_buffer(array.records), array.data, g.indices,
-            to_slow(fast::usage_counts(array.records)), to_slow(g.counts)};
-  };
-  f.validate = [](const Input& in) {
-    fast::Input to;
-    to.sets = in.sets;
-    to.limits = {in.limits.two_state_level, in.limits.four_state_level, in.limits.lossy_four_state_level,
-                 in.limits.triangles};
-    to.lossy = in.lossy;
-    to.records = in.records;
-    to.record_count = in.record_count;
-    to.record_stride = in.record_stride;
-    to.records_address = in.records_address;
-    to.data = in.data;
-    to.data_address = in.data_address;
-    std::vector<fast::UsageCount> array_counts, geometry_counts;
-    if (in.array_counts) to.array_counts = array_counts = to_fast(*in.array_counts);
-    to.triangles = in.triangles;
-    to.indexed = in.indexed;
-    to.indices = in.indices;
-    to.encoding = static_cast<fast::Encoding>(in.encoding);
-    to.index_stride = in.index_stride;
-    to.indices_address = in.indices_address;
-    to.base_triangle = in.base_triangle;
-    if (in.geometry_counts) to.geometry_counts = geometry_counts = to_fast(*in.geometry_counts);
-    std::vector<Violation> out;
-    for (const fast::Violation& v : fast::validate(to))
-      out.push_back(
-          {static_cast<slow::Rule>(v.rule), static_cast<slow::Place>(v.place), v.where, v.found, v.other});
-    return out;
-  };
+  f.build = built;
+  f.validate = violations;
   return f;
 }
 

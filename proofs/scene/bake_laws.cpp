@@ -151,6 +151,28 @@ void descend(const Claim& claim, const OfLevel& of, Level n, std::size_t triangl
 
 constexpr Level piece = 4;  ///< a unit of the whole domain has 4^piece micro-triangles
 
+Replayed replay(const Claim& claim, const Data& data, const ExactSurfaces& exact, Level n,
+                const std::string& at) {
+  std::size_t triangle = 0;
+  std::uint32_t index = 0;
+  if (std::sscanf(at.c_str(), "t%zu:i%u", &triangle, &index) != 2 ||
+      fmt::format("t{}:i{}", triangle, index) != at || triangle >= data.baked.triangles.size() ||
+      data.baked.triangles[triangle].level != n || index >= micromap::micro_triangles(n))
+    throw BadCase(fmt::format("{}: no micro-triangle of level {} of this scene; write t17:i1234", at, n));
+  const unsigned code = code_of(data.baked.triangles[triangle], index);
+  const State truly = exact.state(triangle, n, index);
+  const bool leans =
+      claim.what == Claim::forced && truly == State::C && exact.rather_opaque(triangle, n, index);
+  Replayed replayed;
+  replayed.holds = !claim.about(code) || claim.holds(code, truly, leans);
+  replayed.expected = std::string(truly == State::T   ? "T"
+                                  : truly == State::O ? "O"
+                                                      : "unknown") +
+                      " (" + exact.text(triangle, n, index) + ")";
+  replayed.got = name_of_code(code);
+  return replayed;
+}
+
 Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactSurfaces>& exact,
         const BakeSample& sample) {
   Law law;
@@ -207,24 +229,7 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
     });
   };
   law.replay = [claim, &data, exact](const Subject&, Level n, const std::string& at) {
-    std::size_t triangle = 0;
-    std::uint32_t index = 0;
-    if (std::sscanf(at.c_str(), "t%zu:i%u", &triangle, &index) != 2 ||
-        fmt::format("t{}:i{}", triangle, index) != at || triangle >= data.baked.triangles.size() ||
-        data.baked.triangles[triangle].level != n || index >= micromap::micro_triangles(n))
-      throw BadCase(fmt::format("{}: no micro-triangle of level {} of this scene; write t17:i1234", at, n));
-    const unsigned code = code_of(data.baked.triangles[triangle], index);
-    const State truly = exact->state(triangle, n, index);
-    const bool leans =
-        claim.what == Claim::forced && truly == State::C && exact->rather_opaque(triangle, n, index);
-    Replayed replayed;
-    replayed.holds = !claim.about(code) || claim.holds(code, truly, leans);
-    replayed.expected = std::string(truly == State::T   ? "T"
-                                    : truly == State::O ? "O"
-                                                        : "unknown") +
-                        " (" + exact->text(triangle, n, index) + ")";
-    replayed.got = name_of_code(code);
-    return replayed;
+    return replay(claim, data, *exact, n, at);
   };
   return law;
 }

@@ -156,122 +156,155 @@ void any_damage(const Map& map, const Bytes& code, std::size_t thorough, const T
   other(n, f == Format::two_state ? Format::four_state : Format::two_state);
 }
 
-void constructed_codes(const Map& map, const std::function<bool(const Constructed&)>& take) {
-  const Level n = map.level;
-  const Format f = map.format;
-  const Succinct s = spec::tree::encode(spec::micromap::unpack(map.packed, f, micro_triangles(n)), n);
-  const std::vector<Subtree> all = subtrees(s);
-  Random random(hash_of(map.packed), n, 78);
-  bool go_on = true;
-  const auto bytes_of = [&](const Succinct& sequences) { return spec::tree::bytes(sequences, f); };
-  const auto give = [&](const std::string& what, Bytes bytes, std::optional<Map> meant = std::nullopt) {
-    if (go_on) go_on = take({{what, n, f, std::move(bytes)}, std::move(meant)});
-  };
-  const auto at = [](const Subtree& x) { return fmt::format("node {} of depth {}", x.node, x.depth); };
+namespace {
 
-  // Any leaf, any internal node and any node of four leaves, for each depth.
-  std::vector<const Subtree*> leaves(n + 1), internals(n + 1), last_internals(n + 1);
-  std::vector<std::uint64_t> seen(3 * (n + 1));
-  for (const Subtree& x : all) {
-    const auto choose = [&](std::vector<const Subtree*>& among, std::size_t kind) {
-      if (random.below(++seen[kind * (n + 1) + x.depth]) == 0) among[x.depth] = &x;
-    };
-    choose(x.leaf() ? leaves : internals, x.leaf() ? 0 : 1);
-    if (!x.leaf() && x.t_end == x.t + 5) choose(last_internals, 2);
+/// Codes that are made of the subtrees of one map's code, until `take` wants no more.
+class Construction {
+ public:
+  Construction(const Map& map, const std::function<bool(const Constructed&)>& take)
+      : map_(map), take_(take) {}
+
+  void give_all() {
+    // Any leaf, any internal node and any node of four leaves, for each depth.
+    std::vector<const Subtree*> leaves(n_ + 1), internals(n_ + 1), last_internals(n_ + 1);
+    std::vector<std::uint64_t> seen(3 * (n_ + 1));
+    for (const Subtree& x : all_) {
+      const auto choose = [&](std::vector<const Subtree*>& among, std::size_t kind) {
+        if (random_.below(++seen[kind * (n_ + 1) + x.depth]) == 0) among[x.depth] = &x;
+      };
+      choose(x.leaf() ? leaves : internals, x.leaf() ? 0 : 1);
+      if (!x.leaf() && x.t_end == x.t + 5) choose(last_internals, 2);
+    }
+    for (const Subtree* x : leaves)
+      if (x != nullptr) {
+        split_leaf(*x);
+        change_leaf(*x);
+      }
+    for (const Subtree* x : internals)
+      if (x != nullptr) {
+        exchange_children(*x);
+        if (x->depth == 1) give_quarter(*x);
+      }
+    for (const Subtree* x : last_internals)
+      if (x != nullptr) make_alike(*x);
+    if (std::any_of(all_.begin(), all_.end(), [&](const Subtree& x) { return x.leaf() && x.depth < n_; }))
+      split_all();
+    damage_ends();
   }
 
-  for (const Subtree* x : leaves) {
-    if (x == nullptr) continue;
-    const State state = s.data[x->d];
+ private:
+  Bytes bytes_of(const Succinct& sequences) const { return spec::tree::bytes(sequences, map_.format); }
+  void give(const std::string& what, Bytes bytes, std::optional<Map> meant = std::nullopt) {
+    if (go_on_) go_on_ = take_({{what, n_, map_.format, std::move(bytes)}, std::move(meant)});
+  }
+  static std::string at(const Subtree& x) { return fmt::format("node {} of depth {}", x.node, x.depth); }
+
+  void split_leaf(const Subtree& x) {
+    const State state = s_.data[x.d];
     const auto four_for_one = [&](const char* what, Level times, bool everywhere) {
-      give(fmt::format("{} {},", at(*x), what), bytes_of(replaced(s, *x, split(state, times, everywhere))));
+      give(fmt::format("{} {},", at(x), what), bytes_of(replaced(s_, x, split(state, times, everywhere))));
     };
     // Four children of a leaf at the last level lie below it.
     four_for_one("is four equal leaves", 1, true);
-    if (x->depth + 1 < n)
-      four_for_one("is equal leaves down to the last level on one way", n - x->depth, false);
-    if (x->depth + 2 < n) four_for_one("is sixteen equal leaves", 2, true);
-    four_for_one("goes below the last level", n - x->depth + 1, false);
-    // The leaf with another state; that is a code unless it then equals its siblings.
-    const auto other = static_cast<State>(
-        (spec::micromap::code(state) + 1 + random.below((1u << bits(f)) - 1)) % (1u << bits(f)));
-    Map changed = map;
-    const std::uint64_t run = run_of(n, x->depth);
-    for (std::uint64_t k = x->node * run; k < (x->node + 1) * run; ++k)
+    if (x.depth + 1 < n_)
+      four_for_one("is equal leaves down to the last level on one way", n_ - x.depth, false);
+    if (x.depth + 2 < n_) four_for_one("is sixteen equal leaves", 2, true);
+    four_for_one("goes below the last level", n_ - x.depth + 1, false);
+  }
+  /// The leaf with another state; that is a code unless it then equals its siblings.
+  void change_leaf(const Subtree& x) {
+    const State state = s_.data[x.d];
+    const auto other =
+        static_cast<State>((spec::micromap::code(state) + 1 + random_.below((1u << bits(map_.format)) - 1)) %
+                           (1u << bits(map_.format)));
+    Map changed = map_;
+    const std::uint64_t run = run_of(n_, x.depth);
+    for (std::uint64_t k = x.node * run; k < (x.node + 1) * run; ++k)
       set_state(changed, k, spec::micromap::code(other));
-    bool alike = x->depth > 0;
-    const std::uint64_t parent = x->node / 4 * 4 * run;
+    bool alike = x.depth > 0;
+    const std::uint64_t parent = x.node / 4 * 4 * run;
     for (std::uint64_t k = parent; alike && k < parent + 4 * run; ++k)
       alike = state_at(changed, k) == spec::micromap::code(other);
-    give(fmt::format("{} has another state,", at(*x)), bytes_of(replaced(s, *x, {{false}, {other}})),
+    give(fmt::format("{} has another state,", at(x)), bytes_of(replaced(s_, x, {{false}, {other}})),
          alike ? std::nullopt : std::optional(changed));
   }
-
-  for (const Subtree* x : internals) {
-    if (x == nullptr) continue;
-    // The internal node with two children exchanged.
+  void exchange_children(const Subtree& x) {
     std::vector<const Subtree*> children;
-    for (std::size_t t = x->t + 1; t < x->t_end; t = all[t].t_end) children.push_back(&all[t]);
-    const std::size_t a = random.below(3), b = a + 1 + random.below(3 - a);
+    for (std::size_t t = x.t + 1; t < x.t_end; t = all_[t].t_end) children.push_back(&all_[t]);
+    const std::size_t a = random_.below(3), b = a + 1 + random_.below(3 - a);
     std::swap(children[a], children[b]);
-    const Succinct parts[] = {part(s, *children[0]), part(s, *children[1]), part(s, *children[2]),
-                              part(s, *children[3])};
-    Map exchanged = map;
-    const std::uint64_t run = run_of(n, x->depth + 1);
+    const Succinct parts[] = {part(s_, *children[0]), part(s_, *children[1]), part(s_, *children[2]),
+                              part(s_, *children[3])};
+    Map exchanged = map_;
+    const std::uint64_t run = run_of(n_, x.depth + 1);
     for (std::uint64_t k = 0; k < run; ++k) {
-      set_state(exchanged, (4 * x->node + a) * run + k, state_at(map, (4 * x->node + b) * run + k));
-      set_state(exchanged, (4 * x->node + b) * run + k, state_at(map, (4 * x->node + a) * run + k));
+      set_state(exchanged, (4 * x.node + a) * run + k, state_at(map_, (4 * x.node + b) * run + k));
+      set_state(exchanged, (4 * x.node + b) * run + k, state_at(map_, (4 * x.node + a) * run + k));
     }
-    give(fmt::format("children {} and {} of {} exchanged,", a, b, at(*x)),
-         bytes_of(replaced(s, *x, node_of({&parts[0], &parts[1], &parts[2], &parts[3]}))), exchanged);
-    // A quarter alone: each of its micro-triangles becomes four times as large.
-    if (x->depth != 1) continue;
-    Map alone{n, f, Bytes(map.packed.size(), 0)};
-    for (std::uint64_t k = 0; k < micro_triangles(n); ++k)
-      set_state(alone, k, state_at(map, x->node * run_of(n, 1) + k / 4));
-    give(fmt::format("{} alone,", at(*x)), bytes_of(part(s, *x)), alone);
+    give(fmt::format("children {} and {} of {} exchanged,", a, b, at(x)),
+         bytes_of(replaced(s_, x, node_of({&parts[0], &parts[1], &parts[2], &parts[3]}))), exchanged);
   }
-  for (const Subtree* x : last_internals)
-    if (x != nullptr) {
-      Succinct alike = s;
-      for (std::size_t d = x->d; d < x->d_end; ++d) alike.data[d] = s.data[x->d];
-      give(fmt::format("four alike below {},", at(*x)), bytes_of(alike));
-    }
-
-  // All leaves split down to the last level, if any is above it.
-  if (std::any_of(all.begin(), all.end(), [&](const Subtree& x) { return x.leaf() && x.depth < n; })) {
+  /// A quarter alone: each of its micro-triangles becomes four times as large.
+  void give_quarter(const Subtree& x) {
+    Map alone{n_, map_.format, Bytes(map_.packed.size(), 0)};
+    for (std::uint64_t k = 0; k < micro_triangles(n_); ++k)
+      set_state(alone, k, state_at(map_, x.node * run_of(n_, 1) + k / 4));
+    give(fmt::format("{} alone,", at(x)), bytes_of(part(s_, x)), alone);
+  }
+  void make_alike(const Subtree& x) {
+    Succinct alike = s_;
+    for (std::size_t d = x.d; d < x.d_end; ++d) alike.data[d] = s_.data[x.d];
+    give(fmt::format("four alike below {},", at(x)), bytes_of(alike));
+  }
+  /// All leaves split down to the last level.
+  void split_all() {
     Succinct perfect;
-    for (const Subtree& x : all) {
+    for (const Subtree& x : all_) {
       if (!x.leaf()) {
         perfect.tree.push_back(true);
         continue;
       }
-      const Succinct whole = split(s.data[x.d], n - x.depth, true);
+      const Succinct whole = split(s_.data[x.d], n_ - x.depth, true);
       perfect.tree.insert(perfect.tree.end(), whole.tree.begin(), whole.tree.end());
       perfect.data.insert(perfect.data.end(), whole.data.begin(), whole.data.end());
     }
     give("no siblings merged,", bytes_of(perfect));
   }
+  /// Padding bits set, a byte between the sequences, and the tree alone.
+  void damage_ends() {
+    const Bytes code = bytes_of(s_);
+    const std::size_t tree_bytes = (s_.tree.size() + 7) / 8, tree_end = s_.tree.size(),
+                      data_end = 8 * tree_bytes + bits(map_.format) * s_.data.size();
+    const auto set_padding = [&](std::size_t bit, std::size_t end) {
+      for (; bit < end; ++bit) {
+        Bytes padded = code;
+        flip(padded, bit);
+        give(fmt::format("padding bit {} set,", bit), padded);
+      }
+    };
+    set_padding(tree_end, 8 * tree_bytes);
+    set_padding(data_end, 8 * code.size());
+    const auto border = static_cast<std::ptrdiff_t>(tree_bytes);
+    Bytes gap = code;
+    gap.insert(gap.begin() + border, 0);
+    give("a byte between the sequences,", gap);
+    give("the tree alone,", {code.begin(), code.begin() + border});
+  }
 
-  // Padding, and bits between the sequences.
-  const Bytes code = bytes_of(s);
-  const std::size_t tree_bytes = (s.tree.size() + 7) / 8, tree_end = s.tree.size(),
-                    data_end = 8 * tree_bytes + bits(f) * s.data.size();
-  for (std::size_t bit = tree_end; bit < 8 * tree_bytes; ++bit) {
-    Bytes padded = code;
-    flip(padded, bit);
-    give(fmt::format("padding bit {} set,", bit), padded);
-  }
-  for (std::size_t bit = data_end; bit < 8 * code.size(); ++bit) {
-    Bytes padded = code;
-    flip(padded, bit);
-    give(fmt::format("padding bit {} set,", bit), padded);
-  }
-  const auto border = static_cast<std::ptrdiff_t>(tree_bytes);
-  Bytes gap = code;
-  gap.insert(gap.begin() + border, 0);
-  give("a byte between the sequences,", gap);
-  give("the tree alone,", {code.begin(), code.begin() + border});
+  const Map& map_;
+  const std::function<bool(const Constructed&)>& take_;
+  const Level n_ = map_.level;
+  const Succinct s_ =
+      spec::tree::encode(spec::micromap::unpack(map_.packed, map_.format, micro_triangles(n_)), n_);
+  const std::vector<Subtree> all_ = subtrees(s_);
+  Random random_{hash_of(map_.packed), n_, 78};
+  bool go_on_ = true;
+};
+
+}  // namespace
+
+void constructed_codes(const Map& map, const std::function<bool(const Constructed&)>& take) {
+  Construction(map, take).give_all();
 }
 
 }  // namespace mmverify::proofs::tree

@@ -63,38 +63,47 @@ Finding agrees(const AttributeSubject& s, Level n, const EdgeCase& c) {
   return found;
 }
 
+EdgeCase edge_case(Level n, std::uint64_t k, std::uint64_t seed) {
+  Random random(seed, 0x656467 + n, k);
+  const auto any = [&] { return static_cast<float>(random.between(-4096, 8192)) / 4096; };
+  EdgeCase c{sample_case(seed, n, k), any(), any(), static_cast<std::uint32_t>(k % 6)};
+  if (k % 8 < 6) {  // far out, in all of binary32's bits, and full of contrast: where positions round
+    for (float& x : c.one.uv) x = static_cast<float>(random.between(-(1 << 26), 1 << 26)) / (1 << 22);
+    for (Rgba& t : c.one.picture.texels)
+      for (std::uint8_t& code : t) code = random.below(2) == 0 ? 0 : 255;
+  }
+  return c;
+}
+
+EdgeCase read_edge_case(Level, const std::string& text) {
+  const auto colon = text.rfind(':');
+  if (colon == std::string::npos) throw BadCase(fmt::format("'{:.60}': end with :U,V,TURN", text));
+  EdgeCase c{read_bake_case(text.substr(0, colon)), 0, 0, 0};
+  char* end = nullptr;
+  const std::string rest = text.substr(colon + 1);
+  c.u = std::strtof(rest.c_str(), &end);
+  if (*end != ',') throw BadCase(fmt::format("'{:.60}': end with :U,V,TURN", text));
+  c.v = std::strtof(end + 1, &end);
+  if (*end != ',' || end[1] < '0' || end[1] > '5' || end[2] != 0 || !(std::fabs(c.u) < 64) ||
+      !(std::fabs(c.v) < 64))
+    throw BadCase(fmt::format("'{:.60}': end with :U,V,TURN, the turn in 0..5", text));
+  c.turn = static_cast<std::uint32_t>(end[1] - '0');
+  return c;
+}
+
+bool clockwise(const BakeCase& one) {
+  const auto& p = one.uv;
+  return (p[2] - p[0]) * (p[5] - p[1]) < (p[3] - p[1]) * (p[4] - p[0]);
+}
+
 Law edge_law() {
   Cases<EdgeCase> cases;
   cases.count = [](Level, const Run& run) { return std::uint64_t{run.tier == Tier::fast ? 240u : 20'000u}; };
-  cases.number = [](Level n, std::uint64_t k, std::uint64_t seed) {
-    Random random(seed, 0x656467 + n, k);
-    const auto any = [&] { return static_cast<float>(random.between(-4096, 8192)) / 4096; };
-    EdgeCase c{sample_case(seed, n, k), any(), any(), static_cast<std::uint32_t>(k % 6)};
-    if (k % 8 < 6) {  // far out, in all of binary32's bits, and full of contrast: where positions round
-      for (float& x : c.one.uv) x = static_cast<float>(random.between(-(1 << 26), 1 << 26)) / (1 << 22);
-      for (Rgba& t : c.one.picture.texels)
-        for (std::uint8_t& code : t) code = random.below(2) == 0 ? 0 : 255;
-    }
-    return c;
-  };
+  cases.number = edge_case;
   cases.text = [](Level, const EdgeCase& c) {
     return fmt::format("{}:{:a},{:a},{}", text_of(c.one), c.u, c.v, c.turn);
   };
-  cases.read = [](Level, const std::string& text) {
-    const auto colon = text.rfind(':');
-    if (colon == std::string::npos) throw BadCase(fmt::format("'{:.60}': end with :U,V,TURN", text));
-    EdgeCase c{read_bake_case(text.substr(0, colon)), 0, 0, 0};
-    char* end = nullptr;
-    const std::string rest = text.substr(colon + 1);
-    c.u = std::strtof(rest.c_str(), &end);
-    if (*end != ',') throw BadCase(fmt::format("'{:.60}': end with :U,V,TURN", text));
-    c.v = std::strtof(end + 1, &end);
-    if (*end != ',' || end[1] < '0' || end[1] > '5' || end[2] != 0 || !(std::fabs(c.u) < 64) ||
-        !(std::fabs(c.v) < 64))
-      throw BadCase(fmt::format("'{:.60}': end with :U,V,TURN, the turn in 0..5", text));
-    c.turn = static_cast<std::uint32_t>(end[1] - '0');
-    return c;
-  };
+  cases.read = read_edge_case;
   cases.check = agrees;
   cases.fit = [](const AttributeSubject& s, const EdgeCase& c) {
     EdgeCase other = c;
@@ -102,10 +111,6 @@ Law edge_law() {
     return other;
   };
   cases.chunk = 8;
-  const auto clockwise = [](const BakeCase& one) {
-    const auto& p = one.uv;
-    return (p[2] - p[0]) * (p[5] - p[1]) < (p[3] - p[1]) * (p[4] - p[0]);
-  };
   return on_cases(
       {.id = "attribute.bake_edge_agrees",
        .topic = "attribute",
@@ -122,8 +127,8 @@ Law edge_law() {
              return std::string("edges of sampled triangles beside another, in all 6 places of the other");
            },
        .mutants = {mutant("a margin of 2^-10 taken off clockwise triangles at level 5", "attribute", {5, 5},
-                          [clockwise](Functions& f) {
-                            f.baking.vertices = [=, real = f.baking.vertices](const BakeCase& one, Level n) {
+                          [](Functions& f) {
+                            f.baking.vertices = [real = f.baking.vertices](const BakeCase& one, Level n) {
                               BakeCase other = one;
                               if (n == 5 && clockwise(one)) other.uv[0] += 0x1p-10f;
                               return real(other, n);

@@ -214,6 +214,20 @@ points::FloatPair floats_at_moved_edges(Level n, std::uint64_t seed, std::uint64
   return p;
 }
 
+spec::Fixed256 exactly(float x) {
+  // Units of 2^-150: every binary32 number is a whole number of them, 24 bits long at most.
+  int e = 0;
+  const auto m = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &e), 24));
+  const int by = e - 24 + 150;
+  return spec::Fixed256::from_raw(by < 0 ? spec::Int256(m >> -by) : spec::Int256(m) << by);
+}
+
+Finding judged_floats(const AttributeSubject& s, Level n, const Lookedup<points::FloatPair>& c) {
+  const spec::Point<spec::Fixed256> p{exactly(c.point.u), exactly(c.point.v)};
+  return judged_place(p, n, c.flags, s.functions.decimation.place_f32(n, c.flags, c.point.u, c.point.v),
+                      0x1p-24);
+}
+
 Law decimated_floats_law() {
   using Case = Lookedup<points::FloatPair>;
   Cases<Case> cases;
@@ -231,18 +245,7 @@ Law decimated_floats_law() {
     if (p.u + p.v > 1 || p.u < 0 || p.v < 0) throw BadCase(fmt::format("'{:.60}': outside the triangle", at));
     return Case{flags, {static_cast<float>(points::nearest(p.u)), static_cast<float>(points::nearest(p.v))}};
   };
-  cases.check = [](const AttributeSubject& s, Level n, const Case& c) {
-    const auto exactly = [](float x) {
-      // Units of 2^-150: every binary32 number is a whole number of them, 24 bits long at most.
-      int e = 0;
-      const auto m = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &e), 24));
-      const int by = e - 24 + 150;
-      return spec::Fixed256::from_raw(by < 0 ? spec::Int256(m >> -by) : spec::Int256(m) << by);
-    };
-    const spec::Point<spec::Fixed256> p{exactly(c.point.u), exactly(c.point.v)};
-    return judged_place(p, n, c.flags, s.functions.decimation.place_f32(n, c.flags, c.point.u, c.point.v),
-                        0x1p-24);
-  };
+  cases.check = judged_floats;
   const auto on_floats = [](auto by) {
     return [by](Functions& f) {
       f.decimation.place_f32 = [by, real = f.decimation.place_f32](Level n, EdgeFlags flags, float u,

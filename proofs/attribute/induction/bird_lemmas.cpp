@@ -74,17 +74,7 @@ ChildFound child_found(const Parts<Counted>& by, Script& script, const std::stri
                             as_formula(paths, [](const Found& f) { return f.number.term; })))};
 }
 
-}  // namespace
-
-void add_upright(std::vector<Statement>& all, const Parts<Counted>& by) {
-  add(all, "upright_base",
-      "Of a triangle of one micro-triangle: upright_within is 1 if it stands upright and 0 if it does not.",
-      [&](Script& script) {
-        suppose_triangular(script);
-        suppose_step(script, 0);
-        return Lemma{{same(upright_count(1, truth(true)), 1), same(upright_count(1, truth(false)), 0)},
-                     truth(true)};
-      });
+void add_upright_digit(std::vector<Statement>& all, const Parts<Counted>& by) {
   add(all, "upright_step",
       "Upright ones before a number on the curve, one digit. In a triangle with 2m to a side the number x = "
       "d m m + x' is in child d, where it is the upright one k', that is x' + excess' = 2k'. Then x + excess "
@@ -126,6 +116,20 @@ void add_upright(std::vector<Statement>& all, const Parts<Counted>& by) {
                       same(squares + inside + turn.excess + excess_inside, 2 * k)},
                      both({less(1, m), same(found.digit, 2), less(0, found.number)})};
       });
+}
+
+}  // namespace
+
+void add_upright(std::vector<Statement>& all, const Parts<Counted>& by) {
+  add(all, "upright_base",
+      "Of a triangle of one micro-triangle: upright_within is 1 if it stands upright and 0 if it does not.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        suppose_step(script, 0);
+        return Lemma{{same(upright_count(1, truth(true)), 1), same(upright_count(1, truth(false)), 0)},
+                     truth(true)};
+      });
+  add_upright_digit(all, by);
   add(all, "upright_ordered",
       "Of two upright ones the one with the smaller k comes first on the curve: it has the smaller digit, or "
       "the same digit and the smaller number there.",
@@ -147,29 +151,40 @@ void add_upright(std::vector<Statement>& all, const Parts<Counted>& by) {
 // Bird
 // ---------------------------------------------------------------------------------------------------------------------
 
-void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
-  const auto corner_of = [&](Script& script, const char* name, const VertexOf<Counted>& at,
-                             const Counted& N) {
-    return outcome(
-        script, name, [&] { return by.bird_corner(at.i, at.j, N); },
-        [](std::uint64_t corner) { return Counted(static_cast<long long>(corner)); });
-  };
+namespace {
+
+Counted corner_of(const Parts<Counted>& by, Script& script, const char* name, const VertexOf<Counted>& at,
+                  const Counted& N) {
+  return outcome(
+      script, name, [&] { return by.bird_corner(at.i, at.j, N); },
+      [](std::uint64_t corner) { return Counted(static_cast<long long>(corner)); });
+}
+
+/// Whether a vertex is halved, and what the halving leaves.
+struct Halving {
+  Term was;
+  VertexOf<Counted> half;
+};
+Halving halving(const Parts<Counted>& by, Script& script, const std::string& prefix,
+                const VertexOf<Counted>& at) {
   struct Halved {
     bool was;
     VertexOf<Counted> at;
   };
-  const auto halves = [&](Script& script, const std::string& prefix, const VertexOf<Counted>& at) {
-    const auto program = [&by, at] {
-      VertexOf<Counted> half = at;
-      const bool was = by.halved(half);
-      return Halved{was, half};
-    };
-    const auto paths = proofs::induction::every_path(program);
-    const Term was = script.define(
-        prefix, proofs::induction::as_formula(paths, [](const Halved& h) { return truth(h.was); }));
-    const auto half = vertex_outcome(script, prefix + "_at", [&] { return program().at; });
-    return std::pair{was, half};
+
+  const auto program = [&by, at] {
+    VertexOf<Counted> half = at;
+    const bool was = by.halved(half);
+    return Halved{was, half};
   };
+  const auto paths = proofs::induction::every_path(program);
+  const Term was = script.define(
+      prefix, proofs::induction::as_formula(paths, [](const Halved& h) { return truth(h.was); }));
+  const auto half = vertex_outcome(script, prefix + "_at", [&] { return program().at; });
+  return {was, half};
+}
+
+void add_bird_corners(std::vector<Statement>& all, const Parts<Counted>& by) {
   add(all, "bird_corners",
       "With one micro-triangle to a side every vertex is a corner, and the corners' indices are 0, 1 and 2: "
       "all below T(2) = 3.",
@@ -177,7 +192,7 @@ void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
         suppose_triangular(script);
         suppose_twice(script, 2);
         const auto at = declare_vertex(script, 1);
-        const Counted x = corner_of(script, "x", at, 1);
+        const Counted x = corner_of(by, script, "x", at, 1);
         return Lemma{{less(x, specified::vertices_of_side(Counted(1))),
                       same(specified::vertices_of_side(Counted(1)), 3),
                       equal(same(x, 0), both({same(at.i, 0), same(at.j, 0)})),
@@ -192,8 +207,9 @@ void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
         script.require(at_most(1, N));
         const auto at = declare_vertex(script, N);
         const VertexOf<Counted> twice{2 * at.i, 2 * at.j};
-        const Counted here = corner_of(script, "here", at, N), next = corner_of(script, "next", twice, 2 * N);
-        const auto [was, half] = halves(script, "halved", twice);
+        const Counted here = corner_of(by, script, "here", at, N),
+                      next = corner_of(by, script, "next", twice, 2 * N);
+        const auto [was, half] = halving(by, script, "halved", twice);
         return Lemma{{same(here, next), was, same_vertex(half, at)}, both({less(0, at.i), less(at.i, at.j)})};
       });
   add(all, "bird_halves",
@@ -203,22 +219,29 @@ void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
         const Counted N = whole(script, "N");
         script.require(at_most(1, N));
         const auto at = declare_vertex(script, 2 * N);
-        const auto [was, half] = halves(script, "halved", at);
-        const Counted corner = corner_of(script, "corner", at, 2 * N);
+        const auto [was, half] = halving(by, script, "halved", at);
+        const Counted corner = corner_of(by, script, "corner", at, 2 * N);
         return Lemma{{implies(was, both({is_vertex(half, N), same_vertex(at, {2 * half.i, 2 * half.j})})),
                       implies(less(corner, 3), was)},
                      both({was, less(0, at.i), less(0, at.j)})};
       });
-  using Middle = EdgeMiddle<Counted>;
-  const auto middle_outcome = [&](Script& script, const std::string& prefix, const VertexOf<Counted>& at) {
-    const auto program = [&] { return by.edge_middle(at); };
-    return Middle{outcome(script, prefix + "_iu", program, [](const Middle& m) { return m.iu; }),
-                  outcome(script, prefix + "_iv", program, [](const Middle& m) { return m.iv; }),
-                  outcome(script, prefix + "_edge", program, [](const Middle& m) { return m.edge; })};
-  };
-  const auto is_middle = [](const Middle& m, const Counted& M) {
-    return both({at_most(0, m.iu), at_most(0, m.iv), less(m.iu + m.iv, M), within(0, m.edge, 3)});
-  };
+}
+
+using Middle = EdgeMiddle<Counted>;
+
+Middle middle_outcome(const Parts<Counted>& by, Script& script, const std::string& prefix,
+                      const VertexOf<Counted>& at) {
+  const auto program = [&] { return by.edge_middle(at); };
+  return Middle{outcome(script, prefix + "_iu", program, [](const Middle& m) { return m.iu; }),
+                outcome(script, prefix + "_iv", program, [](const Middle& m) { return m.iv; }),
+                outcome(script, prefix + "_edge", program, [](const Middle& m) { return m.edge; })};
+}
+
+Term is_middle(const Middle& m, const Counted& M) {
+  return both({at_most(0, m.iu), at_most(0, m.iv), less(m.iu + m.iv, M), within(0, m.edge, 3)});
+}
+
+void add_bird_middles(std::vector<Statement>& all, const Parts<Counted>& by) {
   add(all, "bird_middle",
       "A vertex with 2M to a side that is not halved is the middle of one edge of one upright micro-triangle "
       "with M to a side, and the way back leads to it.",
@@ -226,9 +249,9 @@ void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
         const Counted M = whole(script, "M");
         script.require(at_most(1, M));
         const auto at = declare_vertex(script, 2 * M);
-        const auto [was, half] = halves(script, "halved", at);
+        const auto [was, half] = halving(by, script, "halved", at);
         script.require(no(was));
-        const Middle m = middle_outcome(script, "on", at);
+        const Middle m = middle_outcome(by, script, "on", at);
         const auto back = vertex_outcome(script, "back", [&] { return by.in_the_middle(m); });
         return Lemma{{is_middle(m, M), same_vertex(back, at)}, both({less(0, at.i), less(at.i, at.j)})};
       });
@@ -241,19 +264,25 @@ void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
         const Middle m{whole(script, "iu"), whole(script, "iv"), whole(script, "edge")};
         script.require(is_middle(m, M));
         const auto at = vertex_outcome(script, "at", [&] { return by.in_the_middle(m); });
-        const auto [was, half] = halves(script, "halved", at);
-        const Middle back = middle_outcome(script, "back", at);
+        const auto [was, half] = halving(by, script, "halved", at);
+        const Middle back = middle_outcome(by, script, "back", at);
         return Lemma{{is_vertex(at, 2 * M), no(was), same(back.iu, m.iu), same(back.iv, m.iv),
                       same(back.edge, m.edge)},
                      both({less(0, m.iu), less(m.iu, m.iv), same(m.edge, 2)})};
       });
-  const auto number = [&](Script& script, const Counted& before, const Counted& edge, const Counted& M) {
-    return index_outcome(script, "x", [&] { return by.bird_number(before, edge, M); });
-  };
-  const auto suppose_vertices = [&](Script& script, const Counted& M) {
-    suppose_triangular(script);
-    for (const Counted& r : {M, M + 1, 2 * M + 1}) suppose_twice(script, r);
-  };
+}
+
+Counted bird_number(const Parts<Counted>& by, Script& script, const Counted& before, const Counted& edge,
+                    const Counted& M) {
+  return index_outcome(script, "x", [&] { return by.bird_number(before, edge, M); });
+}
+
+void suppose_vertices(Script& script, const Counted& M) {
+  suppose_triangular(script);
+  for (const Counted& r : {M, M + 1, 2 * M + 1}) suppose_twice(script, r);
+}
+
+void add_bird_numbers(std::vector<Statement>& all, const Parts<Counted>& by) {
   add(all, "bird_number",
       "T(2M+1) - T(M+1) = 3 T(M): doubling the side adds three vertices for each upright micro-triangle.  "
       "The index of edge e of upright one `before` of T(M) lies in [T(M+1), T(2M+1)), and the way back gives "
@@ -262,7 +291,7 @@ void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
         const Counted M = whole(script, "M"), before = whole(script, "before"), edge = whole(script, "edge");
         suppose_vertices(script, M);
         script.require(both({at_most(1, M), within(0, before, triangular(M)), within(0, edge, 3)}));
-        const Counted x = number(script, before, edge, M);
+        const Counted x = bird_number(by, script, before, edge, M);
         const auto place = specified::bird_place(x, M);
         const Counted low = specified::vertices_of_side(M), high = specified::vertices_of_side(2 * M);
         return Lemma{{same(high - low, 3 * triangular(M)), within(low, x, high),
@@ -279,10 +308,18 @@ void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
         const auto place = specified::bird_place(wanted, M);
         const Counted before = named(script, "before", place.before),
                       edge = named(script, "edge", place.edge);
-        const Counted x = number(script, before, edge, M);
+        const Counted x = bird_number(by, script, before, edge, M);
         return Lemma{{within(0, before, triangular(M)), within(0, edge, 3), same(x, wanted)},
                      both({less(1, M), less(0, before), same(edge, 2)})};
       });
+}
+
+}  // namespace
+
+void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
+  add_bird_corners(all, by);
+  add_bird_middles(all, by);
+  add_bird_numbers(all, by);
 }
 
 }  // namespace mmverify::proofs::attribute::induction

@@ -85,9 +85,7 @@ Words rest_of(Script& script, const Words& w, const Counted& m) {
   return {iu, iv, rest("next_iw", w.iw)};
 }
 
-}  // namespace
-
-void add_curve_words(std::vector<Statement>& all) {
+void add_curve_opening(std::vector<Statement>& all) {
   add(all, "curve_opening",
       "The words that spec::attribute::curve_words gives a micro-triangle with N to a side are held by a "
       "triangle that is not turned, upright ones being the lower ones.  iw is negative, and its low n bits "
@@ -120,6 +118,9 @@ void add_curve_words(std::vector<Statement>& all) {
         return Lemma{{is_face({w.iu, w.iv, upper}, N), same(w.iw, N - 1 - w.iu - w.iv - upper)},
                      both({less(0, w.iu), less(0, w.iv), less(0, w.iw)})};
       });
+}
+
+void add_curve_digit(std::vector<Statement>& all) {
   add(all, "curve_step",
       "One digit: the words of a micro-triangle with M = 2m to a side have a digit, that of "
       "spec::index::curve_bits; what is left of them is held by the digit's child, m to a side, and stands "
@@ -168,6 +169,13 @@ void add_curve_words(std::vector<Statement>& all) {
         return Lemma{{held(2 * m, frame.mid, upright, w), same(found.digit, d)},
                      both({less(1, m), frame.mid, frame.above, same(d, 2)})};
       });
+}
+
+}  // namespace
+
+void add_curve_words(std::vector<Statement>& all) {
+  add_curve_opening(all);
+  add_curve_digit(all);
   add(all, "curve_base",
       "One micro-triangle left: the words have no bit left, and it stands upright if the triangle is not "
       "turned.",

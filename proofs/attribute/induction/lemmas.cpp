@@ -221,20 +221,9 @@ void add_w_minor(std::vector<Statement>& all, const Parts<Counted>& by) {
 // U-major
 // ---------------------------------------------------------------------------------------------------------------------
 
-void add_u_major(std::vector<Statement>& all, const Parts<Counted>& by) {
-  add(all, "u_major_reversed",
-      "U-major(i, j) = T(N+1) - 1 - W-minor(j, N-i-j): the rows from the u-corner, backwards.",
-      [&](Script& script) {
-        suppose_triangular(script);
-        const Counted N = whole(script, "N");
-        const auto at = declare_vertex(script, N);
-        for (const Counted& r : {at.i, N - at.i, N + 1}) suppose_twice(script, r);
-        const Counted x = index_outcome(script, "x", [&] { return by.u_major(at.i, at.j, N); });
-        const Counted turned = index_outcome(
-            script, "turned", [&] { return Specified::w_minor<Counted>(at.j, N - at.i - at.j); });
-        return Lemma{{same(x, specified::vertices_of_side(N) - 1 - turned)},
-                     both({less(0, at.i), less(at.i, at.j), less(at.i + at.j, N)})};
-      });
+namespace {
+
+void add_u_major_places(std::vector<Statement>& all, const Parts<Counted>& by) {
   add(all, "u_major_back",
       "U-major: from a vertex to its index, which is below T(N+1), and back is that vertex.",
       [&](Script& script) {
@@ -266,6 +255,25 @@ void add_u_major(std::vector<Statement>& all, const Parts<Counted>& by) {
         return Lemma{{is_vertex(at, N), same(index, x)},
                      both({less(0, at.i), less(0, at.j), less(at.i + at.j, N)})};
       });
+}
+
+}  // namespace
+
+void add_u_major(std::vector<Statement>& all, const Parts<Counted>& by) {
+  add(all, "u_major_reversed",
+      "U-major(i, j) = T(N+1) - 1 - W-minor(j, N-i-j): the rows from the u-corner, backwards.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        const Counted N = whole(script, "N");
+        const auto at = declare_vertex(script, N);
+        for (const Counted& r : {at.i, N - at.i, N + 1}) suppose_twice(script, r);
+        const Counted x = index_outcome(script, "x", [&] { return by.u_major(at.i, at.j, N); });
+        const Counted turned = index_outcome(
+            script, "turned", [&] { return Specified::w_minor<Counted>(at.j, N - at.i - at.j); });
+        return Lemma{{same(x, specified::vertices_of_side(N) - 1 - turned)},
+                     both({less(0, at.i), less(at.i, at.j), less(at.i + at.j, N)})};
+      });
+  add_u_major_places(all, by);
   add(all, "u_major_moves",
       "U-major: a vertex's index is greater a level on, but for the w-corner's, which is 0 on both.",
       [&](Script& script) {
@@ -293,19 +301,24 @@ void add_u_major(std::vector<Statement>& all, const Parts<Counted>& by) {
 // Faces in rows and in strips
 // ---------------------------------------------------------------------------------------------------------------------
 
-void add_faces(std::vector<Statement>& all, const Parts<Counted>& by) {
-  const auto row_of = [&](Script& script, const char* name, const FaceOf<Counted>& t) {
-    return index_outcome(script, name, [&] { return by.rows(t.iu, t.iv, is_upper(t)); });
-  };
-  const auto strip_of = [&](Script& script, const char* name, const FaceOf<Counted>& t, const Counted& N) {
-    return index_outcome(script, name, [&] { return by.u_major_face(t.iu, t.iv, is_upper(t), N); });
-  };
+namespace {
+
+Counted row_of(const Parts<Counted>& by, Script& script, const char* name, const FaceOf<Counted>& t) {
+  return index_outcome(script, name, [&] { return by.rows(t.iu, t.iv, is_upper(t)); });
+}
+
+Counted strip_of(const Parts<Counted>& by, Script& script, const char* name, const FaceOf<Counted>& t,
+                 const Counted& N) {
+  return index_outcome(script, name, [&] { return by.u_major_face(t.iu, t.iv, is_upper(t), N); });
+}
+
+void add_rows(std::vector<Statement>& all, const Parts<Counted>& by) {
   add(all, "rows_back", "Faces in rows: from a face to its index and back is that face, whatever N is.",
       [&](Script& script) {
         suppose_square(script);
         const Counted N = whole(script, "N");
         const auto t = declare_face(script, N);
-        const Counted x = row_of(script, "x", t);
+        const Counted x = row_of(by, script, "x", t);
         const Counted r = declare_square_root(script, x, t.iu + t.iv + t.upper);
         const auto back = face_outcome(script, "back", [&] { return by.row_face(x, r); });
         return Lemma{{same_face(back, t)}, both({less(0, t.iu), less(0, t.iv), same(t.upper, 1)})};
@@ -319,11 +332,14 @@ void add_faces(std::vector<Statement>& all, const Parts<Counted>& by) {
         script.require(both({at_most(0, x), at_most(1, N)}));
         const Counted r = declare_square_root(script, x, N);
         const auto t = face_outcome(script, "t", [&] { return by.row_face(x, r); });
-        const Counted index = row_of(script, "index", t);
+        const Counted index = row_of(by, script, "index", t);
         return Lemma{{within(0, t.upper, 2), at_most(0, t.iu), at_most(0, t.iv), same(index, x),
                       equal(less(x, square(N)), is_face(t, N))},
                      both({less(0, t.iu), less(0, t.iv), same(t.upper, 1), less(2, N)})};
       });
+}
+
+void add_strips(std::vector<Statement>& all, const Parts<Counted>& by) {
   add(all, "u_major_faces_reversed",
       "Faces in U-major: 2N iu - iu iu + 2 iv + upper = N N - 1 - the row index of the face turned, (iv, "
       "N-1-iu-iv-upper): the rows from the u-corner, backwards.",
@@ -331,7 +347,7 @@ void add_faces(std::vector<Statement>& all, const Parts<Counted>& by) {
         suppose_square(script);
         const Counted N = whole(script, "N");
         const auto t = declare_face(script, N);
-        const Counted x = strip_of(script, "x", t, N);
+        const Counted x = strip_of(by, script, "x", t, N);
         const Counted row = named(script, "row", N - 1 - t.iu);
         for (const Counted& r : {t.iu, row, N}) suppose_square_product(script, r);
         const Counted turned_iv = named(script, "turned_iv", row - t.iv - t.upper);
@@ -346,7 +362,7 @@ void add_faces(std::vector<Statement>& all, const Parts<Counted>& by) {
         suppose_square(script);
         const Counted N = whole(script, "N");
         const auto t = declare_face(script, N);
-        const Counted x = strip_of(script, "x", t, N);
+        const Counted x = strip_of(by, script, "x", t, N);
         suppose_faces_reversed(script, x, t, N);
         const Counted y = named(script, "y", square(N) - 1 - x);
         const Counted r = declare_square_root(script, y, N - 1 - t.iu);
@@ -366,10 +382,17 @@ void add_faces(std::vector<Statement>& all, const Parts<Counted>& by) {
         const Counted y = named(script, "y", square(N) - 1 - x);
         const Counted r = declare_square_root(script, y, N);
         const auto t = face_outcome(script, "t", [&] { return by.u_major_face_in_strip(x, r, N); });
-        const Counted index = strip_of(script, "index", t, N);
+        const Counted index = strip_of(by, script, "index", t, N);
         for (const Counted& s : {N - 1 - r, r, N}) suppose_square_product(script, s);
         return Lemma{{is_face(t, N), same(index, x)}, both({less(0, t.iu), less(0, t.iv), same(t.upper, 1)})};
       });
+}
+
+}  // namespace
+
+void add_faces(std::vector<Statement>& all, const Parts<Counted>& by) {
+  add_rows(all, by);
+  add_strips(all, by);
   add(all, "corners",
       "A face's corners are vertices of its level, wind like the base triangle, (x1-x0)(y2-y0) - "
       "(x2-x0)(y1-y0) = 1, and the first two tell the face.",

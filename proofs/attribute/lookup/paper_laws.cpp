@@ -40,6 +40,16 @@ double cramer_error(const AttributeSubject& s, Level n, const Witness& p) {
   return greatest;
 }
 
+Finding cramer_loses(const AttributeSubject& s, Level n, const Witness& p) {
+  const double error = cramer_error(s, n, p), four_to_n = std::ldexp(1.0, static_cast<int>(2 * n));
+  const bool dead = n >= 14;
+  if (dead ? std::isinf(error) : four_to_n / 128 <= error && error <= four_to_n / 4)
+    return Finding{static_cast<std::uint64_t>(dead ? 0 : error)};
+  return wrong(
+      dead ? "no number" : fmt::format("{:g} to {:g} times 2^-24 off", four_to_n / 128, four_to_n / 4),
+      fmt::format("{:g} times 2^-24 off", error));
+}
+
 Law cramer_law() {
   Cases<Witness> cases;
   cases.count = [](Level, const Run&) { return std::uint64_t{1}; };
@@ -51,15 +61,7 @@ Law cramer_law() {
       throw BadCase(fmt::format("'{:.60}': the witness is u={:a},v={:a}", at, p.u, p.v));
     return p;
   };
-  cases.check = [](const AttributeSubject& s, Level n, const Witness& p) {
-    const double error = cramer_error(s, n, p), four_to_n = std::ldexp(1.0, static_cast<int>(2 * n));
-    const bool dead = n >= 14;
-    if (dead ? std::isinf(error) : four_to_n / 128 <= error && error <= four_to_n / 4)
-      return Finding{static_cast<std::uint64_t>(dead ? 0 : error)};
-    return wrong(
-        dead ? "no number" : fmt::format("{:g} to {:g} times 2^-24 off", four_to_n / 128, four_to_n / 4),
-        fmt::format("{:g} times 2^-24 off", error));
-  };
+  cases.check = cramer_loses;
   const auto other = [](auto weights_of) {
     return [weights_of](Functions& f) {
       f.lookup.weights_of_floats = [weights_of](Level n, FloatPoints p, std::span<FloatWeights> out) {
@@ -131,46 +133,48 @@ std::optional<Vertex> nearer(Level n, const spec::attribute::Corners& three,
   return std::nullopt;
 }
 
+std::optional<Vertex> nearer_than_triplet(const AttributeSubject& s, Level n, const MicroTriangle& t) {
+  const std::uint32_t face = indices_of(s, FaceOrder::curve, n, {&t, 1})[0];
+  Triplet x{};
+  s.functions.orders.triplet(FaceOrder::curve, VertexOrder::w_minor, n, {&face, 1}, {&x, 1});
+  spec::attribute::Corners three;
+  for (std::size_t c = 0; c < 3; ++c) three[c] = spec::attribute::w_minor_vertex(x[c]);
+  return nearer(n, three, spec::attribute::corners_of(t));
+}
+
+/// The v-corner's centroid has no nearer vertex than its own.
+bool is_exception(Level n, const MicroTriangle& t) { return t == MicroTriangle{0, spec::side(n) - 1, false}; }
+
+std::function<void(Functions&)> on_triplet_of(Level level, std::uint32_t of_face, Triplet instead) {
+  return [=](Functions& f) {
+    f.orders.triplet = [=, real = f.orders.triplet](FaceOrder faces, VertexOrder vertices, Level n,
+                                                    std::span<const std::uint32_t> face,
+                                                    std::span<Triplet> out) {
+      real(faces, vertices, n, face, out);
+      for (std::size_t k = 0; k < out.size(); ++k)
+        if (n == level && face[k] == of_face) out[k] = instead;
+    };
+  };
+}
+
 Law not_closest_law() {
   Batches<MicroTriangle> cases;
   cases.settings = {"centroid"};
   cases.count = face_count;
   cases.kind = Kind::interior;
-  const auto find = [](const AttributeSubject& s, Level n, const MicroTriangle& t) {
-    const std::uint32_t face = indices_of(s, FaceOrder::curve, n, {&t, 1})[0];
-    Triplet x{};
-    s.functions.orders.triplet(FaceOrder::curve, VertexOrder::w_minor, n, {&face, 1}, {&x, 1});
-    spec::attribute::Corners three;
-    for (std::size_t c = 0; c < 3; ++c) three[c] = spec::attribute::w_minor_vertex(x[c]);
-    return nearer(n, three, spec::attribute::corners_of(t));
-  };
-  const auto exception = [](Level n, const MicroTriangle& t) {
-    return t == MicroTriangle{0, spec::side(n) - 1, false};
-  };
-  cases.check = [=](const AttributeSubject& s, Level n, std::size_t, std::span<const MicroTriangle> at,
-                    std::span<Outcome> out) {
+  cases.check = [](const AttributeSubject& s, Level n, std::size_t, std::span<const MicroTriangle> at,
+                   std::span<Outcome> out) {
     for (std::size_t k = 0; k < at.size(); ++k) {
-      const auto found = find(s, n, at[k]);
+      const auto found = nearer_than_triplet(s, n, at[k]);
       out[k] = {found ? found->i + 3 * std::uint64_t{found->j} + 1 : 0,
-                found.has_value() != exception(n, at[k])};
+                found.has_value() != is_exception(n, at[k])};
     }
   };
-  cases.words = [=](const AttributeSubject& s, Level n, std::size_t, const MicroTriangle& at) {
-    const auto found = find(s, n, at);
-    return Words{exception(n, at) ? "no vertex nearer than the triplet's"
-                                  : "a vertex nearer than one of the triplet's",
+  cases.words = [](const AttributeSubject& s, Level n, std::size_t, const MicroTriangle& at) {
+    const auto found = nearer_than_triplet(s, n, at);
+    return Words{is_exception(n, at) ? "no vertex nearer than the triplet's"
+                                     : "a vertex nearer than one of the triplet's",
                  found ? text_of(*found) : "none"};
-  };
-  const auto on_triplet_of = [](Level level, std::uint32_t of_face, Triplet instead) {
-    return [=](Functions& f) {
-      f.orders.triplet = [=, real = f.orders.triplet](FaceOrder faces, VertexOrder vertices, Level n,
-                                                      std::span<const std::uint32_t> face,
-                                                      std::span<Triplet> out) {
-        real(faces, vertices, n, face, out);
-        for (std::size_t k = 0; k < out.size(); ++k)
-          if (n == level && face[k] == of_face) out[k] = instead;
-      };
-    };
   };
   return on_batches(
       {.id = "paper.triplet_is_not_closest",

@@ -225,6 +225,31 @@ struct LowerVertex {
   std::uint32_t number;
 };
 
+Finding is_same_place(const AttributeSubject& s, Level n, const LowerVertex& x) {
+  const std::uint32_t got = s.functions.mips.vertex_mip_source(x.order, x.number, x.level, n);
+  if (x.order == VertexOrder::bird && got != x.number)
+    return wrong(fmt::format("{}, its own number", x.number), fmt::format("{}", got));
+  // The same place of the triangle, by both vertices.
+  const Vertex there = spec::attribute::vertex_at(x.order, x.number, x.level);
+  const Vertex scaled{there.i << (n - x.level), there.j << (n - x.level)};
+  if (got >= vertex_count(n) || !(spec::attribute::vertex_at(x.order, got, n) == scaled))
+    return wrong("the index of " + text_of(scaled), fmt::format("{}", got));
+  Finding found;
+  found.answer = got;
+  return found;
+}
+
+LowerVertex read_lower_vertex(Level n, const std::string& at) {
+  const Groups g = groups_of(at, "([a-z-]+):level=(\\d+),vertex=(\\d+)");
+  if (!g) throw BadCase(fmt::format("'{:.60}': write bird:level=1,vertex=3", at));
+  const auto level = static_cast<Level>(number_of((*g)[2], at, n));
+  for (const VertexOrder order : spec::attribute::vertex_orders)
+    if ((*g)[1] == name_of(order))
+      return LowerVertex{order, level,
+                         static_cast<std::uint32_t>(number_of((*g)[3], at, vertex_count(level) - 1))};
+  throw BadCase(fmt::format("'{:.60}': orders are w-minor, u-major and bird", at));
+}
+
 Law vertex_mip_law() {
   Cases<LowerVertex> cases;
   cases.count = [](Level n, const Run&) { return 3 * spec::attribute::vertex_chain(n + 1); };
@@ -238,29 +263,8 @@ Law vertex_mip_law() {
   cases.text = [](Level, const LowerVertex& x) {
     return fmt::format("{}:level={},vertex={}", name_of(x.order), x.level, x.number);
   };
-  cases.read = [](Level n, const std::string& at) {
-    const Groups g = groups_of(at, "([a-z-]+):level=(\\d+),vertex=(\\d+)");
-    if (!g) throw BadCase(fmt::format("'{:.60}': write bird:level=1,vertex=3", at));
-    const auto level = static_cast<Level>(number_of((*g)[2], at, n));
-    for (const VertexOrder order : spec::attribute::vertex_orders)
-      if ((*g)[1] == name_of(order))
-        return LowerVertex{order, level,
-                           static_cast<std::uint32_t>(number_of((*g)[3], at, vertex_count(level) - 1))};
-    throw BadCase(fmt::format("'{:.60}': orders are w-minor, u-major and bird", at));
-  };
-  cases.check = [](const AttributeSubject& s, Level n, const LowerVertex& x) {
-    const std::uint32_t got = s.functions.mips.vertex_mip_source(x.order, x.number, x.level, n);
-    if (x.order == VertexOrder::bird && got != x.number)
-      return wrong(fmt::format("{}, its own number", x.number), fmt::format("{}", got));
-    // The same place of the triangle, by both vertices.
-    const Vertex there = spec::attribute::vertex_at(x.order, x.number, x.level);
-    const Vertex scaled{there.i << (n - x.level), there.j << (n - x.level)};
-    if (got >= vertex_count(n) || !(spec::attribute::vertex_at(x.order, got, n) == scaled))
-      return wrong("the index of " + text_of(scaled), fmt::format("{}", got));
-    Finding found;
-    found.answer = got;
-    return found;
-  };
+  cases.read = read_lower_vertex;
+  cases.check = is_same_place;
   cases.kind = Kind::vertex;
   const auto sourcing = [](const char* name, Levels levels, auto by) {
     return mutant(name, "attribute-spec", levels, [by](Functions& f) {

@@ -290,6 +290,33 @@ struct TwoAreas {
   std::uint32_t a, b;
 };
 
+Finding edge_jumps(const AttributeSubject& s, Level n, const TwoAreas& t) {
+  const auto middle = [&](std::uint32_t power) {
+    const LevelOfDetail lod = s.functions.mips.lod(n, 1, std::ldexp(1.0f, static_cast<int>(power)));
+    const auto at_level = [](Level m) { return m == 0 ? 0.0 : 1.0; };
+    return lod.level == n ? at_level(n)
+                          : (1 - lod.blend) * at_level(lod.level) + lod.blend * at_level(lod.level + 1);
+  };
+  // l = power/2, and from level 1 on both triangles read 1.
+  const auto expected = [&](std::uint32_t power) { return n == 0 ? 0.0 : std::min(power / 2.0, 1.0); };
+  if (middle(t.a) != expected(t.a) || middle(t.b) != expected(t.b))
+    return wrong(fmt::format("{} and {}", expected(t.a), expected(t.b)),
+                 fmt::format("{} and {}", middle(t.a), middle(t.b)));
+  Finding found;
+  found.answer = static_cast<std::uint64_t>(2 * std::abs(expected(t.a) - expected(t.b)));
+  return found;
+}
+
+TwoAreas read_two_areas(Level n, const std::string& at) {
+  const Groups g = groups_of(at, "areas=2\\^(\\d{1,2}),2\\^(\\d{1,2})");
+  if (!g) throw BadCase(fmt::format("'{:.60}': write areas=2^0,2^1", at));
+  const TwoAreas t{static_cast<std::uint32_t>(std::stoul((*g)[1])),
+                   static_cast<std::uint32_t>(std::stoul((*g)[2]))};
+  if (t.a > 2 * n + 2 || t.b > 2 * n + 2)
+    throw BadCase(fmt::format("'{:.60}': powers up to {} at level {}", at, 2 * n + 2, n));
+  return t;
+}
+
 /// The law that values jump at an edge whose triangles have other areas.  Both triangles' maps of level n have 1 in
 /// the middle of the edge and 0 at its ends.  The middle reads 1 from level 1 on, and the mean of the ends at level
 /// 0.
@@ -300,31 +327,8 @@ Law lod_jumps_law() {
     return TwoAreas{static_cast<std::uint32_t>(k / (2 * n + 3)), static_cast<std::uint32_t>(k % (2 * n + 3))};
   };
   cases.text = [](Level, const TwoAreas& t) { return fmt::format("areas=2^{},2^{}", t.a, t.b); };
-  cases.read = [](Level n, const std::string& at) {
-    const Groups g = groups_of(at, "areas=2\\^(\\d{1,2}),2\\^(\\d{1,2})");
-    if (!g) throw BadCase(fmt::format("'{:.60}': write areas=2^0,2^1", at));
-    const TwoAreas t{static_cast<std::uint32_t>(std::stoul((*g)[1])),
-                     static_cast<std::uint32_t>(std::stoul((*g)[2]))};
-    if (t.a > 2 * n + 2 || t.b > 2 * n + 2)
-      throw BadCase(fmt::format("'{:.60}': powers up to {} at level {}", at, 2 * n + 2, n));
-    return t;
-  };
-  cases.check = [](const AttributeSubject& s, Level n, const TwoAreas& t) {
-    const auto middle = [&](std::uint32_t power) {
-      const LevelOfDetail lod = s.functions.mips.lod(n, 1, std::ldexp(1.0f, static_cast<int>(power)));
-      const auto at_level = [](Level m) { return m == 0 ? 0.0 : 1.0; };
-      return lod.level == n ? at_level(n)
-                            : (1 - lod.blend) * at_level(lod.level) + lod.blend * at_level(lod.level + 1);
-    };
-    // l = power/2, and from level 1 on both triangles read 1.
-    const auto expected = [&](std::uint32_t power) { return n == 0 ? 0.0 : std::min(power / 2.0, 1.0); };
-    if (middle(t.a) != expected(t.a) || middle(t.b) != expected(t.b))
-      return wrong(fmt::format("{} and {}", expected(t.a), expected(t.b)),
-                   fmt::format("{} and {}", middle(t.a), middle(t.b)));
-    Finding found;
-    found.answer = static_cast<std::uint64_t>(2 * std::abs(expected(t.a) - expected(t.b)));
-    return found;
-  };
+  cases.read = read_two_areas;
+  cases.check = edge_jumps;
   const auto blending = [](const char* name, Levels levels, auto by) {
     return mutant(name, "attribute-spec", levels, [by](Functions& f) {
       f.mips.lod = [by, real = f.mips.lod](Level n, float cone, float triangle) {

@@ -60,6 +60,23 @@ Finding all_with(const AttributeSubject& s, const TwoCodes& two, std::span<const
   return found;
 }
 
+TwoCodes read_two_codes(Level, const std::string& at) {
+  const Groups g = groups_of(at, "([a-z-]+),a=(\\d+),b=(\\d+)");
+  if (!g) throw BadCase(fmt::format("'{:.60}': write half-up,a=1,b=2", at));
+  return TwoCodes{rounding_of((*g)[1], at), static_cast<std::uint32_t>(number_of((*g)[2], at, 255)),
+                  static_cast<std::uint32_t>(number_of((*g)[3], at, 255))};
+}
+
+std::vector<TwoMore> other_pairs(bool all) {
+  // Pairs with sums of every remainder, and the extremes.
+  std::vector<TwoMore> pairs{{0, 0}, {0, 1}, {1, 1}, {3, 0}, {127, 128}, {3, 128}, {254, 255}, {255, 255}};
+  if (all) {
+    pairs.resize(65536);
+    for (std::uint32_t k = 0; k < pairs.size(); ++k) pairs[k] = {k >> 8, k & 255};
+  }
+  return pairs;
+}
+
 Law mip_rounding_law(const char* id, bool all) {
   Cases<TwoCodes> cases;
   cases.count = [](Level, const Run&) -> std::uint64_t { return 4 * 65536; };
@@ -70,18 +87,8 @@ Law mip_rounding_law(const char* id, bool all) {
   cases.text = [](Level, const TwoCodes& t) {
     return fmt::format("{},a={},b={}", rounding_name(t.rounding), t.a, t.b);
   };
-  cases.read = [](Level, const std::string& at) {
-    const Groups g = groups_of(at, "([a-z-]+),a=(\\d+),b=(\\d+)");
-    if (!g) throw BadCase(fmt::format("'{:.60}': write half-up,a=1,b=2", at));
-    return TwoCodes{rounding_of((*g)[1], at), static_cast<std::uint32_t>(number_of((*g)[2], at, 255)),
-                    static_cast<std::uint32_t>(number_of((*g)[3], at, 255))};
-  };
-  // Pairs with sums of every remainder, and the extremes.
-  std::vector<TwoMore> pairs{{0, 0}, {0, 1}, {1, 1}, {3, 0}, {127, 128}, {3, 128}, {254, 255}, {255, 255}};
-  if (all) {
-    pairs.resize(65536);
-    for (std::uint32_t k = 0; k < pairs.size(); ++k) pairs[k] = {k >> 8, k & 255};
-  }
+  cases.read = read_two_codes;
+  const std::vector<TwoMore> pairs = other_pairs(all);
   cases.check = [pairs, rounds = all ? 1u : 2u](const AttributeSubject& s, Level, const TwoCodes& t) {
     return all_with(s, t, pairs, rounds);
   };

@@ -209,6 +209,28 @@ Law inverse_law() {
 // attribute.order_is_walk
 // ---------------------------------------------------------------------------------------------------------------------
 
+// Bird's formula with a wrong part.
+
+std::uint64_t index_from_edge_uv(Level n, const Vertex& v) {
+  const std::uint64_t right = spec::attribute::bird_index(v.i, v.j, n),
+                      base = spec::attribute::vertex_count(n - 1);
+  return base + (right - base) / 3 * 3 + (right - base + 2) % 3;
+}
+
+std::uint64_t index_on_mirrored_curve(Level n, const Vertex& v) {
+  const std::uint64_t right = spec::attribute::bird_index(v.i, v.j, n),
+                      base = spec::attribute::vertex_count(n - 1);
+  const std::uint64_t rank =
+      spec::attribute::upright_before(spec::attribute::curve_index({v.j / 2, v.i / 2, false}, n - 1), n - 1);
+  return base + rank * 3 + (right - base) % 3;
+}
+
+std::uint64_t index_counting_all(Level n, const Vertex& v) {
+  const std::uint64_t right = spec::attribute::bird_index(v.i, v.j, n),
+                      base = spec::attribute::vertex_count(n - 1);
+  return base + 3 * spec::attribute::curve_index({v.i / 2, v.j / 2, false}, n - 1) + (right - base) % 3;
+}
+
 Law walk_law() {
   Batches<Vertex> cases;
   cases.settings = settings_of(vertex_orders);
@@ -225,13 +247,12 @@ Law walk_law() {
     return Words{fmt::format("{}", vertex_walks(n)->index(vertex_orders[order], at)),
                  fmt::format("{}", indices_of(s, vertex_orders[order], n, {&at, 1})[0])};
   };
-  // Bird's formula with a wrong part, on the vertices that a level adds.
+  // One of these on the vertices that a level adds.
   const auto wrong_bird = [](auto index_of) {
     return on_vertex_index(VertexOrder::bird, [index_of](Level n, const Vertex& v, std::uint32_t x) {
       return new_at(n, v) ? static_cast<std::uint32_t>(index_of(n, v)) : x;
     });
   };
-  namespace spec = spec::attribute;
   return on_batches(
       {.id = "attribute.order_is_walk",
        .topic = "attribute",
@@ -243,37 +264,23 @@ Law walk_law() {
        .long_run = {0, 13},
        .fast_seconds = 1,
        .domain = vertices_in_orders,
-       .mutants =
-           {mutant("triplets begin with the edge u-v", "attribute-spec", {1, 4},
-                   wrong_bird([](Level n, const Vertex& v) {
-                     const std::uint64_t right = spec::bird_index(v.i, v.j, n),
-                                         base = spec::vertex_count(n - 1);
-                     return base + (right - base) / 3 * 3 + (right - base + 2) % 3;
-                   })),
-            mutant("the curve is mirrored: v comes before u", "attribute-spec", {1, 4},
-                   wrong_bird([](Level n, const Vertex& v) {
-                     const std::uint64_t right = spec::bird_index(v.i, v.j, n),
-                                         base = spec::vertex_count(n - 1);
-                     const std::uint64_t rank =
-                         spec::upright_before(spec::curve_index({v.j / 2, v.i / 2, false}, n - 1), n - 1);
-                     return base + rank * 3 + (right - base) % 3;
-                   })),
-            mutant(
-                "all micro-triangles are counted, upright or not", "attribute-spec", {1, 4},
-                wrong_bird([](Level n, const Vertex& v) {
-                  const std::uint64_t right = spec::bird_index(v.i, v.j, n), base = spec::vertex_count(n - 1);
-                  return base + 3 * spec::curve_index({v.i / 2, v.j / 2, false}, n - 1) + (right - base) % 3;
-                })),
-            mutant("U-major's columns are read from the u-corner", "attribute-spec", {1, 4},
-                   on_vertex_index(VertexOrder::u_major,
-                                   [](Level n, const Vertex&, std::uint32_t x) {
-                                     return static_cast<std::uint32_t>(vertex_count(n) - 1 - x);
-                                   })),
-            mutant("two vertices of W-minor's row 200 change places", "attribute", {8, 8},
-                   on_vertex_index(VertexOrder::w_minor,
-                                   [](Level, const Vertex& v, std::uint32_t x) {
-                                     return v == Vertex{50, 150} ? x + 1 : v == Vertex{49, 151} ? x - 1 : x;
-                                   }))}},
+       .mutants = {mutant("triplets begin with the edge u-v", "attribute-spec", {1, 4},
+                          wrong_bird(index_from_edge_uv)),
+                   mutant("the curve is mirrored: v comes before u", "attribute-spec", {1, 4},
+                          wrong_bird(index_on_mirrored_curve)),
+                   mutant("all micro-triangles are counted, upright or not", "attribute-spec", {1, 4},
+                          wrong_bird(index_counting_all)),
+                   mutant("U-major's columns are read from the u-corner", "attribute-spec", {1, 4},
+                          on_vertex_index(VertexOrder::u_major,
+                                          [](Level n, const Vertex&, std::uint32_t x) {
+                                            return static_cast<std::uint32_t>(vertex_count(n) - 1 - x);
+                                          })),
+                   mutant("two vertices of W-minor's row 200 change places", "attribute", {8, 8},
+                          on_vertex_index(
+                              VertexOrder::w_minor,
+                              [](Level, const Vertex& v, std::uint32_t x) {
+                                return v == Vertex{50, 150} ? x + 1 : v == Vertex{49, 151} ? x - 1 : x;
+                              }))}},
       needing({entry::vertex_index}), std::move(cases));
 }
 

@@ -21,6 +21,17 @@ OnLastDiagonals on_last_diagonals(Level n, std::uint64_t k) {
   return {k < 2 * std::uint64_t{N} + 1 ? VertexOrder::w_minor : VertexOrder::u_major, {sum - j, j}};
 }
 
+Finding products_wrap(const AttributeSubject& s, Level n, const OnLastDiagonals& c) {
+  const std::uint32_t got = indices_of(s, c.order, n, {&c.at, 1})[0];
+  const std::uint64_t right = spec::attribute::vertex_index(c.order, c.at, n);
+  // r(r+1) passes 2^32 at r = 2^16.  i(N+2) does so from i = 65,535 on, but the difference undoes it.  i(i+1),
+  // which is halved afterwards, does so at i = 2^16.
+  const std::uint32_t limit = 1u << 16;
+  const bool wraps = c.order == VertexOrder::w_minor ? c.at.i + c.at.j == limit : c.at.i == limit;
+  if ((got == right) != wraps) return Finding{got};
+  return wrong(fmt::format("{} {}", wraps ? "not" : "", right), fmt::format("{}", got));
+}
+
 Law products_law() {
   Cases<OnLastDiagonals> cases;
   cases.count = [](Level n, const Run&) { return 2 * (2 * std::uint64_t{spec::side(n)} + 1); };
@@ -36,16 +47,7 @@ Law products_law() {
     read(n, at.substr(8), c.at);
     return c;
   };
-  cases.check = [](const AttributeSubject& s, Level n, const OnLastDiagonals& c) {
-    const std::uint32_t got = indices_of(s, c.order, n, {&c.at, 1})[0];
-    const std::uint64_t right = spec::attribute::vertex_index(c.order, c.at, n);
-    // r(r+1) passes 2^32 at r = 2^16.  i(N+2) does so from i = 65,535 on, but the difference undoes it.  i(i+1),
-    // which is halved afterwards, does so at i = 2^16.
-    const std::uint32_t limit = 1u << 16;
-    const bool wraps = c.order == VertexOrder::w_minor ? c.at.i + c.at.j == limit : c.at.i == limit;
-    if ((got == right) != wraps) return Finding{got};
-    return wrong(fmt::format("{} {}", wraps ? "not" : "", right), fmt::format("{}", got));
-  };
+  cases.check = products_wrap;
   cases.chunk = 4096;
   cases.kind = Kind::vertex;
   const auto differs = [](VertexOrder order, Level level, Vertex where, std::uint32_t index) {

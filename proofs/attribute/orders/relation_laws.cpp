@@ -262,43 +262,66 @@ Law convert_faces_law() {
 // attribute.triangle_vertices
 // ---------------------------------------------------------------------------------------------------------------------
 
+/// Triplets of a batch and the faces of the right ones, beside what they must be.
+struct FoundTriplets {
+  std::vector<Triplet> expected, got;
+  std::vector<std::uint32_t> face, back;
+};
+
+FoundTriplets found_triplets(const AttributeSubject& s, Level n, const Pair<FaceOrder, VertexOrder>& orders,
+                             std::span<const MicroTriangle> at) {
+  const auto& [faces, vertices] = orders;
+  const Orders& f = s.functions.orders;
+  FoundTriplets found;
+  found.face = indices_of(s, faces, n, at);
+  found.got.resize(at.size());
+  f.triplet(faces, vertices, n, found.face, found.got);
+  std::vector<Vertex> corners;
+  for (const MicroTriangle& t : at)
+    for (const Vertex& c : spec::attribute::corners_of(t)) corners.push_back(c);
+  const auto index = indices_of(s, vertices, n, corners);
+  for (std::size_t k = 0; k < at.size(); ++k)
+    found.expected.push_back({index[3 * k], index[3 * k + 1], index[3 * k + 2]});
+  found.back.resize(at.size());
+  if (f.face_of) f.face_of(faces, vertices, n, found.expected, found.back);
+  return found;
+}
+
+void turn_odd_of_rows(FaceOrder faces, VertexOrder, Level, std::uint32_t face, Triplet& t) {
+  const std::uint32_t row = spec::index::w_minor_row(face);
+  if (faces == FaceOrder::rows && (face - row * row) % 2 != 0) t = {t[2], t[0], t[1]};
+}
+
+void swap_corners_of_one(FaceOrder faces, VertexOrder vertices, Level n, std::uint32_t face, Triplet& t) {
+  if (n == 6 && face == 3000 && faces == FaceOrder::curve && vertices == VertexOrder::bird)
+    std::swap(t[1], t[2]);
+}
+
+void take_upper_for_lower(Functions& f) {
+  f.orders.face_of = [real = f.orders.face_of](FaceOrder faces, VertexOrder vertices, Level n,
+                                               std::span<const Triplet> of_these,
+                                               std::span<std::uint32_t> out) {
+    real(faces, vertices, n, of_these, out);
+    for (std::uint32_t& x : out)
+      if (n == 5 && faces == FaceOrder::u_major && x == face_count(5) - 3) --x;
+  };
+}
+
 Law triangle_vertices_law() {
   const auto of = pairs(face_orders, vertex_orders);
-  struct Found {
-    std::vector<Triplet> expected, got;
-    std::vector<std::uint32_t> face, back;
-  };
-  const auto find = [of](const AttributeSubject& s, Level n, std::size_t setting,
-                         std::span<const MicroTriangle> at) {
-    const auto [faces, vertices] = of[setting];
-    const Orders& f = s.functions.orders;
-    Found found;
-    found.face = indices_of(s, faces, n, at);
-    found.got.resize(at.size());
-    f.triplet(faces, vertices, n, found.face, found.got);
-    std::vector<Vertex> corners;
-    for (const MicroTriangle& t : at)
-      for (const Vertex& c : spec::attribute::corners_of(t)) corners.push_back(c);
-    const auto index = indices_of(s, vertices, n, corners);
-    for (std::size_t k = 0; k < at.size(); ++k)
-      found.expected.push_back({index[3 * k], index[3 * k + 1], index[3 * k + 2]});
-    found.back.resize(at.size());
-    if (f.face_of) f.face_of(faces, vertices, n, found.expected, found.back);
-    return found;
-  };
   Batches<MicroTriangle> cases;
   cases.settings = settings_of(of);
   cases.count = face_count;
   cases.kind = Kind::interior;
-  cases.check = [find](const AttributeSubject& s, Level n, std::size_t setting,
-                       std::span<const MicroTriangle> at, std::span<Outcome> out) {
-    const Found found = find(s, n, setting, at);
+  cases.check = [of](const AttributeSubject& s, Level n, std::size_t setting,
+                     std::span<const MicroTriangle> at, std::span<Outcome> out) {
+    const FoundTriplets found = found_triplets(s, n, of[setting], at);
     for (std::size_t k = 0; k < at.size(); ++k)
       out[k] = {found.got[k][0] + std::uint64_t{found.got[k][1]} * 3 + std::uint64_t{found.got[k][2]} * 5,
                 found.got[k] == found.expected[k] && found.back[k] == found.face[k]};
   };
-  cases.words = [find](const AttributeSubject& s, Level n, std::size_t setting, const MicroTriangle& at) {
-    const Found found = find(s, n, setting, {&at, 1});
+  cases.words = [of](const AttributeSubject& s, Level n, std::size_t setting, const MicroTriangle& at) {
+    const FoundTriplets found = found_triplets(s, n, of[setting], {&at, 1});
     return Words{fmt::format("{}, of face {}", text_of(found.expected[0]), found.face[0]),
                  fmt::format("{}, of face {}", text_of(found.got[0]), found.back[0])};
   };
@@ -324,29 +347,12 @@ Law triangle_vertices_law() {
        .fast_seconds = 3,
        .domain = [](const Subject&,
                     Level) { return std::string("the 4^n faces, 3 orders of faces by 3 of vertices"); },
-       .mutants =
-           {mutant("figure 4's cycle: odd triplets of rows begin one corner earlier", "attribute-spec",
-                   {1, 4},
-                   on_triplet([](FaceOrder faces, VertexOrder, Level, std::uint32_t face, Triplet& t) {
-                     const std::uint32_t row = spec::index::w_minor_row(face);
-                     if (faces == FaceOrder::rows && (face - row * row) % 2 != 0) t = {t[2], t[0], t[1]};
-                   })),
-            mutant("the last two corners of one face of level 6 change places", "attribute-spec", {6, 6},
-                   on_triplet([](FaceOrder faces, VertexOrder vertices, Level n, std::uint32_t face,
-                                 Triplet& t) {
-                     if (n == 6 && face == 3000 && faces == FaceOrder::curve && vertices == VertexOrder::bird)
-                       std::swap(t[1], t[2]);
-                   })),
-            mutant("the way back takes an upper face of the last strip for a lower one", "attribute", {5, 5},
-                   [](Functions& f) {
-                     f.orders.face_of = [real = f.orders.face_of](FaceOrder faces, VertexOrder vertices,
-                                                                  Level n, std::span<const Triplet> of_these,
-                                                                  std::span<std::uint32_t> out) {
-                       real(faces, vertices, n, of_these, out);
-                       for (std::uint32_t& x : out)
-                         if (n == 5 && faces == FaceOrder::u_major && x == face_count(5) - 3) --x;
-                     };
-                   })}},
+       .mutants = {mutant("figure 4's cycle: odd triplets of rows begin one corner earlier", "attribute-spec",
+                          {1, 4}, on_triplet(turn_odd_of_rows)),
+                   mutant("the last two corners of one face of level 6 change places", "attribute-spec",
+                          {6, 6}, on_triplet(swap_corners_of_one)),
+                   mutant("the way back takes an upper face of the last strip for a lower one", "attribute",
+                          {5, 5}, take_upper_for_lower)}},
       needing({entry::face_index, entry::vertex_index, entry::triplet, entry::face_of}), std::move(cases));
 }
 

@@ -88,34 +88,60 @@ auto above_12(VertexOrder of, Change change) {
   });
 }
 
-Law sampled_vertices_law() {
-  const auto found = [](const AttributeSubject& s, Level n, std::size_t setting, std::span<const Vertex> at) {
-    const VertexOrder order = vertex_orders[setting];
-    const Orders& f = s.functions.orders;
-    Found all(at.size());
-    std::vector<std::uint32_t> right;
-    for (const Vertex& v : at) right.push_back(specified(order, v, n));
-    const auto index = indices_of(s, order, n, at);
-    const auto given = [&](std::size_t k) { return right[k]; };
-    all.add("index", given, [&](std::size_t k) { return index[k]; });
-    if (f.vertex_at) {
-      std::vector<Vertex> back(at.size());
-      f.vertex_at(order, n, right, back);
+Found found_of_vertices(const AttributeSubject& s, Level n, std::size_t setting, std::span<const Vertex> at) {
+  const VertexOrder order = vertex_orders[setting];
+  const Orders& f = s.functions.orders;
+  Found all(at.size());
+  std::vector<std::uint32_t> right;
+  for (const Vertex& v : at) right.push_back(specified(order, v, n));
+  const auto index = indices_of(s, order, n, at);
+  const auto given = [&](std::size_t k) { return right[k]; };
+  all.add("index", given, [&](std::size_t k) { return index[k]; });
+  if (f.vertex_at) {
+    std::vector<Vertex> back(at.size());
+    f.vertex_at(order, n, right, back);
+    all.add(
+        "back at i", [&](std::size_t k) { return at[k].i; }, [&](std::size_t k) { return back[k].i; });
+    all.add(
+        "back at j", [&](std::size_t k) { return at[k].j; }, [&](std::size_t k) { return back[k].j; });
+  }
+  if (f.convert_vertices)
+    for (const VertexOrder to : vertex_orders) {
+      std::vector<std::uint32_t> other(at.size());
+      f.convert_vertices(order, to, n, right, other);
       all.add(
-          "back at i", [&](std::size_t k) { return at[k].i; }, [&](std::size_t k) { return back[k].i; });
-      all.add(
-          "back at j", [&](std::size_t k) { return at[k].j; }, [&](std::size_t k) { return back[k].j; });
+          fmt::format("in {}", name_of(to)), [&](std::size_t k) { return specified(to, at[k], n); },
+          [&](std::size_t k) { return other[k]; });
     }
-    if (f.convert_vertices)
-      for (const VertexOrder to : vertex_orders) {
-        std::vector<std::uint32_t> other(at.size());
-        f.convert_vertices(order, to, n, right, other);
-        all.add(
-            fmt::format("in {}", name_of(to)), [&](std::size_t k) { return specified(to, at[k], n); },
-            [&](std::size_t k) { return other[k]; });
-      }
-    return all;
+  return all;
+}
+
+void take_root_in_binary32(Functions& f) {
+  f.orders.vertex_at = [real = f.orders.vertex_at](VertexOrder order, Level n,
+                                                   std::span<const std::uint32_t> index,
+                                                   std::span<Vertex> out) {
+    real(order, n, index, out);
+    if (order != VertexOrder::w_minor || n < 13) return;
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      const float root = std::sqrt(8.0f * static_cast<float>(index[k]) + 1.0f);
+      const auto row = static_cast<std::uint32_t>((root - 1.0f) / 2.0f);
+      const auto j = index[k] - row * (row + 1) / 2;
+      out[k] = {row - j, j};
+    }
   };
+}
+
+void lessen_converted_bird(Functions& f) {
+  f.orders.convert_vertices = [real = f.orders.convert_vertices](VertexOrder from, VertexOrder to, Level n,
+                                                                 std::span<const std::uint32_t> index,
+                                                                 std::span<std::uint32_t> out) {
+    real(from, to, n, index, out);
+    if (from == to || to != VertexOrder::bird) return;
+    for (std::uint32_t& x : out) x -= x >> 26 != 0 ? 1 : 0;
+  };
+}
+
+Law sampled_vertices_law() {
   return on_batches(
       {.id = "attribute.vertices_on_samples",
        .topic = "attribute",
@@ -131,103 +157,97 @@ Law sampled_vertices_law() {
              return std::string(
                  "a sample of the V(n) vertices in 3 orders: corners, edges, ends of rows, powers of two");
            },
-       .mutants =
-           {mutant("a row of W-minor is a root in binary32 from level 13 on", "attribute-spec", {12, 13},
-                   [](Functions& f) {
-                     f.orders.vertex_at = [real = f.orders.vertex_at](VertexOrder order, Level n,
-                                                                      std::span<const std::uint32_t> index,
-                                                                      std::span<Vertex> out) {
-                       real(order, n, index, out);
-                       if (order != VertexOrder::w_minor || n < 13) return;
-                       for (std::size_t k = 0; k < out.size(); ++k) {
-                         const float root = std::sqrt(8.0f * static_cast<float>(index[k]) + 1.0f);
-                         const auto row = static_cast<std::uint32_t>((root - 1.0f) / 2.0f);
-                         const auto j = index[k] - row * (row + 1) / 2;
-                         out[k] = {row - j, j};
-                       }
-                     };
-                   }),
-            mutant("where U-major's columns begin is a signed number of 32 bits", "attribute", {15, 16},
-                   above_12(
-                       VertexOrder::u_major,
-                       [](Level, const Vertex&, std::uint32_t x) { return x >> 31 != 0 ? 0x7fffffffu : x; })),
-            mutant("Bird's places have 15 bits: the corner u is lost at level 15", "attribute-spec", {14, 15},
-                   above_12(VertexOrder::bird,
-                            [](Level n, const Vertex& v, std::uint32_t x) {
-                              return n >= 15 && (v.i >> 15 != 0 || v.j >> 15 != 0) ? 0u : x;
-                            })),
-            mutant("Bird's indices above 2^26 are one less when they come from another order", "attribute",
-                   {13, 14},
-                   [](Functions& f) {
-                     f.orders.convert_vertices = [real = f.orders.convert_vertices](
-                                                     VertexOrder from, VertexOrder to, Level n,
-                                                     std::span<const std::uint32_t> index,
-                                                     std::span<std::uint32_t> out) {
-                       real(from, to, n, index, out);
-                       if (from == to || to != VertexOrder::bird) return;
-                       for (std::uint32_t& x : out) x -= x >> 26 != 0 ? 1 : 0;
-                     };
-                   }),
-            mutant("W-minor's rows beyond 2^12 begin at the end of v", "attribute-single", {12, 13},
-                   above_12(VertexOrder::w_minor,
-                            [](Level, const Vertex& v, std::uint32_t x) {
-                              return v.i + v.j > 4096 ? x - v.j + v.i : x;
-                            }))}},
+       .mutants = {mutant("a row of W-minor is a root in binary32 from level 13 on", "attribute-spec",
+                          {12, 13}, take_root_in_binary32),
+                   mutant("where U-major's columns begin is a signed number of 32 bits", "attribute",
+                          {15, 16},
+                          above_12(VertexOrder::u_major,
+                                   [](Level, const Vertex&, std::uint32_t x) {
+                                     return x >> 31 != 0 ? 0x7fffffffu : x;
+                                   })),
+                   mutant("Bird's places have 15 bits: the corner u is lost at level 15", "attribute-spec",
+                          {14, 15},
+                          above_12(VertexOrder::bird,
+                                   [](Level n, const Vertex& v, std::uint32_t x) {
+                                     return n >= 15 && (v.i >> 15 != 0 || v.j >> 15 != 0) ? 0u : x;
+                                   })),
+                   mutant("Bird's indices above 2^26 are one less when they come from another order",
+                          "attribute", {13, 14}, lessen_converted_bird),
+                   mutant("W-minor's rows beyond 2^12 begin at the end of v", "attribute-single", {12, 13},
+                          above_12(VertexOrder::w_minor,
+                                   [](Level, const Vertex& v, std::uint32_t x) {
+                                     return v.i + v.j > 4096 ? x - v.j + v.i : x;
+                                   }))}},
       needing({entry::vertex_index}),
-      drawn_cases<Vertex>(settings_of(vertex_orders), Kind::vertex, drawn_vertex, found));
+      drawn_cases<Vertex>(settings_of(vertex_orders), Kind::vertex, drawn_vertex, found_of_vertices));
+}
+
+Found found_of_faces(const AttributeSubject& s, Level n, const Pair<FaceOrder, VertexOrder>& orders,
+                     std::span<const MicroTriangle> at) {
+  const auto& [faces, vertices] = orders;
+  const Orders& f = s.functions.orders;
+  Found all(at.size());
+  std::vector<std::uint32_t> right;
+  std::vector<Triplet> corners;
+  for (const MicroTriangle& t : at) {
+    right.push_back(specified(faces, t, n));
+    const auto c = spec::attribute::corners_of(t);
+    corners.push_back(
+        {specified(vertices, c[0], n), specified(vertices, c[1], n), specified(vertices, c[2], n)});
+  }
+  const auto index = indices_of(s, faces, n, at);
+  const auto given = [&](std::size_t k) { return right[k]; };
+  all.add("index", given, [&](std::size_t k) { return index[k]; });
+  if (f.face_at) {
+    std::vector<MicroTriangle> back(at.size());
+    f.face_at(faces, n, right, back);
+    all.add(
+        "back at iu", [&](std::size_t k) { return at[k].iu; }, [&](std::size_t k) { return back[k].iu; });
+    all.add(
+        "back at iv", [&](std::size_t k) { return at[k].iv; }, [&](std::size_t k) { return back[k].iv; });
+    all.add(
+        "back, upper", [&](std::size_t k) { return at[k].upper; },
+        [&](std::size_t k) { return back[k].upper; });
+  }
+  if (f.convert_faces)
+    for (const FaceOrder to : face_orders) {
+      std::vector<std::uint32_t> other(at.size());
+      f.convert_faces(faces, to, n, right, other);
+      all.add(
+          fmt::format("in {}", name_of(to)), [&](std::size_t k) { return specified(to, at[k], n); },
+          [&](std::size_t k) { return other[k]; });
+    }
+  if (f.triplet) {
+    std::vector<Triplet> got(at.size());
+    f.triplet(faces, vertices, n, right, got);
+    for (std::size_t c = 0; c < 3; ++c)
+      all.add(
+          fmt::format("vertex {}", c), [&](std::size_t k) { return corners[k][c]; },
+          [&](std::size_t k) { return got[k][c]; });
+  }
+  if (f.face_of) {
+    std::vector<std::uint32_t> face(at.size());
+    f.face_of(faces, vertices, n, corners, face);
+    all.add("face of its vertices", given, [&](std::size_t k) { return face[k]; });
+  }
+  return all;
+}
+
+void move_converted_rows(Functions& f) {
+  f.orders.convert_faces = [real = f.orders.convert_faces](FaceOrder from, FaceOrder to, Level n,
+                                                           std::span<const std::uint32_t> index,
+                                                           std::span<std::uint32_t> out) {
+    real(from, to, n, index, out);
+    if (n < 13 || from != FaceOrder::rows || to != FaceOrder::u_major) return;
+    for (std::uint32_t& x : out) ++x;
+  };
 }
 
 Law sampled_faces_law() {
   const auto of = pairs(face_orders, vertex_orders);
   const auto found = [of](const AttributeSubject& s, Level n, std::size_t setting,
                           std::span<const MicroTriangle> at) {
-    const auto [faces, vertices] = of[setting];
-    const Orders& f = s.functions.orders;
-    Found all(at.size());
-    std::vector<std::uint32_t> right;
-    std::vector<Triplet> corners;
-    for (const MicroTriangle& t : at) {
-      right.push_back(specified(faces, t, n));
-      const auto c = spec::attribute::corners_of(t);
-      corners.push_back(
-          {specified(vertices, c[0], n), specified(vertices, c[1], n), specified(vertices, c[2], n)});
-    }
-    const auto index = indices_of(s, faces, n, at);
-    const auto given = [&](std::size_t k) { return right[k]; };
-    all.add("index", given, [&](std::size_t k) { return index[k]; });
-    if (f.face_at) {
-      std::vector<MicroTriangle> back(at.size());
-      f.face_at(faces, n, right, back);
-      all.add(
-          "back at iu", [&](std::size_t k) { return at[k].iu; }, [&](std::size_t k) { return back[k].iu; });
-      all.add(
-          "back at iv", [&](std::size_t k) { return at[k].iv; }, [&](std::size_t k) { return back[k].iv; });
-      all.add(
-          "back, upper", [&](std::size_t k) { return at[k].upper; },
-          [&](std::size_t k) { return back[k].upper; });
-    }
-    if (f.convert_faces)
-      for (const FaceOrder to : face_orders) {
-        std::vector<std::uint32_t> other(at.size());
-        f.convert_faces(faces, to, n, right, other);
-        all.add(
-            fmt::format("in {}", name_of(to)), [&](std::size_t k) { return specified(to, at[k], n); },
-            [&](std::size_t k) { return other[k]; });
-      }
-    if (f.triplet) {
-      std::vector<Triplet> got(at.size());
-      f.triplet(faces, vertices, n, right, got);
-      for (std::size_t c = 0; c < 3; ++c)
-        all.add(
-            fmt::format("vertex {}", c), [&](std::size_t k) { return corners[k][c]; },
-            [&](std::size_t k) { return got[k][c]; });
-    }
-    if (f.face_of) {
-      std::vector<std::uint32_t> face(at.size());
-      f.face_of(faces, vertices, n, corners, face);
-      all.add("face of its vertices", given, [&](std::size_t k) { return face[k]; });
-    }
-    return all;
+    return found_of_faces(s, n, of[setting], at);
   };
   return on_batches(
       {.id = "attribute.faces_on_samples",
@@ -245,16 +265,7 @@ Law sampled_faces_law() {
              return std::string("a sample of the 4^n faces, 3 orders of faces by 3 of vertices");
            },
        .mutants = {mutant("faces of rows are one further in U-major, from level 13 on", "attribute", {12, 13},
-                          [](Functions& f) {
-                            f.orders.convert_faces = [real = f.orders.convert_faces](
-                                                         FaceOrder from, FaceOrder to, Level n,
-                                                         std::span<const std::uint32_t> index,
-                                                         std::span<std::uint32_t> out) {
-                              real(from, to, n, index, out);
-                              if (n < 13 || from != FaceOrder::rows || to != FaceOrder::u_major) return;
-                              for (std::uint32_t& x : out) ++x;
-                            };
-                          })}},
+                          move_converted_rows)}},
       needing({entry::face_index}),
       drawn_cases<MicroTriangle>(settings_of(of), Kind::interior, drawn_face, found));
 }

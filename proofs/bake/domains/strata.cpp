@@ -228,6 +228,20 @@ std::int64_t most_along(Level n) {
   return (n < texels.size() ? texels[n] : 3) * functions;
 }
 
+/// Moves coordinates of a placed triangle to their neighbours among binary32's numbers.
+void nudge_vertices(Case& one, std::uint8_t shape, std::uint8_t place, Random& random) {
+  if (shape == 3) {  // as thin as the numbers allow
+    const std::size_t axis = random.below(2);
+    one.uv[4 + axis] = std::nextafter(one.uv[4 + axis], random.below(2) != 0 ? 1e9f : -1e9f);
+  }
+  if (shape == 7)  // an ulp off
+    for (float& x : one.uv)
+      if (const auto step = random.between(-1, 1); step != 0) x = std::nextafter(x, step > 0 ? 1e9f : -1e9f);
+  if (place == 3)  // next to 0, and -0
+    for (float& x : one.uv)
+      if (std::fabs(x) < 0x1p-60f && random.below(2) != 0) x = random.below(2) != 0 ? 0x1p-149f : -0.0f;
+}
+
 void place_triangle(Case& one, const Row& row, Level n, Offset target, std::uint32_t mip, Random& random) {
   const std::int64_t side = std::int64_t{1} << n,
                      long_side =
@@ -279,16 +293,7 @@ void place_triangle(Case& one, const Row& row, Level n, Offset target, std::uint
     one.uv[2 * k] = coordinate(vertices[k].x, one.width);
     one.uv[2 * k + 1] = coordinate(vertices[k].y, one.height);
   }
-  if (shape == 3) {  // as thin as the numbers allow
-    const std::size_t axis = random.below(2);
-    one.uv[4 + axis] = std::nextafter(one.uv[4 + axis], random.below(2) != 0 ? 1e9f : -1e9f);
-  }
-  if (shape == 7)  // an ulp off
-    for (float& x : one.uv)
-      if (const auto step = random.between(-1, 1); step != 0) x = std::nextafter(x, step > 0 ? 1e9f : -1e9f);
-  if (row[place_of] == 3)  // next to 0, and -0
-    for (float& x : one.uv)
-      if (std::fabs(x) < 0x1p-60f && random.below(2) != 0) x = random.below(2) != 0 ? 0x1p-149f : -0.0f;
+  nudge_vertices(one, shape, row[place_of], random);
 }
 
 /// Moves a triangle repeats away, as far as its coordinates still hold its shape.
@@ -354,7 +359,9 @@ const std::vector<Row>& design() {
   return rows;
 }
 
-Case stratified(std::uint64_t seed, Level n, std::uint64_t number) {
+namespace {
+
+Row row_of(Level n, std::uint64_t number) {
   Row row = design()[number % design().size()];
   if (number >= plain_rows) {
     for (const Dimension d : {mips_of, deciding_mip, texel_of, filter_of, factor_of, vertex_of, margin_of})
@@ -369,6 +376,13 @@ Case stratified(std::uint64_t seed, Level n, std::uint64_t number) {
   }
   // Large maps also avoid such factors, with which whole numbers get wider.
   if (n >= large_level && row[factor_of] == 6) row[factor_of] = 4;
+  return row;
+}
+
+}  // namespace
+
+Case stratified(std::uint64_t seed, Level n, std::uint64_t number) {
+  const Row row = row_of(n, number);
   Random random(seed, strata_stream + 1 + n, number);
   Case one;
   set_sides(one, row, number, random);

@@ -142,36 +142,10 @@ void set_factors(Case& one, std::uint8_t factor, std::uint8_t vertex, Random& ra
   one.vertex_factor = vertices[vertex];
 }
 
-std::uint32_t set_cutoff(Case& one, std::uint8_t kind, Random& random) {
-  one.blend = false;
-  const auto fixed = [&](const Cutoff& cutoff) {
-    one.cutoff = cutoff;
-    return texel_near(one, static_cast<double>(cutoff.numerator) / static_cast<double>(cutoff.denominator));
-  };
-  const auto texel = [&] {
-    const std::uint32_t t = any_texel(one.texel, random);
-    return t == 0 ? 1 : t;
-  };
-  switch (kind) {
-    case 0:
-      return fixed({1, 2});
-    case 5:
-      return fixed(random.below(2) != 0 ? Cutoff{0, 1} : Cutoff{0, 0xfffffffb});
-    case 6:
-      return fixed({1, 1});
-    case 7:
-      return fixed(random.below(2) != 0 ? Cutoff{3, 2} : Cutoff{256, 255});
-    case 9:
-      if (random.below(2) != 0) return fixed(random.below(2) != 0 ? Cutoff{1, 3} : Cutoff{2, 3});
-      break;  // else a cutoff a hair beside a texel's value
-    case 10: {
-      one.blend = true;
-      return texel_near(one, random.below(3) == 0 ? 0 : 1);
-    }
-    default:
-      break;
-  }
-  const std::uint32_t t = texel();
+namespace {
+
+/// The cutoff that lies, by its kind, on the alpha of texel t or a hair beside it.
+Cutoff cutoff_at(const Case& one, std::uint8_t kind, std::uint32_t t, Random& random) {
   const Rational value = exact_texel(one.texel, t),
                  alpha = value * points::rational(one.factor) * points::rational(one.vertex_factor);
   // The cutoff falls back to a texel's value; of binary32 to one at most 2^-31 below.
@@ -205,7 +179,42 @@ std::uint32_t set_cutoff(Case& one, std::uint8_t kind, Random& random) {
   }
   if (!cutoff) cutoff = as_cutoff(value);
   if (!cutoff) cutoff = over(0x80000000, value);
-  one.cutoff = cutoff.value_or(Cutoff{1, 2});
+  return cutoff.value_or(Cutoff{1, 2});
+}
+
+}  // namespace
+
+std::uint32_t set_cutoff(Case& one, std::uint8_t kind, Random& random) {
+  one.blend = false;
+  const auto fixed = [&](const Cutoff& cutoff) {
+    one.cutoff = cutoff;
+    return texel_near(one, static_cast<double>(cutoff.numerator) / static_cast<double>(cutoff.denominator));
+  };
+  const auto texel = [&] {
+    const std::uint32_t t = any_texel(one.texel, random);
+    return t == 0 ? 1 : t;
+  };
+  switch (kind) {
+    case 0:
+      return fixed({1, 2});
+    case 5:
+      return fixed(random.below(2) != 0 ? Cutoff{0, 1} : Cutoff{0, 0xfffffffb});
+    case 6:
+      return fixed({1, 1});
+    case 7:
+      return fixed(random.below(2) != 0 ? Cutoff{3, 2} : Cutoff{256, 255});
+    case 9:
+      if (random.below(2) != 0) return fixed(random.below(2) != 0 ? Cutoff{1, 3} : Cutoff{2, 3});
+      break;  // else a cutoff a hair beside a texel's value
+    case 10: {
+      one.blend = true;
+      return texel_near(one, random.below(3) == 0 ? 0 : 1);
+    }
+    default:
+      break;
+  }
+  const std::uint32_t t = texel();
+  one.cutoff = cutoff_at(one, kind, t, random);
   return t;
 }
 

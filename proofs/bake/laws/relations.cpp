@@ -248,6 +248,20 @@ std::optional<std::string> has_no_children(const BakeSubject& s, Level n) {
                              s.functions.support.max_level, s.functions.support.max_level - 1));
 }
 
+Law in_turn_law() {
+  return relation(
+      {.id = "bake.asked_in_turn",
+       .topic = "bake",
+       .says = "a map is its question's, whichever other one was asked before that differs from it "
+               "in one thing: its texels from the second row on, their order, the smaller mips, the "
+               "border, an addressing, the filter, a factor, the alpha mode, the cutoff, the "
+               "margin, a vertex, or sides exchanged",
+       .source = "mmverify_subject.h: an answer depends on nothing but the question",
+       .subjects = {"bake"},
+       .mutants = in_turn_mutants()},
+      sample_in_turn, keeps_no_other, {}, count_in_turn);
+}
+
 }  // namespace
 
 std::vector<Law> relation_laws() {
@@ -306,16 +320,7 @@ std::vector<Law> relation_laws() {
                 .mutants = {changed("a transparent one without a margin, an even number of rows", {3, 3},
                                     narrow, State::T, State::UT)}},
                any_sample, keeps_margins, has_no_margins),
-      relation({.id = "bake.asked_in_turn",
-                .topic = "bake",
-                .says = "a map is its question's, whichever other one was asked before that differs from it "
-                        "in one thing: its texels from the second row on, their order, the smaller mips, the "
-                        "border, an addressing, the filter, a factor, the alpha mode, the cutoff, the "
-                        "margin, a vertex, or sides exchanged",
-                .source = "mmverify_subject.h: an answer depends on nothing but the question",
-                .subjects = {"bake"},
-                .mutants = in_turn_mutants()},
-               sample_in_turn, keeps_no_other, {}, count_in_turn),
+      in_turn_law(),
       mips_law(),
   };
 }

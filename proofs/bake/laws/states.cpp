@@ -302,18 +302,20 @@ Law grid_law() {
   return law;
 }
 
+// The claims of the laws.
+constexpr char conservative[] =
+    "alpha is opaque on all of a closed micro-triangle that is O, transparent on all of one that is T";
+constexpr char tight[] =
+    "a micro-triangle is unknown only where alpha is opaque at one point of it and "
+    "transparent at another";
+constexpr char tight_blend[] =
+    "a micro-triangle is unknown only where alpha is below 1 at a point of it and above 0 "
+    "at a point of it";
+constexpr char side[] = "an unknown micro-triangle is UO where alpha at its centroid is opaque, else UT";
+
 }  // namespace
 
 std::vector<Law> state_laws() {
-  constexpr char conservative[] =
-      "alpha is opaque on all of a closed micro-triangle that is O, transparent on all of one that is T",
-                 tight[] =
-                     "a micro-triangle is unknown only where alpha is opaque at one point of it and "
-                     "transparent at another",
-                 tight_blend[] =
-                     "a micro-triangle is unknown only where alpha is below 1 at a point of it and above 0 "
-                     "at a point of it",
-                 side[] = "an unknown micro-triangle is UO where alpha at its centroid is opaque, else UT";
   const auto far = claims_one({0, 128, 128, 0}, Wrap::mirrored_repeat, Wrap::mirror_once, -3);
   return {
       state_law("bake.conservative", conservative, not_conservative, bilinear,

@@ -84,6 +84,38 @@ Statement opening_lemma() {
   return script.denying({related(M, state), equal(index, whole_number(0))});
 }
 
+/// One digit of the reference on the highest bits of a state's words, and what is left of them.
+struct ReferenceStep {
+  Term digit, iu, iv, iw, above;
+};
+template <class Formula>
+ReferenceStep reference_step(proofs::induction::Script& script, const Term& m, const State& s) {
+  using namespace proofs::induction;
+  script.comment(
+      "The reference: the highest bit of each word, then spec::index::curve_bits on one bit, where\n"
+      "the prefix XOR is that of the bits above, XOR the bit itself; then what is left of each word.");
+  const auto bit = [&](const char* what, const Term& word) {
+    return Bit(script.define(what, apply("<=", {m, word}, boolean)));
+  };
+  const Quantised<Bit> q{bit("bu", s.iu), bit("bv", s.iv), bit("bw", s.iw)};
+  Term t = truth(false);
+  const auto bits = Formula::bits(q, Bit(truth(true)), [&](const Bit& of) {
+    t = of.term;
+    return Bit(s.above) ^ of;
+  });
+  const Term b0 = script.define("b0", bits.b0.term), b1 = script.define("b1", bits.b1.term);
+  const Term above = script.define("next_above", apply("xor", {s.above, t}, boolean));
+  const auto rest = [&](const char* what, const Bit& b, const Term& word) {
+    return script.define(what, choose(b.term, apply("-", {word, m}, integer), word));
+  };
+  const Term iu = rest("next_iu", q.iu, s.iu), iv = rest("next_iv", q.iv, s.iv),
+             iw = rest("next_iw", q.iw, s.iw);
+  const auto one_if = [](const Term& b) { return choose(b, whole_number(1), whole_number(0)); };
+  const Term digit = script.define(
+      "digit", apply("+", {one_if(b0), apply("*", {whole_number(2), one_if(b1)}, integer)}, integer));
+  return {digit, iu, iv, iw, above};
+}
+
 /// The lemma that out of one place, both algorithms give the same digit and are related again, on a triangle half as
 /// wide.
 template <class Formula, spec::index::Reading reading>
@@ -121,33 +153,13 @@ Statement transition_lemma(Place place) {
   const Term mid = defined("next_mid", [](const Step& n) { return truth(n.mid_flip); });
   const Term top = defined("next_top", [](const Step& n) { return truth(n.top_flip); });
 
-  script.comment(
-      "The reference: the highest bit of each word, then spec::index::curve_bits on one bit, where\n"
-      "the prefix XOR is that of the bits above, XOR the bit itself; then what is left of each word.");
-  const auto bit = [&](const char* what, const Term& word) {
-    return Bit(script.define(what, apply("<=", {m, word}, boolean)));
-  };
-  const Quantised<Bit> q{bit("bu", s.iu), bit("bv", s.iv), bit("bw", s.iw)};
-  Term t = truth(false);
-  const auto bits = Formula::bits(q, Bit(truth(true)), [&](const Bit& of) {
-    t = of.term;
-    return Bit(s.above) ^ of;
-  });
-  const Term b0 = script.define("b0", bits.b0.term), b1 = script.define("b1", bits.b1.term);
-  const Term above = script.define("next_above", apply("xor", {s.above, t}, boolean));
-  const auto rest = [&](const char* what, const Bit& b, const Term& word) {
-    return script.define(what, choose(b.term, apply("-", {word, m}, integer), word));
-  };
-  const Term iu = rest("next_iu", q.iu, s.iu), iv = rest("next_iv", q.iv, s.iv),
-             iw = rest("next_iw", q.iw, s.iw);
-  const auto one_if = [](const Term& b) { return choose(b, whole_number(1), whole_number(0)); };
-  const Term digit = script.define(
-      "digit", apply("+", {one_if(b0), apply("*", {whole_number(2), one_if(b1)}, integer)}, integer));
+  const ReferenceStep reference = reference_step<Formula>(script, m, s);
 
   script.comment("Denied: the digit is the same, and the new state is related at scale m.");
-  const Term appended =
-      equal(next_index, apply("+", {apply("*", {whole_number(4), index}, integer), digit}, integer));
-  return script.denying({appended, related(m, {u, v, w, mid, top, iu, iv, iw, above})});
+  const Term appended = equal(
+      next_index, apply("+", {apply("*", {whole_number(4), index}, integer), reference.digit}, integer));
+  return script.denying(
+      {appended, related(m, {u, v, w, mid, top, reference.iu, reference.iv, reference.iw, reference.above})});
 }
 
 /// All statements: the theorem that the reading of Algorithm 4 is the formula at every level.
