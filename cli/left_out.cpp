@@ -31,7 +31,7 @@ std::string ranges(const std::vector<Level>& levels) {
 /// requested.
 bool is_asked(const Names& names, const std::vector<Job>& jobs, const std::string& subject, Level n) {
   return !names.laws.empty() || std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) {
-    const Levels& of_law = job.law->long_run;
+    const Levels& of_law = job.law->tiers.long_run;
     return job.subject->name() == subject && job.law->at_once.empty() && of_law.first <= n &&
            n <= of_law.last;
   });

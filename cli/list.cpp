@@ -28,7 +28,8 @@ std::string levels_text(const Law& law, const Levels& levels) {
 /// The fast tier's levels, and the levels of subjects that differ from them.
 nlohmann::ordered_json fast_json(const Law& law) {
   if (law.long_only) return nullptr;
-  nlohmann::ordered_json fast{{"levels", levels_text(law, law.fast)}, {"expected_seconds", law.fast_seconds}};
+  nlohmann::ordered_json fast{{"levels", levels_text(law, law.tiers.fast)},
+                              {"expected_seconds", law.tiers.seconds}};
   for (const auto& [subject, levels] : fast_levels_apart(law))
     fast["levels_of"][subject] = levels_text(law, levels);
   return fast;
@@ -42,12 +43,12 @@ nlohmann::ordered_json as_json(const Law& law) {
           {"topic", law.topic},
           {"statement", law.says},
           {"source", law.source},
-          {"domain", law.domain(*first, law.fast.last)},
+          {"domain", law.domain(*first, law.tiers.fast.last)},
           {"method", to_string(law.method)},
           {"subjects", law.subjects},
           {"companion",
            law.companion.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(law.companion)},
-          {"tiers", {{"fast", fast_json(law)}, {"long", {{"levels", levels_text(law, law.long_run)}}}}},
+          {"tiers", {{"fast", fast_json(law)}, {"long", {{"levels", levels_text(law, law.tiers.long_run)}}}}},
           {"mutants", mutants}};
 }
 
@@ -55,14 +56,14 @@ void print_law(const Law& law) {
   const SubjectPtr first = find_subject(law.subjects.front());
   say(stdout, "{}\n  {}\n", law.id, law.says);
   say(stdout, "  source: {}\n", law.source);
-  say(stdout, "  domain: {}\n", law.domain(*first, law.fast.last));
+  say(stdout, "  domain: {}\n", law.domain(*first, law.tiers.fast.last));
   const char* levels = law.at_once.empty() ? "levels " : "";
-  std::string fast = law.long_only ? "not in it" : levels + levels_text(law, law.fast);
+  std::string fast = law.long_only ? "not in it" : levels + levels_text(law, law.tiers.fast);
   for (const auto& [subject, of_subject] : fast_levels_apart(law))
     fast += fmt::format(", of {} {}", subject, levels_text(law, of_subject));
-  if (!law.long_only) fast += fmt::format(", about {} s", law.fast_seconds);
+  if (!law.long_only) fast += fmt::format(", about {} s", law.tiers.seconds);
   say(stdout, "  method: {}; fast tier: {}; long tier: {}{}\n", to_string(law.method), fast, levels,
-      levels_text(law, law.long_run));
+      levels_text(law, law.tiers.long_run));
   if (!law.companion.empty())
     say(stdout, "  runs as well, on subjects that take floats: {}\n", law.companion);
   if (law.id == "index.floats")

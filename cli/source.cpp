@@ -156,7 +156,7 @@ Job source_job(const SourceOptions& options, const std::optional<Levels>& levels
   const std::string name = options.file + ":" + options.function;
   Job job{&of_source,
           nullptr,
-          levels.value_or(tier == Tier::fast ? of_source.fast : of_source.long_run),
+          levels.value_or(tier == Tier::fast ? of_source.tiers.fast : of_source.tiers.long_run),
           {},
           nullptr};
   try {

@@ -54,11 +54,10 @@ void take_the_finest_level(BuildCase& c) {
 Law resolving() {
   return on_small_arrays(
       {.id = "array.resolves",
-       .topic = "array",
        .says = "through index, base triangle, record and data each triangle resolves to what was baked",
        .source = array_source,
        .subjects = {"array-spec", "array"},
-       .fast_seconds = 4,
+       .tiers = {.seconds = 4},
        .mutants = {mutant("a map that differs little from a transparent one becomes it", "array", {0, 1},
                           building(merge_into_transparent)),
                    mutant("the last micro-triangle is transparent in 2-state", "array-spec", {1, 1},
@@ -82,11 +81,10 @@ Law resolving() {
 Law formats() {
   return on_small_arrays(
       {.id = "array.formats",
-       .topic = "array",
        .says = "the record of each triangle has the level and the format that were asked for that triangle",
        .source = array_source,
        .subjects = {"array-spec", "array"},
-       .fast_seconds = 4,
+       .tiers = {.seconds = 4},
        .mutants = {mutant("all triangles have the first one's format", "array", {0, 1},
                           building(take_the_first_format)),
                    mutant("all triangles have the finest level", "array-spec", {1, 1},
@@ -105,12 +103,11 @@ Law formats() {
 Law special_indices() {
   return on_small_arrays(
       {.id = "array.special_indices",
-       .topic = "array",
        .says = "a uniform triangle has its special index in the width of the indices, whatever the base "
                "triangle, where that is wanted; no other triangle has one",
        .source = indices_source,
        .subjects = {"array-spec", "array"},
-       .fast_seconds = 4,
+       .tiers = {.seconds = 4},
        .mutants = {mutant("the base triangle is added to special indices", "array", {0, 1},
                           answering([](const BuildCase& c, Answer& a) {
                             for (std::size_t t = 0; t < c.maps.size(); ++t)
@@ -142,11 +139,10 @@ void leave_base_on(const BuildCase& c, Answer& a) {
 Law range() {
   return on_small_arrays(
       {.id = "array.index_range",
-       .topic = "array",
        .says = "every index that is not special names, with the base triangle, a record that is there",
        .source = indices_source,
        .subjects = {"array-spec", "array"},
-       .fast_seconds = 4,
+       .tiers = {.seconds = 4},
        .mutants = {mutant("the base triangle is not taken off", "array", {0, 1}, answering(leave_base_on)),
                    mutant("the last index may be the number of records", "array-spec", {1, 1},
                           answering([](const BuildCase& c, Answer& a) {
@@ -165,12 +161,11 @@ Law range() {
 
 Law array_counts() {
   return on_small_arrays({.id = "array.array_histogram",
-                          .topic = "array",
                           .says = "the array's usage counts are its records', by level and format, each once "
                                   "however many triangles share it",
                           .source = counts_source,
                           .subjects = {"array-spec", "array"},
-                          .fast_seconds = 4,
+                          .tiers = {.seconds = 4},
                           .mutants = {mutant("the geometry's histogram is handed over", "array", {0, 1},
                                              answering([](const BuildCase& c, Answer& a) {
                                                if (spec::array::requirements(c.options.api).counts_geometry)
@@ -192,12 +187,11 @@ Law array_counts() {
 Law geometry_counts() {
   return on_small_arrays(
       {.id = "array.geometry_histogram",
-       .topic = "array",
        .says = "where the API takes them the geometry's usage counts are its references after indirection, "
                "the base triangle added, special indices left out; elsewhere there are none",
        .source = counts_source,
        .subjects = {"array-spec", "array"},
-       .fast_seconds = 4,
+       .tiers = {.seconds = 4},
        .mutants = {mutant("the array's histogram is handed over", "array", {0, 1},
                           answering([](const BuildCase& c, Answer& a) {
                             if (spec::array::requirements(c.options.api).counts_geometry)
@@ -232,12 +226,11 @@ Law geometry_counts() {
 
 Law sharing() {
   return on_small_arrays({.id = "array.shares",
-                          .topic = "array",
                           .says = "equal maps share a record where that is wanted, different ones never do, "
                                   "and no record is added that nobody uses",
                           .source = here,
                           .subjects = {"array-spec", "array"},
-                          .fast_seconds = 4,
+                          .tiers = {.seconds = 4},
                           .mutants = {mutant("equal maps are not shared where they are neighbours", "array",
                                              {0, 1}, building([](BuildCase& c) {
                                                if (c.maps.size() == 2 && c.maps[0] == c.maps[1])
@@ -257,11 +250,10 @@ Law sharing() {
 Law keeping() {
   return on_small_arrays(
       {.id = "array.keeps_before",
-       .topic = "array",
        .says = "records that were there before stay where they are, with the maps that they had",
        .source = here,
        .subjects = {"array-spec", "array"},
-       .fast_seconds = 3,
+       .tiers = {.seconds = 3},
        .mutants = {mutant("new records come first", "array", {1, 1},
                           answering([](const BuildCase& c, Answer& a) {
                             if (!c.before.empty() && record_count(a) > c.before.size())
@@ -303,15 +295,12 @@ void cut_indices_to_8_bits(Functions& f) {
 Law sampled() {
   return on_cases(
       {.id = "array.on_samples",
-       .topic = "array",
        .says = "all of these at once: ranges, states, formats, special indices, both histograms, sharing, "
                "what was there",
        .source = array_source,
        .method = Method::sample,
        .subjects = {"array-spec", "array"},
-       .fast = {0, 5},
-       .long_run = {0, 7},
-       .fast_seconds = 3,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 7}, .seconds = 3},
        .domain =
            [](const Subject&, Level n) {
              return fmt::format(
@@ -356,15 +345,12 @@ Law sampled() {
 Law whole() {
   return on_cases(
       {.id = "array.resolves_whole",
-       .topic = "array",
        .says = "array.resolves, .formats and both histograms on every array of three triangles of levels 0 "
                "and 1, sorted or not",
        .source = array_source,
        .method = Method::exhaustive,
        .subjects = {"array"},
-       .fast = {1, 1},
-       .long_run = {1, 1},
-       .fast_seconds = 200,
+       .tiers = {.fast = {1, 1}, .long_run = {1, 1}, .seconds = 200},
        .domain = named_domain("all 278^3 arrays of three triangles, both formats, indices of 8, 16 and 32 "
                               "bits; special indices and sharing"),
        .mutants = {mutant("three maps of one byte are one", "array", {1, 1}, building([](BuildCase& c) {

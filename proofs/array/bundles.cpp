@@ -24,7 +24,7 @@ namespace {
 /// A stream number that keeps the samples of bundles apart from those of builds.
 constexpr std::uint64_t bundle_stream = 307;
 
-/// An array whose records all have a map in the data; the maps lie there in any order, with gaps.
+/// An array whose records all have a map in the data; the maps lie there in any order, with gaps, and some over others.
 spec::array::Array any_array(Level n, Random& random) {
   const bool many = random.below(6) == 0;
   std::vector<PackedMap> all(many ? 250 + random.below(351) : random.below(46));
@@ -42,6 +42,12 @@ spec::array::Array any_array(Level n, Random& random) {
     gap();
     array.records[r] = {static_cast<std::uint32_t>(array.data.size()),
                         static_cast<std::uint16_t>(all[r].level), static_cast<std::uint16_t>(all[r].format)};
+    const bool over_others = all[r].bytes.size() <= array.data.size() && random.below(5) == 0;
+    if (over_others) {
+      array.records[r].offset =
+          static_cast<std::uint32_t>(random.below(array.data.size() - all[r].bytes.size() + 1));
+      continue;
+    }
     array.data.insert(array.data.end(), all[r].bytes.begin(), all[r].bytes.end());
   }
   gap();

@@ -85,18 +85,18 @@ std::multiset<ReadableMap> maps_of(const maps::Array& array) {
   return all;
 }
 
-/// Nothing between, before and behind the records' bytes, in their order.
+/// A byte of the data that is no record's, or a record that has no map.
 std::optional<Finding> loose(const Bundle& b) {
-  std::uint64_t end = 0;
+  std::vector<bool> used(b.array.data.size());
   for (std::size_t r = 0; r < b.array.records.size(); ++r) {
     const ReadableMap map = readable_map(b.array, r);
-    if (!map || b.array.records[r].offset != end)
-      return wrong(fmt::format("record {} at byte {}", r, end), fmt::format("{}", b.array.records[r].offset));
-    end += maps::packed_bytes(map->second.size(), map->first);
+    if (!map) return wrong(fmt::format("record {} with a map", r), "none");
+    std::fill_n(used.begin() + static_cast<std::ptrdiff_t>(b.array.records[r].offset),
+                maps::packed_bytes(map->second.size(), map->first), true);
   }
-  if (end != b.array.data.size())
-    return wrong(fmt::format("{} bytes of data", end), fmt::format("{}", b.array.data.size()));
-  return std::nullopt;
+  const auto unused = std::find(used.begin(), used.end(), false);
+  if (unused == used.end()) return std::nullopt;
+  return wrong("every byte is a record's", fmt::format("byte {} is none's", unused - used.begin()));
 }
 
 template <class F>
@@ -178,12 +178,12 @@ std::function<void(Functions&)> changing(One entry, void (*change)(const Bundle&
 using BundleCheck = Finding (*)(const ArraySubject&, const BuildCase&);
 Law on_bundles(Law law, const Entry& needed, BundleCheck check) {
   law.method = Method::exhaustive;
-  law.fast = law.long_run = {1, 1};
+  law.tiers.fast = law.tiers.long_run = {1, 1};
   law.subjects = {"array-spec", "array"};
   law.source = here;
   law.domain = named_domain(
       "1 and 2 triangles of the sorted maps of levels 0 and 1, both formats, every choice, all encodings, "
-      "behind two records; two geometries");
+      "behind two records, each record with bytes of its own; two geometries");
   return on_cases(
       std::move(law), {needed},
       {[](Level n) { return n == 1 ? small_bundles() : 0; },
@@ -223,19 +223,17 @@ constexpr Entry any_change{"compact, reorder or concatenate",
 Law changes_on_samples() {
   return on_cases(
       {.id = "array.changes_on_samples",
-       .topic = "array",
        .says = "compacted, reordered and put behind another one, each triangle of any array resolves as "
                "before, and no record is lost that is to stay",
        .source = here,
        .method = Method::sample,
        .subjects = {"array-spec", "array"},
-       .fast = {0, 5},
-       .long_run = {0, 6},
-       .fast_seconds = 0.8,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 6}, .seconds = 0.8},
        .domain =
            [](const Subject&, Level n) {
              return fmt::format(
-                 "arrays of up to 45 maps of levels up to {}, or 600 of level 0, in any order and with gaps; "
+                 "arrays of up to 45 maps of levels up to {}, or 600 of level 0, in any order, with gaps and "
+                 "over others; "
                  "up to eight geometries of up to 40 triangles, each of any encoding, base and indices",
                  n);
            },
@@ -319,10 +317,9 @@ void grow_indices(const Bundle& a, const Bundle&, Bundle& is) {
 
 std::vector<Law> change_laws() {
   return {on_bundles({.id = "array.compact",
-                      .topic = "array",
                       .says = "compacted, each triangle resolves as before, every record is used, and every "
                               "byte is a record's",
-                      .fast_seconds = 0.5,
+                      .tiers = {.seconds = 0.5},
                       .mutants = {mutant("keeps a base triangle that is gone", "array", {1, 1},
                                          changing(&Functions::compact, keep_base)),
                                   mutant("drops records and keeps their bytes", "array-spec", {1, 1},
@@ -332,10 +329,9 @@ std::vector<Law> change_laws() {
                      entry::compact, compacts_case),
           on_bundles(
               {.id = "array.reorder",
-               .topic = "array",
                .says = "reordered, each triangle resolves as before, and records come in the order of their "
                        "first use",
-               .fast_seconds = 0.5,
+               .tiers = {.seconds = 0.5},
                .mutants = {mutant("indices stay as they were", "array", {1, 1},
                                   changing(&Functions::reorder,
                                            [](const Bundle& was, Bundle& is) { is.parts = was.parts; })),
@@ -344,10 +340,9 @@ std::vector<Law> change_laws() {
                            mutant("keeps the order of records", "array", {1, 1}, keep_order)}},
               entry::reorder, reorders_case),
           on_bundles({.id = "array.concatenate",
-                      .topic = "array",
                       .says = "one array behind another: each triangle of both resolves as before, and all "
                               "records are there",
-                      .fast_seconds = 0.5,
+                      .tiers = {.seconds = 0.5},
                       .mutants = {mutant("the second's base triangle stays", "array", {1, 1},
                                          spoils(&Functions::concatenate, keep_second_base)),
                                   mutant("offsets stay", "array-spec", {1, 1},

@@ -56,15 +56,12 @@ std::function<void(Functions&)> emulating(void (*change)(Level n, Level most, By
 
 Law emulation() {
   return on_cases({.id = "array.emulates",
-                   .topic = "array",
                    .says = "a level that the device lacks, emulated by lossy substitution, has T and O for "
                            "blocks of T and O alone, and unknown states for the rest",
                    .source = "the KHR slides, Lossy Micromaps",
                    .method = Method::exhaustive,
                    .subjects = {"array-spec", "array"},
-                   .fast = {1, 1},
-                   .long_run = {1, 1},
-                   .fast_seconds = 0.1,
+                   .tiers = {.fast = {1, 1}, .long_run = {1, 1}, .seconds = 0.1},
                    .domain = named_domain("all 256 4-state maps of level 1 at level 0"),
                    .mutants = {mutant("a majority of O is O", "array", {1, 1},
                                       [](Functions& f) {
@@ -106,14 +103,11 @@ Law emulation() {
 Law emulation_on_samples() {
   return on_cases(
       {.id = "array.emulates_on_samples",
-       .topic = "array",
        .says = "the same of larger maps, at each level below",
        .source = "the KHR slides, Lossy Micromaps",
        .method = Method::sample,
        .subjects = {"array-spec", "array"},
-       .fast = {2, 7},
-       .long_run = {2, 9},
-       .fast_seconds = 1,
+       .tiers = {.fast = {2, 7}, .long_run = {2, 9}, .seconds = 1},
        .domain = [](const Subject&,
                     Level n) { return fmt::format("4-state maps of level {}, at levels 0..{}", n, n - 1); },
        .mutants = {mutant("the last block of level 3", "array", {4, 6},
@@ -216,13 +210,12 @@ std::function<void(Functions&)> cutting(std::vector<std::uint64_t> (*cut)(std::s
 Law palettes() {
   return on_cases(
       {.id = "array.blocks",
-       .topic = "array",
        .says = "triangles in order are cut into the fewest blocks of at most 7 distinct codes",
        .source = "DGF: a block holds at most 7 distinct descriptors; docs/ARRAYS.md",
        .method = Method::exhaustive,
        .subjects = {"array-spec", "array"},
+       .tiers = {.seconds = 3},
        .at_once = "all levels",
-       .fast_seconds = 3,
        .domain = named_domain("all rows of 1 to 10 triangles, whatever their codes are called: 142,417"),
        .mutants = {mutant("8 codes a block", "array", {0, 0}, cutting([](std::span<const std::uint32_t> c) {
                             return spec::array::blocks(c, 8);

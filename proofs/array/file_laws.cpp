@@ -115,14 +115,11 @@ std::function<void(Functions&)> misreading(void (*change)(std::span<const std::u
 Law files_on_samples() {
   return on_cases(
       {.id = "array.files_on_samples",
-       .topic = "array",
        .says = "an array of any levels and geometries is saved and comes back",
        .source = here,
        .method = Method::sample,
        .subjects = {"array-spec", "array"},
-       .fast = {0, 5},
-       .long_run = {0, 6},
-       .fast_seconds = 0.2,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 6}, .seconds = 0.2},
        .domain =
            [](const Subject&, Level n) {
              return fmt::format("the arrays of array.changes_on_samples, of levels up to {}", n);
@@ -160,7 +157,7 @@ using FileCheck = Finding (*)(const ArraySubject&, const Bundle&);
 Law on_files(Law law, const Entry& needed, std::uint64_t one_in, FileCheck check) {
   law.subjects = {"array-spec", "array"};
   law.source = here;
-  law.fast = law.long_run = {1, 1};
+  law.tiers.fast = law.tiers.long_run = {1, 1};
   return on_cases(std::move(law), {needed},
                   {[one_in](Level n) { return n == 1 ? files() / one_in : 0; },
                    [=](const ArraySubject& s, Level, std::uint64_t k, const Run&) {
@@ -213,12 +210,11 @@ std::vector<Law> file_laws() {
   return {
       on_files(
           {.id = "array.files",
-           .topic = "array",
            .says = "an array is saved as its one file of either version, and comes back",
            .method = Method::exhaustive,
-           .fast_seconds = 0.5,
+           .tiers = {.seconds = 0.5},
            .domain = named_domain("1 and 2 triangles of the sorted maps of levels 0 and 1, all encodings, "
-                                  "every choice, none to two geometries"),
+                                  "every choice, each record with bytes of its own, none to two geometries"),
            .mutants = {mutant("the base triangle is lost in version 1", "array", {1, 1},
                               misreading([](std::span<const std::uint8_t> file, std::optional<Bundle>& b) {
                                 if (b && file[8] == 1) b->parts[0].base = 0;
@@ -236,11 +232,10 @@ std::vector<Law> file_laws() {
                                      }))}},
           entry::file, 1, comes_back),
       on_files({.id = "array.malformed_files",
-                .topic = "array",
                 .says = "a file that is cut, longer or changed in a bit is refused, or is the file of what "
                         "is read; one whose records or indices make no array may be refused, too",
                 .method = Method::exhaustive,
-                .fast_seconds = 1,
+                .tiers = {.seconds = 1},
                 .domain =
                     named_domain("1 of 97 of the arrays of array.files: every cut, every bit, a byte behind"),
                 .mutants = {mutant("the checksum is not looked at", "array", {1, 1}, mend_checksum),

@@ -127,14 +127,13 @@ std::function<void(Functions&)> meaning(Change change) {
 Law codes_on_samples() {
   return on_cases(
       {.id = "array.codes_on_samples",
-       .topic = "array",
        .says =
            "the same of codes, base triangles and numbers of records that have nothing to do with each other",
        .source = indices_source,
        .method = Method::sample,
        .subjects = {"array-spec", "array"},
+       .tiers = {.seconds = 0.1},
        .at_once = "all levels",
-       .fast_seconds = 0.1,
        .domain = named_domain("5 encodings, in clusters or not; 1 to 70 codes at once, each with a base "
                               "triangle and a number of records of its own"),
        .mutants = {mutant("the first base triangle of a batch is everybody's", "array", {0, 0},
@@ -174,14 +173,13 @@ std::vector<Law> index_laws() {
   return {
       on_cases(
           {.id = "array.codes",
-           .topic = "array",
            .says = "a code is a special index, in clusters -5 no micromap, or index + base triangle, which "
                    "must be less than the number of records; the base is added to nothing else",
            .source = indices_source,
            .method = Method::exhaustive,
            .subjects = {"array-spec", "array"},
+           .tiers = {.seconds = 0.1},
            .at_once = "all levels",
-           .fast_seconds = 0.1,
            .domain = named_domain("5 encodings, in clusters or not, 9 base triangles, 11 numbers of records; "
                                   "all codes of 8 bits, of wider ones 32 at the borders; a batch has one "
                                   "base triangle and one number of records"),

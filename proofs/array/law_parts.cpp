@@ -8,12 +8,11 @@ namespace maps = mmverify::spec::micromap;
 }  // namespace
 
 Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {
-  law.topic = "array";
   if (!law.how && law.method == Method::sample)
     law.how = [](const Subject&, Level) { return std::string("sample, by what a traversal reads"); };
   law.unfit = unless_of_topic<ArraySubject>(
       lacking<ArraySubject>(std::move(entries),
-                            [levels = law.long_run, one_run = !law.at_once.empty()](
+                            [levels = law.tiers.long_run, one_run = !law.at_once.empty()](
                                 const ArraySubject&, Level n) -> std::optional<std::string> {
                               if (one_run || (levels.first <= n && n <= levels.last)) return std::nullopt;
                               return fmt::format("it is about levels {} to {}", levels.first, levels.last);
@@ -43,7 +42,7 @@ Finding built(const ArraySubject& s, BuildCase c, Check check) {
 
 Law on_small_arrays(Law law, Check check) {
   law.method = Method::exhaustive;
-  law.fast = law.long_run = {0, 1};
+  law.tiers.fast = law.tiers.long_run = {0, 1};
   law.domain = [](const Subject&, Level n) -> std::string {
     if (n == 0)
       return "all arrays of up to 3 triangles of level 0, both formats, every choice, indices of 8, 16 and "

@@ -52,15 +52,12 @@ void restate(const BuildCase& c, Answer& a, State from, State to) {
 std::vector<Law> merge_laws() {
   return {on_cases(
       {.id = "array.merging",
-       .topic = "array",
        .says = "near-duplicate merging turns T and O into unknown states and nothing else, in at most as "
                "many micro-triangles of each triangle as the bound says; 2-state, formats and levels stay",
        .source = here,
        .method = Method::exhaustive,
        .subjects = {"array-spec", "array"},
-       .fast = {1, 1},
-       .long_run = {1, 1},
-       .fast_seconds = 4,
+       .tiers = {.fast = {1, 1}, .long_run = {1, 1}, .seconds = 4},
        .domain = named_domain(
            "all pairs of maps of levels 0 and 1, all triples of sorted ones, both formats, bounds 1 and 2"),
        .mutants = {mutant(

@@ -32,14 +32,11 @@ void turn_from_level_2(BuildCase& c) {
 std::vector<Law> order_laws() {
   return {on_cases(
       {.id = "array.order",
-       .topic = "array",
        .says = "a triangle's micro-triangles come out in the order of the index, at every level",
        .source = array_source,
        .method = Method::exhaustive,
        .subjects = {"array-spec", "array"},
-       .fast = {0, highest},
-       .long_run = {0, highest},
-       .fast_seconds = 3,
+       .tiers = {.fast = {0, highest}, .long_run = {0, highest}, .seconds = 3},
        .domain =
            [](const Subject&, Level n) {
              return fmt::format(

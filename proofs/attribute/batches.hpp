@@ -87,7 +87,6 @@ Replayed replay_element(const Batches<Element>& cases, const AttributeSubject& s
 
 template <class Element>
 Law on_batches(Law law, Lacks lacks, Batches<Element> cases) {
-  law.topic = "attribute";
   law.unfit = unfit_by(std::move(lacks));
   law.divisible = true;
   if (!law.how)

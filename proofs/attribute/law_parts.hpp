@@ -33,7 +33,6 @@ using Cases = DrawnCasesOf<AttributeSubject, Case>;
 /// The law on numbered cases.
 template <class Case>
 Law on_cases(Law law, Lacks lacks, Cases<Case> cases) {
-  law.topic = "attribute";
   law.unfit = unfit_by(std::move(lacks));
   return on_drawn_cases(std::move(law), std::move(cases));
 }

@@ -12,8 +12,7 @@ constexpr Level highest_level = 12;
 }  // namespace
 
 Law on_cases(Law law, const Cases& cases, const Check& check, const Draw& draw, const Lacks& lacks) {
-  law.topic = "bake";
-  if (law.long_run == Levels{}) law.long_run = law.fast;
+  if (law.tiers.long_run == Levels{}) law.tiers.long_run = law.tiers.fast;
   law.unfit =
       unless_of_topic<BakeSubject>([lacks](const BakeSubject& s, Level n) -> std::optional<std::string> {
         if (n > highest_level) return fmt::format("bakers go up to level {}", highest_level);
@@ -29,8 +28,8 @@ Law on_cases(Law law, const Cases& cases, const Check& check, const Draw& draw, 
       text += "; within what it declares: " + subject->functions.support.text();
     return text;
   };
-  const auto count = [cases, sampled = law.method == Method::sample, first = law.fast.first](Level n,
-                                                                                             const Run& run) {
+  const auto count = [cases, sampled = law.method == Method::sample, first = law.tiers.fast.first](
+                         Level n, const Run& run) {
     constexpr Level lowest = 4;  // among so many levels the cases asked for are spread
     const std::uint64_t of_tier = cases.count(n, run);
     const bool more = sampled && run.cases != 0 && n >= first && n < first + lowest;

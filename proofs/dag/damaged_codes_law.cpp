@@ -77,14 +77,11 @@ Change opens(
 Law damaged_codes_law() {
   return on_samples(
       {.id = "dag.damaged_codes",
-       .topic = "dag",
        .says = "a code of any form that is cut, longer or changed in a bit is refused or decoded to a scene, "
                "the same one whenever it is asked; which of the two is right only the form's maker can say",
        .source = "the header's dag_decode; docs/DAG.md",
        .subjects = {"dag"},
-       .fast = {0, 5},
-       .long_run = {0, 6},
-       .fast_seconds = 0.4,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 6}, .seconds = 0.4},
        .how = [](const Subject&, Level) { return std::string("sample, by what comes back"); },
        .mutants = {mutant("the empty code is a scene without maps", "dag", {0, 0},
                           opens([](std::span<const std::uint8_t> bytes, std::optional<Code>& code,

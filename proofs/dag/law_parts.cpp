@@ -36,7 +36,7 @@ Law on_numbers(Law law, const Check& check, const std::function<std::uint64_t(Le
 
 Law on_small_scenes(Law law, std::vector<Entry> entries, Check check) {
   law.method = Method::exhaustive;
-  law.fast = law.long_run = {0, 4};
+  law.tiers.fast = law.tiers.long_run = {0, 4};
   law.how = exhaustively;
   law.domain = [](const Subject&, Level n) { return about_small_scenes(n); };
   law.unfit =
@@ -46,8 +46,8 @@ Law on_small_scenes(Law law, std::vector<Entry> entries, Check check) {
 
 Law on_masks(Law law, std::vector<Entry> entries, Check check) {
   law.method = Method::exhaustive;
-  law.fast = {4, 6};
-  law.long_run = {4, 7};
+  law.tiers.fast = {4, 6};
+  law.tiers.long_run = {4, 7};
   law.how = exhaustively;
   law.domain = [](const Subject&, Level n) {
     return fmt::format("each of the 2^{} sets of children of the root at level {}, both formats",
@@ -66,7 +66,7 @@ Law on_sampled(Law law, std::vector<Entry> entries, std::function<std::uint64_t(
   law.method = Method::sample;
   if (!law.how)
     law.how = [](const Subject&, Level) { return std::string("sample, against the specification"); };
-  law.unfit = needing(std::move(entries), {0, law.long_run.last}, "it is run up to a lower level");
+  law.unfit = needing(std::move(entries), {0, law.tiers.long_run.last}, "it is run up to a lower level");
   return on_numbered_cases(
       std::move(law),
       {[count](Level n, const Run&) { return count(n); },
@@ -93,7 +93,7 @@ Law on_samples(Law law, std::vector<Entry> entries, std::function<std::uint64_t(
 }
 
 Law on_many_maps(Law law, std::vector<Entry> entries, Check check) {
-  law.fast = law.long_run = {0, 3};
+  law.tiers.fast = law.tiers.long_run = {0, 3};
   law.domain = [](const Subject&, Level n) {
     return fmt::format("scenes of 257 to 556 maps of levels up to {}{}; each state on its own", n,
                        n == 0 ? ", and of more than 2^16" : "");

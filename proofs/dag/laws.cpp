@@ -36,11 +36,10 @@ void merge_near_tiles(Scene& scene) {
 Law round_trip_law() {
   return on_small_scenes(
       {.id = "dag.round_trip",
-       .topic = "dag",
        .says = "a graph's maps are those that were added, in their order, and their padding bits are zero",
        .source = form,
        .subjects = {"dag-spec", "dag", "dag-loaded"},
-       .fast_seconds = 0.8,
+       .tiers = {.seconds = 0.8},
        .mutants = {mutant("tiles that differ in the last state are one", "dag", {3, 4},
                           encodes_another(merge_near_tiles)),
                    mutant("the second of two maps is the first", "dag-spec", {1, 1},
@@ -65,11 +64,10 @@ Law round_trip_law() {
 Law lookup_law() {
   return on_small_scenes(
       {.id = "dag.lookup_is_decode",
-       .topic = "dag",
        .says = "a lookup at an index gives the map's state, whatever else is asked with it",
        .source = form,
        .subjects = {"dag-spec", "dag"},
-       .fast_seconds = 1.5,
+       .tiers = {.seconds = 1.5},
        .mutants = {mutant("the last index of one map", "dag", {2, 2},
                           finds_wrongly(
                               [](const Scene& scene, std::uint32_t, std::uint32_t k, std::uint8_t& state) {
@@ -91,11 +89,10 @@ Law lookup_law() {
 Law masks_law() {
   return on_masks(
       {.id = "dag.masks",
-       .topic = "dag",
        .says = "round trip and lookups at both ends of each child, whichever children are mixed",
        .source = form,
        .subjects = {"dag"},
-       .fast_seconds = 1.4,
+       .tiers = {.seconds = 1.4},
        .mutants = {mutant("child 15 of a full node", "dag", {5, 5}, decodes_wrongly([](Scene& scene) {
                             Map& map = scene.maps[0];
                             if (map.level == 5 && scene.format == Format::two_state && map.packed[0] == 9 &&
@@ -136,13 +133,10 @@ Law masks_law() {
 Law point_law() {
   return on_samples(
       {.id = "dag.point_is_index",
-       .topic = "dag",
        .says = "a lookup at barycentrics is that at the reference's index",
        .source = "docs/DAG.md; VK_EXT_opacity_micromap, reference code",
        .subjects = {"dag-spec", "dag"},
-       .fast = {0, 10},
-       .long_run = {0, 12},
-       .fast_seconds = 1.6,
+       .tiers = {.fast = {0, 10}, .long_run = {0, 12}, .seconds = 1.6},
        .mutants = {mutant("the u-corner of level 5", "dag", {5, 5},
                           [](Functions& f) {
                             f.point = [real = f](const Code& c, Numbers map, std::span<const float> u,
@@ -176,13 +170,10 @@ Law point_law() {
 Law samples_law() {
   return on_samples(
       {.id = "dag.on_samples",
-       .topic = "dag",
        .says = "round trip and lookups, on scenes of higher levels",
        .source = form,
        .subjects = {"dag", "dag-loaded"},
-       .fast = {3, 12},
-       .long_run = {3, 12},
-       .fast_seconds = 2.8,
+       .tiers = {.fast = {3, 12}, .long_run = {3, 12}, .seconds = 2.8},
        .mutants = {mutant("tiles that differ in the last state are one", "dag", {3, 7},
                           encodes_another(merge_near_tiles)),
                    mutant("the first index of level 8", "dag", {8, 8},
@@ -207,13 +198,10 @@ Law samples_law() {
 Law specified_law() {
   return on_samples(
       {.id = "dag.equals_spec",
-       .topic = "dag",
        .says = "the container of maps is the specification's, byte by byte",
        .source = form,
        .subjects = {"dag", "dag-loaded"},
-       .fast = {0, 10},
-       .long_run = {0, 12},
-       .fast_seconds = 2,
+       .tiers = {.fast = {0, 10}, .long_run = {0, 12}, .seconds = 2},
        .mutants = {mutant("a tile that is there is stored again", "dag", {4, 7},
                           writes_wrongly([](const Scene&, Bytes& bytes) {
                             if (bytes[12] > 1) bytes.insert(bytes.end(), 8, 0);
@@ -233,12 +221,11 @@ Law specified_law() {
 
 Law records_law() {
   return on_small_scenes({.id = "dag.canonical",
-                          .topic = "dag",
                           .says = "the container of two maps is the specification's; where they are the "
                                   "same, their records are, and else not",
                           .source = form,
                           .subjects = {"dag", "dag-loaded"},
-                          .fast_seconds = 2.2,
+                          .tiers = {.seconds = 2.2},
                           .mutants = {mutant("tiles that differ in the last state are one", "dag", {3, 4},
                                              encodes_another(merge_near_tiles)),
                                       mutant("the second of two maps of level 4 is the first", "dag", {4, 4},
@@ -266,14 +253,11 @@ Law records_law() {
 Law append_law() {
   return on_samples(
       {.id = "dag.append",
-       .topic = "dag",
        .says =
            "a map that is added lets the four arrays grow at their ends, and changes no word that is there",
        .source = form,
        .subjects = {"dag", "dag-loaded"},
-       .fast = {0, 10},
-       .long_run = {0, 12},
-       .fast_seconds = 0.2,
+       .tiers = {.fast = {0, 10}, .long_run = {0, 12}, .seconds = 0.2},
        .mutants = {mutant("arrays of a scene of three maps begin with the last", "dag", {3, 7},
                           encodes_another([](Scene& scene) {
                             if (scene.maps.size() == 3) std::swap(scene.maps[0], scene.maps[2]);
@@ -296,14 +280,11 @@ Law append_law() {
 Law bound_law() {
   return on_samples(
       {.id = "dag.bound",
-       .topic = "dag",
        .says = "the arrays take no more than the maps flat with a record of 64 bits each, however alike the "
                "maps are; a map that is there takes a record",
        .source = form,
        .subjects = {"dag", "dag-spec"},
-       .fast = {0, 9},
-       .long_run = {0, 12},
-       .fast_seconds = 2.4,
+       .tiers = {.fast = {0, 9}, .long_run = {0, 12}, .seconds = 2.4},
        .mutants = {mutant("nodes are kept, however large", "dag", {4, 6},
                           writes_wrongly([](const Scene& scene, Bytes& bytes) {
                             if (scene.maps.back().level >= 4 && bytes[16] != 0) {
@@ -346,14 +327,11 @@ Change takes_too_much(std::function<bool(const Bytes&)> when) {
 Law damage_law() {
   return on_samples(
       {.id = "dag.malformed",
-       .topic = "dag",
        .says = "a container cut anywhere, longer, or with one bit flipped, its checksum put right, is taken "
                "exactly where the specification takes it",
        .source = form,
        .subjects = {"dag"},
-       .fast = {0, 5},
-       .long_run = {0, 6},
-       .fast_seconds = 4.6,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 6}, .seconds = 4.6},
        .mutants = {mutant("takes an empty string", "dag", {0, 0},
                           takes_too_much([](const Bytes& b) { return b.empty(); })),
                    mutant("takes bits in a record's zeros", "dag", {1, 3},
@@ -385,14 +363,11 @@ Law damage_law() {
 Law damage_samples_law() {
   return on_samples(
       {.id = "dag.malformed_on_samples",
-       .topic = "dag",
        .says = "a container with words changed, moved, copied, added or taken away, its checksum put right, "
                "is taken exactly where the specification takes it",
        .source = form,
        .subjects = {"dag"},
-       .fast = {3, 7},
-       .long_run = {3, 8},
-       .fast_seconds = 0.9,
+       .tiers = {.fast = {3, 7}, .long_run = {3, 8}, .seconds = 0.9},
        .mutants =
            {mutant("takes any kind of a record", "dag", {3, 6},
                    takes_too_much([](const Bytes& b) { return b.size() > 40 && b[33] > 4 && b[34] == 0; })),

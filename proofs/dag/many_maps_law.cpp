@@ -21,11 +21,10 @@ Change takes_for(std::function<std::uint32_t(std::uint32_t map)> other) {
 Law many_maps_law() {
   return on_many_maps(
       {.id = "dag.many_maps",
-       .topic = "dag",
        .says = "round trip and lookups, on scenes of more than 256 maps, and of more than 2^16",
        .source = form,
        .subjects = {"dag-spec", "dag"},
-       .fast_seconds = 0.6,
+       .tiers = {.seconds = 0.6},
        .mutants = {mutant("the 257th map answers as the first", "dag", {0, 0},
                           takes_for([](std::uint32_t m) { return m == 256 ? 0 : m; })),
                    mutant("the last of more than 2^16 maps is another one", "dag-spec", {0, 0},

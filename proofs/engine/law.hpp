@@ -81,17 +81,23 @@ struct Replayed {
   std::string picture;  ///< SVG text; empty if a picture shows nothing
 };
 
+/// The levels that a law runs at in each tier.
+struct Tiers {
+  Levels fast = {}, long_run = {};
+  double seconds = 0;  ///< of the fast tier on two cores of the machine the README names, mutants included
+};
+
 struct Law {
-  std::string id, topic;
+  std::string id;
+  std::string topic = {};  ///< filled in by the registry
   std::string says = {}, source = {};
   Method method = Method::exhaustive;
   /// Built-in subjects of a run that names none; the law holds for them.
   std::vector<std::string> subjects = {};
-  Levels fast = {}, long_run = {};
+  Tiers tiers = {};
   /// The levels that one run settles together, in words.  The law then runs once, as level 0, for any requested
   /// levels, and its counterexamples and mutants name levels of their own.  Empty: a run settles its level.
   std::string at_once = {};
-  double fast_seconds = 0;  ///< on two cores of the machine the README names, mutants included
 
   std::function<std::uint64_t(Level, const Run&)> cases = {};  ///< closed form
   std::function<std::string(const Subject&, Level)> domain = {};

@@ -17,14 +17,11 @@ namespace {
 Law equals_reference_law() {
   return {
       .id = "index.equals_reference",
-      .topic = "index",
       .says = "the subject's index is that of the Vulkan reference",
       .source = vulkan,
       .method = Method::exhaustive,
       .subjects = {"step", "reference-wide", "impl"},
-      .fast = {0, 11},
-      .long_run = {0, 16},
-      .fast_seconds = 5,
+      .tiers = {.fast = {0, 11}, .long_run = {0, 16}, .seconds = 5},
       .cases = all_cells,
       .domain = points,
       .how = in_rationals_then_fixed_point,
@@ -46,14 +43,11 @@ Law equals_reference_law() {
 
 Law in_range_law() {
   return {.id = "index.in_range",
-          .topic = "index",
           .says = "the index is below 4^n",
           .source = vulkan,
           .method = Method::exhaustive,
           .subjects = {"reference", "step", "impl"},
-          .fast = {0, 10},
-          .long_run = {0, 15},
-          .fast_seconds = 1,
+          .tiers = {.fast = {0, 10}, .long_run = {0, 15}, .seconds = 1},
           .cases = all_cells,
           .domain = points,
           .how = in_fixed_point,
@@ -69,14 +63,11 @@ Law in_range_law() {
 
 Law bijective_law() {
   return {.id = "index.bijective",
-          .topic = "index",
           .says = "each index below 4^n belongs to exactly one micro-triangle",
           .source = vulkan,
           .method = Method::exhaustive,
           .subjects = {"reference", "step", "impl"},
-          .fast = {0, 10},
-          .long_run = {0, 14},
-          .fast_seconds = 1,
+          .tiers = {.fast = {0, 10}, .long_run = {0, 14}, .seconds = 1},
           .cases = all_triangles,
           .domain = triangles,
           .how = in_fixed_point,
@@ -90,14 +81,11 @@ Law bijective_law() {
 
 Law nested_law() {
   return {.id = "index.nested",
-          .topic = "index",
           .says = "the index at level n+1, divided by 4, is the index at level n, ties included",
           .source = "Succinct Opacity Micromaps, 4.3; Algorithm 3 needs it",
           .method = Method::exhaustive,
           .subjects = {"reference", "step", "impl"},
-          .fast = {0, 9},
-          .long_run = {0, 14},
-          .fast_seconds = 1,
+          .tiers = {.fast = {0, 9}, .long_run = {0, 14}, .seconds = 1},
           .cases = next_cells,
           .domain = next_points,
           .how = in_fixed_point,
@@ -114,16 +102,13 @@ Law nested_law() {
 Law contiguous_law() {
   return {
       .id = "index.contiguous",
-      .topic = "index",
       .says =
           "each micro-triangle touches those that come before and after it: across an edge, or, where the "
           "highest differing digit steps from 2 to 3, in one vertex only",
       .source = "Succinct Opacity Micromaps, figure 2",
       .method = Method::exhaustive,
       .subjects = {"reference", "step", "impl"},
-      .fast = {0, 9},
-      .long_run = {0, 12},
-      .fast_seconds = 1,
+      .tiers = {.fast = {0, 9}, .long_run = {0, 12}, .seconds = 1},
       .cases = all_triangles,
       .domain = triangles,
       .how = in_fixed_point,
@@ -137,14 +122,11 @@ Law contiguous_law() {
 
 Law inverse_law() {
   return {.id = "index.inverse",
-          .topic = "index",
           .says = "the corners of an index span a micro-triangle, and the points inside it have that index",
           .source = succinct_4_3,
           .method = Method::exhaustive,
           .subjects = {"reference", "step", "impl"},
-          .fast = {0, 9},
-          .long_run = {0, 14},
-          .fast_seconds = 1,
+          .tiers = {.fast = {0, 9}, .long_run = {0, 14}, .seconds = 1},
           .cases = all_triangles,
           .domain = indices,
           .how = exhaustively,
@@ -162,14 +144,11 @@ Law inverse_law() {
 
 Law corners_law() {
   return {.id = "index.corners",
-          .topic = "index",
           .says = "the corners of an index are those of the specification, in any order",
           .source = succinct_4_3,
           .method = Method::exhaustive,
           .subjects = {"impl"},
-          .fast = {0, 10},
-          .long_run = {0, 16},
-          .fast_seconds = 0.5,
+          .tiers = {.fast = {0, 10}, .long_run = {0, 16}, .seconds = 0.5},
           .cases = all_triangles,
           .domain = indices,
           .how = exhaustively,
@@ -186,16 +165,13 @@ Law corners_law() {
 
 Law corner_order_law() {
   return {.id = "index.corner_order",
-          .topic = "index",
           .says =
               "corners come in the order that the subject declares: of the children 0, 2 and 3 that touch "
               "them, or the base and a step from there along u and along v",
           .source = "Succinct Opacity Micromaps, 4.3; OptiX, optixMicromapIndexToBaseBarycentrics",
           .method = Method::exhaustive,
           .subjects = {"impl"},
-          .fast = {0, 10},
-          .long_run = {0, 16},
-          .fast_seconds = 0.5,
+          .tiers = {.fast = {0, 10}, .long_run = {0, 16}, .seconds = 0.5},
           .cases = all_triangles,
           .domain = indices,
           .how = exhaustively,
@@ -209,16 +185,13 @@ Law corner_order_law() {
 
 Law rounding_law() {
   return {.id = "index.rounding",
-          .topic = "index",
           .says =
               "a point of a grid line belongs to the micro-triangle on its +u, +v side; on the hypotenuse to "
               "that on its -u side, at the v-corner to the last",
           .source = "Succinct Opacity Micromaps, Appendix A (3): rounds globally away from w",
           .method = Method::exhaustive,
           .subjects = {"reference", "step", "impl"},
-          .fast = {0, 9},
-          .long_run = {0, 14},
-          .fast_seconds = 1,
+          .tiers = {.fast = {0, 9}, .long_run = {0, 14}, .seconds = 1},
           .cases = all_cells,
           .domain = points,
           .how = in_fixed_point,
@@ -233,14 +206,11 @@ Law rounding_law() {
 
 Law row_order_law() {
   return {.id = "index.row_order",
-          .topic = "index",
           .says = "the subject's row-order index is that of figure 4 in exact arithmetic",
           .source = attribute_4,
           .method = Method::exhaustive,
           .subjects = {"impl"},
-          .fast = {0, 10},
-          .long_run = {0, 16},
-          .fast_seconds = 1,
+          .tiers = {.fast = {0, 10}, .long_run = {0, 16}, .seconds = 1},
           .cases = all_cells,
           .domain = points,
           .how = in_fixed_point,
@@ -256,15 +226,12 @@ Law row_order_law() {
 Law row_corners_law() {
   return {
       .id = "index.row_corners",
-      .topic = "index",
       .says =
           "the corners of a row-order index are those of figure 4 with a root in whole numbers, in any order",
       .source = attribute_4,
       .method = Method::exhaustive,
       .subjects = {"impl", "w-minor-f64"},
-      .fast = {0, 11},
-      .long_run = {0, 16},
-      .fast_seconds = 1,
+      .tiers = {.fast = {0, 11}, .long_run = {0, 16}, .seconds = 1},
       .cases = all_triangles,
       .domain = indices,
       .how = exhaustively,

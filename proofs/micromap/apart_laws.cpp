@@ -145,14 +145,11 @@ constexpr char says[] =
 Law every_one() {
   return on_any_part(on_cases(
       {.id = "micromap.one_apart",
-       .topic = "micromap",
        .says = says,
        .source = packing_source,
        .method = Method::exhaustive,
        .subjects = {"micromap-spec", "micromap"},
-       .fast = {2, 4},
-       .long_run = {2, 7},
-       .fast_seconds = 1,
+       .tiers = {.fast = {2, 4}, .long_run = {2, 7}, .seconds = 1},
        .domain =
            [](const Subject& s, Level n) {
              return fmt::format("all maps of level {} of one state but for one node, and the uniform ones{}",
@@ -169,14 +166,11 @@ Law every_one() {
 Law chosen_ones() {
   return on_any_part(
       on_cases({.id = "micromap.one_apart_on_samples",
-                .topic = "micromap",
                 .says = says,
                 .source = packing_source,
                 .method = Method::sample,
                 .subjects = {"micromap"},
-                .fast = {5, 12},
-                .long_run = {5, 12},
-                .fast_seconds = 4,
+                .tiers = {.fast = {5, 12}, .long_run = {5, 12}, .seconds = 4},
                 .domain =
                     [](const Subject& s, Level n) {
                       return fmt::format(

@@ -165,14 +165,11 @@ std::string text_of_pair(const BuildCase& c) {
 Law pairs() {
   return on_cases(
       {.id = "micromap.build",
-       .topic = "micromap",
        .says = "a built array is clean, gives every state back, shares equal maps and has no others",
        .source = packing_source,
        .method = Method::exhaustive,
        .subjects = {"micromap-spec", "micromap"},
-       .fast = {0, 1},
-       .long_run = {0, 1},
-       .fast_seconds = 3,
+       .tiers = {.fast = {0, 1}, .long_run = {0, 1}, .seconds = 3},
        .domain =
            [](const Subject&, Level n) {
              return fmt::format("all ordered pairs of maps of level {}, both formats", n);
@@ -231,14 +228,11 @@ void add_base_triangle(std::span<const PackedMap>, std::span<const PackedMap>, c
 Law sampled_builds() {
   return on_cases(
       {.id = "micromap.build_on_samples",
-       .topic = "micromap",
        .says = "a built array is clean, gives every state back, and shares equal maps where asked to",
        .source = packing_source,
        .method = Method::sample,
        .subjects = {"micromap-spec", "micromap"},
-       .fast = {0, 5},
-       .long_run = {0, 7},
-       .fast_seconds = 3,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 7}, .seconds = 3},
        .domain =
            [](const Subject&, Level n) {
              return fmt::format(
@@ -307,14 +301,11 @@ auto misses(Rule rule, std::uint64_t at_least = 0) {
 Law validating() {
   return on_cases(
       {.id = "micromap.validate",
-       .topic = "micromap",
        .says = "the validator lists exactly the violations that the rules have, rule by rule",
        .source = "the rules' sources, docs/MICROMAP.md",
        .method = Method::sample,
        .subjects = {"micromap"},
-       .fast = {0, 5},
-       .long_run = {0, 7},
-       .fast_seconds = 4,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 7}, .seconds = 4},
        .domain =
            [](const Subject&, Level n) {
              return fmt::format(

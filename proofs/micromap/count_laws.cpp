@@ -123,13 +123,12 @@ constexpr char says[] = "packing and unpacking any number of states, as those of
 std::vector<Law> count_laws() {
   return {
       on_cases({.id = "micromap.packing_any_count",
-                .topic = "micromap",
                 .says = says,
                 .source = packing_source,
                 .method = Method::exhaustive,
                 .subjects = {"micromap-spec", "micromap"},
+                .tiers = {.seconds = 0.3},
                 .at_once = "all levels",
-                .fast_seconds = 0.3,
                 .domain =
                     [](const Subject&, Level) {
                       return std::string(
@@ -144,13 +143,12 @@ std::vector<Law> count_laws() {
                cases(two_state_sequences + four_state_sequences,
                      [](std::uint64_t k, const Run&) { return sequence_number(k); })),
       on_cases({.id = "micromap.packing_any_count_on_samples",
-                .topic = "micromap",
                 .says = says,
                 .source = packing_source,
                 .method = Method::sample,
                 .subjects = {"micromap-spec", "micromap"},
+                .tiers = {.seconds = 0.3},
                 .at_once = "all levels",
-                .fast_seconds = 0.3,
                 .domain =
                     [](const Subject&, Level) {
                       return std::string(

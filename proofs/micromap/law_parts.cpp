@@ -61,7 +61,7 @@ Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {
     law.how = [](const Subject&, Level) { return std::string("sample, against the specification"); };
   law.unfit = unless_of_topic<MicromapSubject>(lacking<MicromapSubject>(
       std::move(entries),
-      [levels = law.long_run, exhaustive = law.method == Method::exhaustive](
+      [levels = law.tiers.long_run, exhaustive = law.method == Method::exhaustive](
           const MicromapSubject&, Level n) -> std::optional<std::string> {
         if (n < levels.first) return fmt::format("it is about level {} and above", levels.first);
         if (exhaustive && n > levels.last)
@@ -75,7 +75,7 @@ Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {
 Law on_all_maps(Law law, std::vector<Entry> entries, Maps maps, Level first, MapCheck check) {
   const bool both = maps == Maps::both_formats;
   law.method = Method::exhaustive;
-  law.fast = law.long_run = {first, both ? 2u : 1u};
+  law.tiers.fast = law.tiers.long_run = {first, both ? 2u : 1u};
   law.domain = [both](const Subject&, Level n) {
     if (!both) return fmt::format("all 4-state maps of level {}", n);
     return fmt::format("all {} maps of level {}", n < 2 ? "2-state and 4-state" : "65,536 2-state", n);

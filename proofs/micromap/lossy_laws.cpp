@@ -70,22 +70,18 @@ void add(std::vector<Law>& laws, const Rule& rule) {
         rule.subjects.front(), {n, n}, instead(n, at, rule.was, rule.now));
   };
   laws.push_back(on_all_maps({.id = rule.id,
-                              .topic = "micromap",
                               .says = rule.says,
                               .source = rule.source,
                               .subjects = rule.subjects,
-                              .fast_seconds = 1,
+                              .tiers = {.seconds = 1},
                               .mutants = {changed(1, 2)},
                               .general = true},
                              {entry::substitute}, Maps::four_state, 0, keeps(rule.pair)));
   laws.push_back(on_samples({.id = std::string(rule.id) + "_on_samples",
-                             .topic = "micromap",
                              .says = rule.says,
                              .source = rule.source,
                              .subjects = rule.subjects,
-                             .fast = {2, 10},
-                             .long_run = {2, 12},
-                             .fast_seconds = 2,
+                             .tiers = {.fast = {2, 10}, .long_run = {2, 12}, .seconds = 2},
                              .mutants = {changed(6, 2048)}},
                             {entry::substitute}, Maps::four_state, keeps(rule.pair)));
 }
@@ -136,14 +132,11 @@ Law judge_law() {
   };
   return on_cases(
       {.id = "lossy.judges",
-       .topic = "micromap",
        .says = "a judge of substitutions says which of the three rules every micro-triangle keeps",
        .source = lossy_source,
        .method = Method::exhaustive,
        .subjects = {"micromap-spec", "micromap"},
-       .fast = {0, 1},
-       .long_run = {0, 1},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 1}, .long_run = {0, 1}, .seconds = 1},
        .domain = [](const Subject&,
                     Level n) { return fmt::format("all pairs of 4-state maps of level {}", n); },
        .mutants = {mutant("takes O for UO as allowed", "micromap", {0, 0},
@@ -221,14 +214,11 @@ Law judge_samples_law() {
   };
   return on_cases(
       {.id = "lossy.judges_on_samples",
-       .topic = "micromap",
        .says = "a judge of substitutions says which of the three rules every micro-triangle keeps",
        .source = lossy_source,
        .method = Method::sample,
        .subjects = {"micromap-spec", "micromap"},
-       .fast = {2, 7},
-       .long_run = {2, 9},
-       .fast_seconds = 0.5,
+       .tiers = {.fast = {2, 7}, .long_run = {2, 9}, .seconds = 0.5},
        .domain =
            [](const Subject&, Level n) {
              return fmt::format(

@@ -199,11 +199,10 @@ const std::vector<std::string> both{"micromap-spec", "micromap"};
 Law packing() {
   return on_all_maps(
       {.id = "micromap.packing",
-       .topic = "micromap",
        .says = "unpacking gives each state whatever the padding holds; packing gives zeros there",
        .source = packing_source,
        .subjects = both,
-       .fast_seconds = 1,
+       .tiers = {.seconds = 1},
        .mutants = {mutant("the last bit of one 2-state map of level 2 is lost", "micromap-spec", {2, 2},
                           spoils(&Functions::pack,
                                  [](Format f, const States& s, Bytes& out) {
@@ -215,12 +214,11 @@ Law packing() {
 Law force2() {
   return on_all_maps(
       {.id = "micromap.force2",
-       .topic = "micromap",
        .says =
            "force-2-state is T for T and UT, O for O and UO; a 2-state map made 4-state and forced is itself",
        .source = "Vulkan's Opacity Micromaps (Vulkanised 2026), force2state",
        .subjects = both,
-       .fast_seconds = 1,
+       .tiers = {.seconds = 1},
        .mutants = {mutant("one O of level 2 is widened to UO", "micromap-spec", {2, 2},
                           spoils(&Functions::widen,
                                  [](Level n, auto in, Bytes& out) {
@@ -232,11 +230,10 @@ Law force2() {
 Law up_law() {
   return on_all_maps(
       {.id = "micromap.up",
-       .topic = "micromap",
        .says = "one level up, each state is that of its four children: up commutes with packing",
        .source = design_source,
        .subjects = both,
-       .fast_seconds = 1,
+       .tiers = {.seconds = 1},
        .mutants = {mutant("the last child of one map is T", "micromap", {2, 2},
                           spoils(&Functions::up,
                                  [](Level n, Format, auto in, Bytes& out) {
@@ -247,11 +244,10 @@ Law up_law() {
 
 Law down_up() {
   return on_all_maps({.id = "micromap.down_up",
-                      .topic = "micromap",
                       .says = "one level up and down again is the map itself",
                       .source = design_source,
                       .subjects = both,
-                      .fast_seconds = 1,
+                      .tiers = {.seconds = 1},
                       .mutants = {mutant("the last of 64 is lost", "micromap-spec", {2, 2},
                                          spoils(&Functions::down,
                                                 [](Level n, Format f, auto in, Bytes& out) {
@@ -263,12 +259,11 @@ Law down_up() {
 
 Law down_law() {
   return on_all_maps({.id = "micromap.down",
-                      .topic = "micromap",
                       .says = "one level down, T stands for four T and O for four O only; else 4-state is "
                               "unknown; force-2-state is the children's majority, a tie opaque",
                       .source = design_source,
                       .subjects = both,
-                      .fast_seconds = 1,
+                      .tiers = {.seconds = 1},
                       .mutants = {mutant("three O of the last four, 2-state, are T", "micromap-spec", {2, 2},
                                          spoils(&Functions::down,
                                                 [](Level n, Format f, auto in, Bytes& out) {
@@ -279,11 +274,10 @@ Law down_law() {
 
 Law down_force2() {
   return on_all_maps({.id = "micromap.down_force2",
-                      .topic = "micromap",
                       .says = "force-2-state and one level down commute, and are the children's majority",
                       .source = design_source,
                       .subjects = both,
-                      .fast_seconds = 1,
+                      .tiers = {.seconds = 1},
                       .mutants = {mutant("force-2-state of one lone UO is T", "micromap-spec", {1, 1},
                                          spoils(&Functions::force2,
                                                 [](Level n, auto in, Bytes& out) {
@@ -295,11 +289,10 @@ Law down_force2() {
 Law modes() {
   return on_all_maps(
       {.id = "micromap.modes",
-       .topic = "micromap",
        .says = "through T/C and O/C, T (O) stays and the rest is one of the unknown states; T/O forces",
        .source = "Succinct Opacity Micromaps, 7 (left to the future); docs/MICROMAP.md",
        .subjects = both,
-       .fast_seconds = 1,
+       .tiers = {.seconds = 1},
        .mutants = {mutant("UT and UO of one map stay apart in O/C", "micromap", {1, 1},
                           spoils(&Functions::through,
                                  [](Level n, Mode m, auto in, Bytes& out) {
@@ -312,13 +305,10 @@ Law modes() {
 Law samples() {
   return on_samples(
       {.id = "micromap.on_samples",
-       .topic = "micromap",
        .says = "packing, force-2-state, up, down and the modes, as on the small levels",
        .source = packing_source,
        .subjects = {"micromap"},
-       .fast = {2, 8},
-       .long_run = {2, 12},
-       .fast_seconds = 3,
+       .tiers = {.fast = {2, 8}, .long_run = {2, 12}, .seconds = 3},
        .mutants = {mutant("a tie in the last byte of level 5 is transparent", "micromap", {5, 5},
                           spoils(&Functions::down,
                                  [](Level n, Format f, auto in, Bytes& out) {

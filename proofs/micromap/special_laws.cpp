@@ -101,15 +101,12 @@ constexpr char says[] =
 Law small() {
   return on_cases(
       {.id = "micromap.special_indices",
-       .topic = "micromap",
        .says = says,
        .source = source,
        .method = Method::exhaustive,
        .subjects = {"micromap-spec", "micromap"},
-       .fast = {0, 0},
-       .long_run = {0, 0},
+       .tiers = {.fast = {0, 0}, .long_run = {0, 0}, .seconds = 1},
        .at_once = "all levels",
-       .fast_seconds = 1,
        .domain = [](const Subject&, Level) { return std::string("all codes of u8, u16 and i16"); },
        .mutants = {mutant("-5 is UO in 8 bits", "micromap", {0, 0},
                           one_code(Encoding::u8, 251, {Kind::special, 0, UO})),
@@ -131,15 +128,12 @@ Law small() {
 Law wide() {
   return on_cases(
       {.id = "micromap.special_indices_32",
-       .topic = "micromap",
        .says = says,
        .source = source,
        .method = Method::sample,
        .subjects = {"micromap-spec", "micromap"},
-       .fast = {0, 0},
-       .long_run = {0, 0},
+       .tiers = {.fast = {0, 0}, .long_run = {0, 0}, .seconds = 1},
        .at_once = "all levels",
-       .fast_seconds = 1,
        .domain =
            [](const Subject&, Level) {
              return std::string(

@@ -26,7 +26,7 @@ std::vector<std::pair<std::string, Levels>> fast_levels_apart(const Law& law) {
 Levels fast_levels(const Law& law, const Subject& subject) {
   for (const auto& [name, levels] : fast_levels_apart(law))
     if (name == subject.name()) return levels;
-  return law.fast;
+  return law.tiers.fast;
 }
 
 }  // namespace mmverify::proofs

@@ -32,8 +32,8 @@ bool fits_somewhere(const Law& law, const Subject& subject, const Levels& levels
 /// entry point for points.
 const Law* companion(const Law& law, const Subject& subject) {
   const Law* on_floats = law.companion.empty() ? nullptr : find_law(law.companion);
-  return on_floats != nullptr && fits_somewhere(*on_floats, subject, on_floats->long_run) ? on_floats
-                                                                                          : nullptr;
+  return on_floats != nullptr && fits_somewhere(*on_floats, subject, on_floats->tiers.long_run) ? on_floats
+                                                                                                : nullptr;
 }
 
 /// The law that replaces this one in a dialect, if it is about the subject.  It does not replace the law for the
@@ -41,7 +41,8 @@ const Law* companion(const Law& law, const Subject& subject) {
 const Law& in_dialect(const Law& law, const Subject& subject, const std::string& dialect) {
   if (std::find(law.subjects.begin(), law.subjects.end(), subject.name()) != law.subjects.end()) return law;
   for (const auto& [name, id] : law.in_dialect)
-    if (const Law* other = find_law(id); name == dialect && fits_somewhere(*other, subject, other->long_run))
+    if (const Law* other = find_law(id);
+        name == dialect && fits_somewhere(*other, subject, other->tiers.long_run))
       return *other;
   return law;
 }
@@ -59,7 +60,7 @@ std::vector<Job> plan(const Request& request) {
     if (planned(jobs, law, *subject)) return;
     Job job{&law,
             subject,
-            request.tier == Tier::fast ? fast_levels(law, *subject) : law.long_run,
+            request.tier == Tier::fast ? fast_levels(law, *subject) : law.tiers.long_run,
             {},
             brought_by};
     if (request.levels && law.at_once.empty()) job.levels = *request.levels;
@@ -88,8 +89,8 @@ std::vector<Job> plan(const Request& request) {
       if (law->alternative && !named && !request.subjects.empty()) continue;
       add(named ? *law : in_dialect(*law, *subject, request.dialect), subject, nullptr);
       // A law that does not apply proves nothing that floats could deny.
-      const Levels run =
-          request.levels.value_or(request.tier == Tier::fast ? fast_levels(*law, *subject) : law->long_run);
+      const Levels run = request.levels.value_or(request.tier == Tier::fast ? fast_levels(*law, *subject)
+                                                                            : law->tiers.long_run);
       if (request.companions && !subject->exact() && fits_somewhere(*law, *subject, run))
         for (const Law* on_floats = companion(*law, *subject); on_floats != nullptr;
              on_floats = companion(*on_floats, *subject))

@@ -22,6 +22,7 @@ const std::vector<Law>& laws() {
     std::vector<Law> of_all_topics;
     for (const Topic& topic : topics())
       for (Law& law : topic.laws()) {
+        law.topic = topic.name;
         const bool of_prover = law.method == Method::induction || law.method == Method::bit_vectors;
         if (of_prover && !induction::has_prover()) without_prover(law);
         of_all_topics.push_back(std::move(law));

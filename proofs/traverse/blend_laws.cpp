@@ -164,12 +164,11 @@ std::function<void(Functions&)> blending(void (*wrong)(Operation, std::uint32_t 
 Law blend_law() {
   return on_cases(
       {.id = "traverse.blend",
-       .topic = "traverse",
        .says = "a payload's codes after a hit are the maximum, the minimum, the sum up to 255, the product, "
                "or the value over the payload, to the nearest code",
        .source = cam_functions,
        .subjects = {"traverse", "traverse-single"},
-       .fast_seconds = 1,
+       .tiers = {.seconds = 1},
        .domain = named_domain("5 operations; in each channel all 2^24 of payload, alpha and value"),
        .mutants = {mutant("over multiplies alpha into a red of 9 again", "traverse",
                           blending([](Operation o, std::uint32_t, std::uint32_t v, std::uint32_t& out) {
@@ -225,12 +224,11 @@ Finding wrong_order(const ThreeWords& words, std::uint32_t one, std::uint32_t ot
 Law order_free() {
   return on_cases(
       {.id = "traverse.blend_order_free",
-       .topic = "traverse",
        .says = "max, min and add up to 255 give one payload in any order of hits: on every payload any two "
                "values may change places, and so any number",
        .source = cam_functions,
        .subjects = {"traverse"},
-       .fast_seconds = 1.5,
+       .tiers = {.seconds = 1.5},
        .domain = named_domain("3 operations; in each channel all 2^24 of a payload and two values"),
        .mutants = {mutant("min takes signs in alpha", "traverse",
                           blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
@@ -249,12 +247,11 @@ Law order_free() {
 Law duplicates() {
   return on_cases(
       {.id = "traverse.blend_duplicates",
-       .topic = "traverse",
        .says = "a hit that is reported twice counts once for max and min; for add only where the value is 0 "
                "or the sum reaches 255, and for multiply only where the product m has 2 m (255 - v) < 255",
        .source = "Color and Attribute Micromaps, 4.3; VK_GEOMETRY_NO_DUPLICATE_ANY_HIT_INVOCATION_BIT_KHR",
        .subjects = {"traverse-spec", "traverse"},
-       .fast_seconds = 0.3,
+       .tiers = {.seconds = 0.3},
        .domain = named_domain("4 operations; in each channel all 2^16 of a payload and a value"),
        .mutants = {mutant("max adds one to equal codes of 77", "traverse",
                           blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
@@ -300,13 +297,12 @@ constexpr std::array<Code, 3> smallest{2, 64, 128};
 Law multiply_depends() {
   return on_cases(
       {.id = "paper.blend_multiply_depends_on_order",
-       .topic = "traverse",
        .says = "multiply, rounded to codes, is not independent of the order of hits, as exact multiplication "
                "is: payload 2 with 64 and 128 is the smallest case, 1 or 0; two hits that change places "
                "change a code by 1 at most",
        .source = cam_functions,
        .subjects = {"traverse"},
-       .fast_seconds = 0.5,
+       .tiers = {.seconds = 0.5},
        .domain = named_domain("all 2^24 of a payload and two values, the same in the four channels"),
        .mutants = {mutant("2 by 64 is 0", "traverse",
                           blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
@@ -341,12 +337,11 @@ Law multiply_depends() {
 Law over_depends() {
   return on_cases(
       {.id = "paper.blend_over_depends_on_order",
-       .topic = "traverse",
        .says = "over keeps of opaque hits the one that is met last alone, so any two different ones depend "
                "on their order: 0 and 1 on payload 0 are the smallest case",
        .source = cam_functions,
        .subjects = {"traverse"},
-       .fast_seconds = 0.5,
+       .tiers = {.seconds = 0.5},
        .domain = named_domain("all 2^24 of a payload and two opaque values, the same in R, G and B"),
        .mutants = {mutant("payloads of 255 shine through", "traverse",
                           blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {

@@ -62,15 +62,14 @@ std::function<void(Functions&)> blending_others(void (*change)(Operation, std::u
 
 Law blend_on_samples() {
   Law law{.id = "traverse.blend_on_samples",
-          .topic = "traverse",
           .says =
               "each code of a payload after a hit is its own operation's on the same code of the value, "
               "whatever the others are",
           .source = "Color and Attribute Micromaps, 4.3, figure 6",
           .method = Method::sample,
           .subjects = {"traverse-spec", "traverse", "traverse-single"},
+          .tiers = {.seconds = 0.1},
           .at_once = "all levels",
-          .fast_seconds = 0.1,
           .domain = named_domain("5 operations; 1 to 70 payloads and values, each of their eight bytes drawn "
                                  "on its own, half of them 0, 1, 127, 128, 254 or 255"),
           .unfit = needing({entry::blend}),

@@ -22,12 +22,11 @@ using spec::traverse::two_state_override;
 Law decision() {
   return on_defined(
       {.id = "traverse.decision",
-       .topic = "traverse",
        .says = "a candidate is ignored, opaque or non-opaque by the lookup or the geometry's flag, then the "
                "instance's force flags, then the ray's, then culling",
        .source = dxr_and_vulkan,
        .subjects = {"traverse", "traverse-single"},
-       .fast_seconds = 0.2,
+       .tiers = {.seconds = 0.2},
        .domain = named_domain("all 17,040 combinations that an API defines"),
        .mutants =
            {mutant("CullNoOpaque looks at the geometry's flag under a special UO", "traverse",
@@ -83,14 +82,13 @@ Law undefined_is_named() {
   };
   return on_cases<Combination>(
       {.id = "traverse.undefined_is_named",
-       .topic = "traverse",
        .says = "a combination is undefined where ray flags or instance flags exclude each other, or where a "
                "triangle with a micromap is met by a trace that is not set up for any, and it has these "
                "reasons and no others",
        .source = "VUID-RuntimeSpirv-OpTraceRayKHR-06893; VkGeometryInstanceFlagBitsKHR; "
                  "SPV_KHR_opacity_micromap, 3.2.5; DXR, RAY_FLAG and Opacity micromaps",
        .subjects = {"traverse", "traverse-spec"},
-       .fast_seconds = 0.3,
+       .tiers = {.seconds = 0.3},
        .domain = named_domain("all 123,904 combinations"),
        .mutants =
            {mutant("Opaque goes with CullNoOpaque", "traverse",
@@ -119,12 +117,11 @@ Law undefined_is_named() {
 
 Law ignored_is_final() {
   return on_defined({.id = "traverse.ignored_is_final",
-                     .topic = "traverse",
                      .says = "what the lookup ignores, T, or UT under force-2-state, no flag of the "
                              "geometry, the instance or the ray brings back",
                      .source = dxr_and_vulkan,
                      .subjects = {"traverse-spec", "traverse"},
-                     .fast_seconds = 0.1,
+                     .tiers = {.seconds = 0.1},
                      .domain = named_domain("all 3,240 defined combinations whose lookup ignores"),
                      .mutants = {mutant("FORCE_OPAQUE of an opaque geometry wins over a special T",
                                         "traverse-spec", deciding([](const Combination& c, Outcome o) {
@@ -142,13 +139,12 @@ Law ignored_is_final() {
 Law two_state_never_calls_a_shader() {
   return on_defined(
       {.id = "traverse.two_state_never_calls_a_shader",
-       .topic = "traverse",
        .says = "of states that are known, or read under force-2-state, a shader is asked just where "
                "NoOpaque, or FORCE_NO_OPAQUE without the ray's Opaque, wants it for O or UO and CullNoOpaque "
                "does not drop them",
        .source = "Vulkan, Ray Opacity Micromap; the KHR slides, \"force2state\"",
        .subjects = {"traverse-spec", "traverse"},
-       .fast_seconds = 0.1,
+       .tiers = {.seconds = 0.1},
        .domain = named_domain("all 6,480 defined combinations whose lookup leaves nothing unknown"),
        .mutants = {mutant("force-2-state overrides NoOpaque, too", "traverse", mistaking([](Combination& c) {
                             if (c.instance.force_two_state && consulted(c)) c.ray.no_opaque = false;
@@ -164,12 +160,11 @@ Law two_state_never_calls_a_shader() {
 
 Law micromap_replaces_flag() {
   return on_defined({.id = "traverse.micromap_replaces_flag",
-                     .topic = "traverse",
                      .says = "where a micromap counts the geometry's opaque flag does not; where there is "
                              "none, or the instance disables it, neither its states nor force-2-state do",
                      .source = dxr_and_vulkan,
                      .subjects = {"traverse-spec", "traverse"},
-                     .fast_seconds = 0.2,
+                     .tiers = {.seconds = 0.2},
                      .domain = named_domain("all 17,040 combinations that an API defines"),
                      .mutants = {mutant("force-2-state makes geometries without a micromap opaque",
                                         "traverse-spec", mistaking([](Combination& c) {
@@ -195,12 +190,11 @@ Law micromap_replaces_flag() {
 Law last_flag_wins() {
   return on_defined(
       {.id = "traverse.last_flag_wins",
-       .topic = "traverse",
        .says = "what the lookup does not ignore is opaque or not as the ray's Opaque or NoOpaque say, else "
                "the instance's force flags; CullOpaque or CullNoOpaque then drop what they name",
        .source = "Vulkan, Ray Opacity Culling; DXR, RAY_FLAG and D3D12_RAYTRACING_INSTANCE_FLAGS",
        .subjects = {"traverse-spec", "traverse"},
-       .fast_seconds = 0.1,
+       .tiers = {.seconds = 0.1},
        .domain = named_domain("all 11,040 defined combinations with such a flag and no ignoring lookup"),
        .mutants = {mutant("FORCE_OPAQUE leaves O, UT and UO of a special index as they are", "traverse-spec",
                           mistaking([](Combination& c) {
@@ -220,11 +214,10 @@ Law last_flag_wins() {
 Law apis_agree() {
   return on_defined(
       {.id = "traverse.apis_agree",
-       .topic = "traverse",
        .says = "EXT, KHR and DXR, pipelines and ray queries, decide alike wherever they define the outcome",
        .source = dxr_and_vulkan,
        .subjects = {"traverse-spec", "traverse"},
-       .fast_seconds = 0.1,
+       .tiers = {.seconds = 0.1},
        .domain = named_domain("the 2,640 defined combinations of an EXT ray query, in the five other APIs"),
        .mutants = {mutant("EXT pipelines have no FORCE_NO_OPAQUE of 2-state maps", "traverse",
                           mistaking([](Combination& c) {

@@ -36,7 +36,6 @@ struct Cases {
 /// The law on numbered cases, at all levels at once.
 template <class Case>
 Law on_cases(Law law, std::vector<Entry> entries, Cases<Case> cases) {
-  law.topic = "traverse";
   law.method = Method::exhaustive;
   law.at_once = "all levels";
   law.unfit = needing(std::move(entries));

@@ -126,14 +126,13 @@ Finding ends(const Substitution& s, Outcome full, Outcome lossy) {
 Law is_conservative() {
   return on_substitutions(
       {.id = "traverse.lossy_is_conservative",
-       .topic = "traverse",
        .says =
            "a state read as unknown ends no ray otherwise, if its shader answers as the full map would: "
            "without force-2-state, unless flags make a T opaque or the ray culls an O by its opacity; with "
            "it, where the state keeps its side, the ray drops both sides, or a shader is asked of a T",
        .source = lossy_source,
        .subjects = {"traverse-spec", "traverse"},
-       .fast_seconds = 0.1,
+       .tiers = {.seconds = 0.1},
        .domain = named_domain("all 1,736 substitutions of KHR traces that leave it to the shader"),
        .mutants = {mutant("the instance's force-2-state reads UO of special indices as UT", "traverse",
                           deciding([](const Combination& c, Outcome o) {
@@ -148,13 +147,12 @@ Law is_conservative() {
 Law shows_without_a_shader() {
   return on_substitutions(
       {.id = "traverse.lossy_shows",
-       .topic = "traverse",
        .says = "everywhere else a state that a lossy map reads as unknown does change the ray, and no shader "
                "can help: a hole is hit, an opaque one is culled or escapes culling, or force-2-state reads "
                "the other side",
        .source = lossy_source,
        .subjects = {"traverse-spec", "traverse"},
-       .fast_seconds = 0.1,
+       .tiers = {.seconds = 0.1},
        .domain = named_domain("all 1,144 substitutions of KHR traces that do not leave it to the shader"),
        .mutants = {mutant("force-2-state leaves UO to the shader", "traverse-spec",
                           deciding([](const Combination& c, Outcome o) {
@@ -169,13 +167,12 @@ Law shows_without_a_shader() {
 Law decides_no_more() {
   return on_substitutions(
       {.id = "traverse.lossy_decides_no_more",
-       .topic = "traverse",
        .says = "traversal accepts or drops by a lossy map what it accepts or drops by the full one, and asks "
                "a shader of the rest, but just where flags make a T opaque, CullNoOpaque drops an O, or "
                "force-2-state reads the other side",
        .source = lossy_source,
        .subjects = {"traverse-spec", "traverse"},
-       .fast_seconds = 0.1,
+       .tiers = {.seconds = 0.1},
        .domain = named_domain("all 2,880 substitutions of KHR traces"),
        .mutants = {mutant("under NoOpaque force-2-state accepts UO without a shader", "traverse",
                           deciding([](const Combination& c, Outcome o) {

@@ -42,15 +42,14 @@ Law many_hits_law() {
   };
   Law law{
       .id = "traverse.blend_many_on_samples",
-      .topic = "traverse",
       .says =
           "where blending waits for the closest accepted hit, exactly the hits before it are blended, as "
           "they are met and as often as they are reported: of up to sixteen, however close their distances",
       .source = "Color and Attribute Micromaps, 4.3, figure 6; Vulkan, Ray Closest Hit Determination",
       .method = Method::sample,
       .subjects = {"traverse-spec", "traverse"},
+      .tiers = {.seconds = 0.3},
       .at_once = "all levels",
-      .fast_seconds = 0.3,
       .domain = named_domain("lists of 1 to 16 hits, by five operations; distances of six kinds, of each "
                              "exponent and units in the last place apart; hits that are as the one before; "
                              "in half of them any payload and any values, each code on its own"),

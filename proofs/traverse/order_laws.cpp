@@ -191,14 +191,13 @@ Law accepted_hit() {
           {o, {}, Reports::once, o == Operation::min ? Values::falling : Values::rising, before});
   return on_cases(
       {.id = "paper.blend_with_accepted_hit",
-       .topic = "traverse",
        .says = "blended as they are met, hits depend on the order just where one lies behind an accepted "
                "hit, or at its distance, the paper's max as well as min and add: of scenes of different "
                "distances 1 of 4 of two hits, 4 of 8 of three, 11 of 16 of four; the smallest is a hit that "
                "blends behind one that is accepted",
        .source = fixed_functions,
        .subjects = {"traverse-as-met"},
-       .fast_seconds = 0.1,
+       .tiers = {.seconds = 0.1},
        .domain =
            named_domain("3 operations, all 170 scenes of one to four hits, two or more at one distance among "
                         "them, each in all its orders; two payloads; values that show what lies behind"),
@@ -275,16 +274,15 @@ Law before_closest() {
             frames.push_back({static_cast<Operation>(o), {}, reports, values, before});
   return on_cases(
       {.id = "traverse.blend_before_closest",
-       .topic = "traverse",
        .says = "where blending waits for the closest accepted hit, exactly the hits before it are blended: "
                "in any order to one payload for max, min and add, for max and min also where hits are "
                "reported twice; multiply and over as they are met",
        .source = fixed_functions,
        .subjects = {"traverse-spec", "traverse"},
-       .fast_seconds = 1,
+       .tiers = {.seconds = 1},
        .domain = named_domain(
            "5 operations, all 4,330 lists of one to four hits at distances that may be the same, in every "
-           "order; max and min reported in three ways; two payloads, three orders of values"),
+           "order; max and min reported in three ways; two payloads, distinct values in three orders"),
        .mutants = {mutant("a hit at the accepted one's distance blends", "traverse-spec",
                           gathering([](std::vector<Hit>& hits) {
                             for (Hit& h : hits) h.distance += h.accepted ? 1 : 0;

@@ -103,13 +103,11 @@ constexpr Format two = Format::two_state, four = Format::four_state;
 
 Law one_apart_law() {
   Law law{.id = "tree.one_apart",
-          .topic = "tree",
           .says = says,
           .source = succinct_4_2,
           .subjects = subjects,
-          .fast = {0, 4},
-          .long_run = {0, 6}};
-  law.fast_seconds = 0.5;
+          .tiers = {.fast = {0, 4}, .long_run = {0, 6}}};
+  law.tiers.seconds = 0.5;
   law.domain = [](const Subject&, Level n) {
     return fmt::format("all maps of level {} of one state but for one node, and the uniform ones", n);
   };
@@ -128,14 +126,12 @@ Law one_apart_law() {
 
 Law one_apart_samples_law() {
   Law law{.id = "tree.one_apart_on_samples",
-          .topic = "tree",
           .says = says,
           .source = succinct_4_2,
           .method = Method::sample,
           .subjects = {"tree-stream", "tree-ranked", "tree-stepwise", "tree-container"},
-          .fast = {5, 12},
-          .long_run = {5, 12}};
-  law.fast_seconds = 1;
+          .tiers = {.fast = {5, 12}, .long_run = {5, 12}}};
+  law.tiers.seconds = 1;
   law.domain = [](const Subject&, Level n) {
     return fmt::format(
         "{} maps of level {} of one state but for one micro-triangle at a word's or the map's end, or for "

@@ -68,13 +68,11 @@ constexpr Format formats[] = {Format::two_state, Format::four_state};
 
 Law canonical_law() {
   Law law{.id = "tree.canonical",
-          .topic = "tree",
           .says = "of all byte strings, a decoder takes the codes of maps and no others, each as its own map",
           .source = succinct_4_1,
           .subjects = {"tree-spec", "tree-stream"},
-          .fast = {0, 4},
-          .long_run = {0, 8}};
-  law.fast_seconds = 0.4;
+          .tiers = {.fast = {0, 4}, .long_run = {0, 8}}};
+  law.tiers.seconds = 0.4;
   law.domain = [](const Subject&, Level) {
     return std::string("all byte strings of up to two bytes, 2-state and 4-state");
   };
@@ -117,15 +115,13 @@ Law canonical_law() {
 
 Law bits_read_law() {
   Law law{.id = "paper.tree_bits_read",
-          .topic = "tree",
           .says =
               "Algorithm 3 reads 1 + sum of (digit x subtree + 1) bits of the largest tree: all of it for "
               "the last index, and 1 + n/2 + 2/3 (4^n - 1) in the mean",
           .source = succinct_6_2,
           .subjects = {"tree-spec"},
-          .fast = {0, 6},
-          .long_run = {0, 7}};
-  law.fast_seconds = 0.3;
+          .tiers = {.fast = {0, 6}, .long_run = {0, 7}}};
+  law.tiers.seconds = 0.3;
   law.domain = [](const Subject&, Level) { return std::string("the 4^n indices of the alternating map"); };
   law.how = exhaustively;
   law.unfit = needing({entry::reads});
@@ -166,16 +162,14 @@ Law bits_read_law() {
 
 Law worst_size_law() {
   Law law{.id = "paper.tree_worst_size",
-          .topic = "tree",
           .says =
               "a map in which no siblings merge takes (4^(n+1)-1)/3 + b 4^n bits, more than flat; tree.sizes "
               "says that none takes more",
           .source = succinct_6_2,
           .subjects = {"tree-spec", "tree-stream"},
-          .fast = {0, 8},
-          .long_run = {0, 10}};
+          .tiers = {.fast = {0, 8}, .long_run = {0, 10}}};
   law.method = Method::witness;
-  law.fast_seconds = 0.3;
+  law.tiers.seconds = 0.3;
   law.domain = [](const Subject&, Level) { return std::string("the alternating map, both formats"); };
   law.unfit = needing({entry::stream});
   law = on_numbered_cases(

@@ -47,19 +47,26 @@ Finding refuses(const TreeSubject& s, const Map& map) {
   return found;
 }
 
-constexpr std::uint64_t apart_maps = 8;
+/// Below this level each map is a case.
+constexpr Level first_sampled = 2;
 
-std::uint64_t samples(Level n) { return n <= 5 ? 40 : n <= 8 ? 10 : 0; }
+std::uint64_t apart_maps(Level n) { return n < first_sampled ? 0 : 8; }
+
+std::uint64_t samples(Level n) { return n < first_sampled ? map_count(n) : n <= 5 ? 40 : n <= 8 ? 10 : 0; }
 
 OneApart apart_number(Level n, std::uint64_t k) {
   return chosen_apart(n, (11 * k + n) % chosen_apart_count(n));
+}
+
+Map map_of_case(Level n, std::uint64_t seed, std::uint64_t k) {
+  if (n < first_sampled) return map_number(n, k);
+  return k < samples(n) ? sample_map(n, seed, k) : map_of(n, apart_number(n, k - samples(n)));
 }
 
 }  // namespace
 
 Law damage_samples_law() {
   Law law{.id = "tree.malformed_on_samples",
-          .topic = "tree",
           .says =
               "a code cut, longer, flipped or of another level is refused or is another map's; in the "
               "paper's form so are equal leaves kept apart, trees too deep and padding that is set, and "
@@ -67,17 +74,18 @@ Law damage_samples_law() {
           .source = succinct_4_2,
           .method = Method::sample,
           .subjects = {"tree-stream", "tree-container"},
-          .fast = {2, 8},
-          .long_run = {2, 10}};
-  law.fast_seconds = 2;
+          .tiers = {.fast = {0, 8}, .long_run = {0, 10}}};
+  law.tiers.seconds = 2;
   law.domain = [](const Subject&, Level n) {
+    if (n < first_sampled)
+      return fmt::format("the {} maps of level {}, some 100 strings each", samples(n), n);
     return samples(n) == 0
                ? fmt::format("{} maps of level {} of one state but for one, some 100 strings each",
-                             apart_maps, n)
+                             apart_maps(n), n)
                : fmt::format(
                      "noise, leaves, blocks, alternating and all-but-one maps of level {}, both formats, and "
                      "{} of one state but for one; some 100 strings each",
-                     n, apart_maps);
+                     n, apart_maps(n));
   };
   law.how = [](const Subject&, Level) { return std::string("sample, by construction"); };
   // Each mutant takes a code that it must refuse, for a map of one state, or refuses one that it must take.
@@ -94,25 +102,19 @@ Law damage_samples_law() {
                       [](Level n, Format, auto bytes, bool) {
                         return n == 6 && bytes.size() > 16 && bytes[5] == 7 ? 1 : 0;
                       })};
-  law = on_cases(std::move(law), {entry::bytes},
-                 {[](Level n) { return samples(n) + apart_maps; },
-                  [](const TreeSubject& s, Level n, std::uint64_t k, const Run& run) {
-                    return refuses(s, k < samples(n) ? sample_map(n, run.seed, k)
-                                                     : map_of(n, apart_number(n, k - samples(n))));
-                  },
-                  [](Level n, std::uint64_t k, const Run& run) {
-                    return k < samples(n) ? text_of_sample(sample_map(n, run.seed, k), run.seed, k)
-                                          : text_of(apart_number(n, k - samples(n)));
-                  },
-                  [](const TreeSubject& s, Level n, const std::string& at) {
-                    if (n == 0) throw BadCase("'" + at + "': it is about level 1 and above");
-                    return refuses(s, map_from_text(n, at));
-                  },
-                  1});
-  law.unfit = [fits = law.unfit](const Subject& s, Level n) -> std::optional<std::string> {
-    if (n < 2) return "tree.malformed has all maps of levels 0 to 2";
-    return fits(s, n);
-  };
+  law = on_cases(
+      std::move(law), {entry::bytes},
+      {[](Level n) { return samples(n) + apart_maps(n); },
+       [](const TreeSubject& s, Level n, std::uint64_t k, const Run& run) {
+         return refuses(s, map_of_case(n, run.seed, k));
+       },
+       [](Level n, std::uint64_t k, const Run& run) {
+         if (n < first_sampled) return text_of_states(map_number(n, k));
+         return k < samples(n) ? text_of_sample(sample_map(n, run.seed, k), run.seed, k)
+                               : text_of(apart_number(n, k - samples(n)));
+       },
+       [](const TreeSubject& s, Level n, const std::string& at) { return refuses(s, map_from_text(n, at)); },
+       1});
   return law;
 }
 

@@ -123,8 +123,10 @@ void any_damage(const Map& map, const Bytes& code, std::size_t thorough, const T
            {code.begin(), code.begin() + static_cast<std::ptrdiff_t>(cut)});
 
   const std::uint8_t any = static_cast<std::uint8_t>(1 + random.below(255));
+  // Some decoders round sizes up.
+  const std::set<std::size_t> longer_by{1, 2, 3, 4, 5, 6, 7, 8, 16, 64, 16 - size % 16, 64 - size % 64};
   for (const std::uint8_t value : {std::uint8_t{0}, std::uint8_t{0xFF}, any})
-    for (const std::size_t more : {1u, 2u, 3u, 4u, 7u, 8u, 16u, 64u}) {
+    for (const std::size_t more : longer_by) {
       Bytes longer = code;
       longer.insert(longer.end(), more, value);
       give(fmt::format("{} bytes {:02x} more,", more, value), longer);
@@ -151,7 +153,7 @@ void any_damage(const Map& map, const Bytes& code, std::size_t thorough, const T
     if (go_on)
       go_on = take({fmt::format("as {}-state of level {},", 1 << bits(format), level), level, format, code});
   };
-  other(n - 1, f);
+  if (n > 0) other(n - 1, f);
   if (n < 12) other(n + 1, f);
   other(n, f == Format::two_state ? Format::four_state : Format::two_state);
 }

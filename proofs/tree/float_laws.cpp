@@ -150,16 +150,13 @@ Law point_exact_on_floats_law() {
   using spec::index::Reading;
   Law law{
       .id = law_id,
-      .topic = "tree",
       .says =
           "a lookup by barycentrics gives the state at the exact reference's index of those very binary32 "
           "numbers",
       .source = "Succinct Opacity Micromaps, 4.2, Algorithm 3; VK_EXT_opacity_micromap, \"Reference Code\"",
       .method = Method::sample,
       .subjects = {"tree-spec", "tree-ranked", "tree-stepwise"},
-      .fast = {0, 12},
-      .long_run = {0, 12},
-      .fast_seconds = 2};
+      .tiers = {.fast = {0, 12}, .long_run = {0, 12}, .seconds = 2}};
   law.cases = [](Level n, const Run& run) { return sizes(n, run).maps * sizes(n, run).pairs; };
   law.domain = [](const Subject&, Level n) {
     return fmt::format(

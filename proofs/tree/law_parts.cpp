@@ -49,7 +49,7 @@ Unfit needing(std::vector<Entry> entries) {
 
 Law on_all_maps(Law law, std::vector<Entry> entries, Check check) {
   law.method = Method::exhaustive;
-  law.fast = law.long_run = {0, 2};
+  law.tiers.fast = law.tiers.long_run = {0, 2};
   law.how = exhaustively;
   law.domain = [](const Subject&, Level n) {
     return fmt::format("all {} maps of level {}", n < 2 ? "2-state and 4-state" : "65,536 2-state", n);
@@ -67,7 +67,7 @@ Law on_all_maps(Law law, std::vector<Entry> entries, Check check) {
 
 Law on_four_state_maps_of_level_2(Law law, std::vector<Entry> entries, Check check) {
   law.method = Method::exhaustive;
-  law.fast = law.long_run = {2, 2};
+  law.tiers.fast = law.tiers.long_run = {2, 2};
   law.long_only = true;
   law.how = exhaustively;
   law.domain = [](const Subject&, Level) { return std::string("all 4^16 4-state maps of level 2"); };

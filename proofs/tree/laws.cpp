@@ -19,11 +19,10 @@ void flip(Bytes& packed, std::size_t bit) {
 Law round_trip_law() {
   return on_all_maps(
       {.id = "tree.round_trip",
-       .topic = "tree",
        .says = "a decoded code is the map that was encoded, and its padding bits are zero",
        .source = succinct_4_2,
        .subjects = {"tree-spec", "tree-stream", "tree-ranked", "tree-stepwise", "tree-container"},
-       .fast_seconds = 1,
+       .tiers = {.seconds = 1},
        .mutants = {mutant("one state of one map of level 2", "tree-stream", {2, 2},
                           decodes_wrongly([](const Map& map, Bytes& packed) {
                             if (is(map, "2-state:0000000000000001")) flip(packed, 0);
@@ -34,11 +33,10 @@ Law round_trip_law() {
 Law lookup_law() {
   return on_all_maps(
       {.id = "tree.lookup_is_decode",
-       .topic = "tree",
        .says = "a lookup at any index gives the state that the map has there",
        .source = succinct_4_2,
        .subjects = {"tree-spec", "tree-stream", "tree-ranked", "tree-stepwise"},
-       .fast_seconds = 2,
+       .tiers = {.seconds = 2},
        .mutants = {mutant("the last index of one map", "tree-ranked", {2, 2},
                           finds_wrongly([](const Map& map, std::uint32_t k, std::uint8_t& state) {
                             if (k == 15 && is(map, "2-state:0111111111111110")) state ^= 1;
@@ -49,11 +47,10 @@ Law lookup_law() {
 Law point_law() {
   return on_all_maps(
       {.id = "tree.point_is_index",
-       .topic = "tree",
        .says = "a lookup by barycentrics gives the state at the reference's index, on lines and corners too",
        .source = succinct_4_2,
        .subjects = {"tree-spec", "tree-ranked", "tree-stepwise"},
-       .fast_seconds = 6,
+       .tiers = {.seconds = 6},
        .mutants = {mutant("a tie of one map", "tree-ranked", {2, 2},
                           finds_points_wrongly([](const Map& map, float u, float v, std::uint8_t& state) {
                             if (u == 0.5f && v == 0.25f && is(map, "2-state:0000000000000010")) state ^= 1;
@@ -63,11 +60,10 @@ Law point_law() {
 
 Law stream_law() {
   return on_all_maps({.id = "tree.equals_spec",
-                      .topic = "tree",
                       .says = "the encoder's bytes are those of Algorithms 1 and 2",
                       .source = succinct_4_1,
                       .subjects = {"tree-stream"},
-                      .fast_seconds = 1,
+                      .tiers = {.seconds = 1},
                       .mutants = {mutant("a bit after the last value", "tree-stream", {2, 2},
                                          writes_wrongly([](const Map& map, Bytes& bytes) {
                                            if (is(map, "2-state:1000000000000000")) bytes.back() ^= 0x80;
@@ -78,11 +74,10 @@ Law stream_law() {
 Law sizes_law() {
   return on_all_maps(
       {.id = "tree.sizes",
-       .topic = "tree",
        .says = "leaves = 3 internal + 1, no more than (4^(n+1)-1)/3 nodes, and no byte more than they need",
        .source = succinct_6_2,
        .subjects = {"tree-spec", "tree-stream"},
-       .fast_seconds = 1,
+       .tiers = {.seconds = 1},
        .mutants = {mutant("the tree of one map ends early", "tree-spec", {1, 1},
                           writes_wrongly([](const Map& map, Bytes& bytes) {
                             if (is(map, "4-state:0123")) bytes = {0x03, 0x00};
@@ -100,12 +95,11 @@ Law damage_law() {
     });
   };
   return on_all_maps({.id = "tree.malformed",
-                      .topic = "tree",
                       .says = "a code cut anywhere, longer by a byte, two, or itself, or with one bit "
                               "flipped is refused or is another map's",
                       .source = succinct_4_2,
                       .subjects = {"tree-spec", "tree-stream", "tree-container"},
-                      .fast_seconds = 6,
+                      .tiers = {.seconds = 6},
                       .mutants = {mutant("takes a set byte after the end of one code", "tree-stream", {1, 1},
                                          takes_all(Format::two_state, 1, {0x00, 0x01, 0xFF}))}},
                      {entry::bytes}, damage);
@@ -114,7 +108,6 @@ Law damage_law() {
 Law four_state_law() {
   return on_four_state_maps_of_level_2(
       {.id = "tree.four_state_level_2",
-       .topic = "tree",
        .says = "round trip and every lookup, for each of the 4^16 4-state maps of level 2",
        .source = succinct_4_2,
        .subjects = {"tree-stream", "tree-stepwise"},
@@ -141,13 +134,10 @@ Law samples_law() {
   };
   Law law = on_samples(
       {.id = "tree.on_samples",
-       .topic = "tree",
        .says = "round trip, lookups by index and by point, and the paper's bytes, on maps of higher levels",
        .source = succinct_4_2,
        .subjects = {"tree-stream", "tree-ranked", "tree-stepwise", "tree-container"},
-       .fast = {2, 12},  // codes of more than 2^24 bits are level 12's alone
-       .long_run = {2, 12},
-       .fast_seconds = 12,
+       .tiers = {.fast = {2, 12}, .long_run = {2, 12}, .seconds = 12},
        .mutants = {mutant("the last index of level 8", "tree-ranked", {8, 8}, at(8, 65535))}},
       {}, [](const TreeSubject& s, const Map& map) {
         const std::uint64_t most = map.level <= 6 ? 4096 : 64;  // lookups in the paper's form are slow

@@ -21,6 +21,7 @@ enum Stream : std::uint64_t {
   bits_of_fields = 90,
   few_indices = 92,
   runs = 94,
+  alike_entries = 96,
 };
 
 template <class Format>
@@ -209,6 +210,18 @@ BlockBytes<Format> with_few_indices(const BlockBytes<Format>& block, Random rand
   return bits_of_values<Format>(values);
 }
 
+/// The block with a run of entries, or all, of which each is the one 1, 2 or 4 before it.
+template <class Format>
+BlockBytes<Format> with_alike_entries(const BlockBytes<Format>& block, Random random) {
+  Values<Format> values = values_of_bits<Format>(block);
+  const std::uint64_t all = entries<Format>, first = random.below(2) == 0 ? 0 : random.below(all),
+                      end = random.below(2) == 0 ? all : first + random.below(all - first + 1),
+                      period = std::uint64_t{1} << random.below(3);
+  for (std::uint64_t k = first + period; k < end; ++k)
+    values[67 + k] = values[67 + k - period] & ((1u << places<Format>[67 + k].bits) - 1);
+  return bits_of_values<Format>(values);
+}
+
 /// Up to 64 bits that follow each other are others: what a decoder has in mind of the block before may be all else.
 template <class Format>
 BlockBytes<Format> with_a_run_drawn_again(BlockBytes<Format> block, Random random) {
@@ -228,6 +241,7 @@ BlockBytes<Format> random_block(std::uint64_t seed, std::uint64_t k) {
     return with_a_run_drawn_again<Format>(random_block<Format>(seed, k - 1),
                                           Random(seed, stream<Format>(runs), k));
   const BlockBytes<Format> block = bits<Format>(Random(seed, stream<Format>(random_bits), k));
+  if (k % 8 == 4) return with_alike_entries<Format>(block, Random(seed, stream<Format>(alike_entries), k));
   return k % 4 == 3 ? with_few_indices<Format>(block, Random(seed, stream<Format>(few_indices), k)) : block;
 }
 

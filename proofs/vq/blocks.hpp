@@ -52,8 +52,8 @@ template <class Format>
 BlockBytes<Format> field_block(std::uint64_t k);
 
 /// Block k of a seed: all bits are random.  Of every fourth the indices are one, but at one place, in one row,
-/// column or quadrant, or on every second place, where they are another; and one entry is another's.  Of every eighth
-/// all but a run of up to 64 bits is as in the block before.
+/// column or quadrant, or on every second place, where they are another; and one entry is another's.  Of one in eight
+/// a run of entries repeats every one, two or four.  Of another one all but a run of up to 64 bits is as in the block before.
 template <class Format>
 BlockBytes<Format> random_block(std::uint64_t seed, std::uint64_t k);
 

@@ -150,13 +150,11 @@ Law codes_law() {
   cases.chunk = 4096;
   return on_cases(
       {.id = "vq.codes",
-       .topic = "vq",
        .says = "a code word decodes by figure 4 and table 2, and encoding that gives the least word that "
                "means it; O and T are written where each has its palette, and nowhere else",
        .source = "Compressed Opacity Maps, figure 4, 5.1 and table 2",
        .subjects = {"vq-spec"},
-       .fast = both_sides,
-       .fast_seconds = 1,
+       .tiers = {.fast = both_sides, .seconds = 1},
        .domain =
            [](const Subject&, Level n) {
              return std::string(n == 1 ? "all words of 5 bits; O at one region, T at another, C elsewhere"

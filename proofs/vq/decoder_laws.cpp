@@ -36,7 +36,7 @@ Law on_blocks(Law law, std::function<std::uint64_t(const Run&)> count, BlockOfNu
   cases.check = std::move(check);
   cases.chunk = chunk;
   law.source = figure_11;
-  law.fast = level_alone<Format>;
+  law.tiers.fast = level_alone<Format>;
   return on_cases(std::move(law), lacks_decoder<Format>, cases);
 }
 
@@ -121,15 +121,15 @@ template <class Format>
 Law region_law(const char* id, std::vector<Mutant> mutants) {
   return on_blocks<Format>(
       {.id = id,
-       .topic = "vq",
        .says = both_ways_say,
        .subjects = {"vq-spec", "vq"},
-       .fast_seconds = Format::side == 2 ? 0.1 : 1.5,
+       .tiers = {.seconds = Format::side == 2 ? 0.1 : 1.5},
        .domain =
            [](const Subject&, Level) {
              return fmt::format(
                  "every region; each transform of each quadrant with each entry and {}, the other entries at "
-                 "others; each index at each place under all 512 transform triples, any two index fields "
+                 "others and seldom equal; each index at each place under all 512 transform triples, any two "
+                 "index fields "
                  "with all pairs of values{}",
                  Format::side == 2 ? "all its words"
                                    : "its words that have at most three of 20 bits set or clear",
@@ -148,15 +148,15 @@ template <class Format>
 Law other_bits_law(const char* id, std::vector<std::string> subjects, std::vector<Mutant> mutants) {
   return on_blocks<Format>(
       {.id = id,
-       .topic = "vq",
        .says =
            "a region's state depends on its own index, transform and entry, and on no other bit of the block",
        .subjects = std::move(subjects),
-       .fast_seconds = Format::side == 2 ? 0.3 : 0.5,
+       .tiers = {.seconds = Format::side == 2 ? 0.3 : 0.5},
        .domain =
            [](const Subject&, Level) {
              return fmt::format(
-                 "{} blocks: every region, with each value of its index, of its transform and of the two "
+                 "{} blocks of random bits: every region, with each value of its index, of its transform and "
+                 "of the two "
                  "bits of its entry beside either value of every other bit",
                  scattered_blocks<Format>);
            },
@@ -169,16 +169,17 @@ template <class Format>
 Law random_law(const char* id, std::uint64_t fast, std::uint64_t long_run) {
   return on_blocks<Format>(
       {.id = id,
-       .topic = "vq",
        .says =
            "a block decodes to its map, whole and region by region, whichever regions are asked for together",
        .method = Method::sample,
        .subjects = {"vq"},
-       .fast_seconds = 0.3,
+       .tiers = {.seconds = 0.3},
        .domain =
            [](const Subject&, Level) {
              return std::string(
-                 "blocks of random bits, one in four with two indices in a pattern and an entry twice; a "
+                 "blocks of random bits, one in four with two indices in a pattern and an entry twice, one "
+                 "in eight "
+                 "with entries that repeat; a "
                  "region alone, up to 40 with repetitions, all in another order");
            },
        .mutants = {mutant("the last of a call whose size is odd, where it is asked for twice in turn", "vq",
@@ -196,7 +197,6 @@ Law every_word_law() {
   const auto word_of = [](const Vq4& fields, std::uint32_t index) { return fields.codebook[index - 3]; };
   return on_blocks<Vq4>(
       {.id = "vq4.every_code_word",
-       .topic = "vq",
        .says = "both ways to decode, for every code word of every entry",
        .subjects = {"vq"},
        .domain =

@@ -113,8 +113,7 @@ Law on_maps(Law law, std::function<std::uint64_t(const Run&)> count,
   };
   cases.check = std::move(check);
   cases.chunk = 4;
-  law.topic = "vq";
-  law.fast = level_alone<Format>;
+  law.tiers.fast = level_alone<Format>;
   return on_cases(std::move(law), lacks, cases);
 }
 

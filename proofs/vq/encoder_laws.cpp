@@ -54,12 +54,11 @@ Law alone_law() {
   };
   return on_maps<Vq2>(
       {.id = "vq2.conservative",
-       .topic = "vq",
        .says = conservative_says,
        .source = section_3,
        .method = Method::exhaustive,
        .subjects = {"vq2-optimal", "vq2-paper"},
-       .fast_seconds = 2,
+       .tiers = {.seconds = 2},
        .domain =
            [](const Subject&, Level) {
              return std::string(
@@ -98,12 +97,11 @@ Law pairs_law() {
   };
   return on_maps<Vq2>(
       {.id = "vq2.conservative_in_pairs",
-       .topic = "vq",
        .says = conservative_says,
        .source = section_3,
        .method = Method::exhaustive,
        .subjects = {"vq2-optimal"},
-       .fast_seconds = 1,
+       .tiers = {.seconds = 1},
        .domain =
            [](const Subject&, Level) {
              return std::string("every pair of the 81 vectors of 2x2 in every two quadrants of a map of T");
@@ -123,12 +121,11 @@ Law odd_region_law() {
   };
   return on_maps<Vq4>(
       {.id = "vq4.conservative",
-       .topic = "vq",
        .says = conservative_says,
        .source = section_3,
        .method = Method::exhaustive,
        .subjects = {"vq4-fast", "vq4-balanced", "vq4-thorough", "vq4-paper"},
-       .fast_seconds = 3,
+       .tiers = {.seconds = 3},
        .domain = [](const Subject&,
                     Level) { return std::string("each region, alone in each state of each uniform map"); },
        .mutants = {mutant("the last region, O in T, is T", "vq4-fast", level_alone<Vq4>,
@@ -141,12 +138,11 @@ template <class Format>
 Law conservative_on_samples(const char* id, std::vector<std::string> subjects, std::uint64_t fast,
                             std::uint64_t long_run, std::vector<Mutant> mutants) {
   return on_maps<Format>({.id = id,
-                          .topic = "vq",
                           .says = conservative_says,
                           .source = section_3,
                           .method = Method::sample,
                           .subjects = std::move(subjects),
-                          .fast_seconds = 1,
+                          .tiers = {.seconds = 1},
                           .domain = sample_maps<Format>(),
                           .mutants = std::move(mutants)},
                          cases_of(fast, long_run), sample_map<Format>, conservative<Format>);
@@ -157,12 +153,11 @@ Law lossless_law(const char* id, const char* source, std::vector<std::string> su
                  std::uint64_t long_run, std::vector<Mutant> mutants) {
   return on_maps<Format>(
       {.id = id,
-       .topic = "vq",
        .says = "the map of a block is encoded without a substitution",
        .source = source,
        .method = Method::sample,
        .subjects = std::move(subjects),
-       .fast_seconds = 1,
+       .tiers = {.seconds = 1},
        .domain =
            [](const Subject&, Level) {
              return std::string(
@@ -178,12 +173,11 @@ template <class Format>
 Law reencode_law(const char* id, const char* source, std::vector<std::string> subjects, std::uint64_t fast,
                  std::uint64_t long_run, std::vector<Mutant> mutants) {
   return on_maps<Format>({.id = id,
-                          .topic = "vq",
                           .says = "the map of an encoder's own block loses nothing more",
                           .source = source,
                           .method = Method::sample,
                           .subjects = std::move(subjects),
-                          .fast_seconds = 1,
+                          .tiers = {.seconds = 1},
                           .domain = sample_maps<Format>(),
                           .mutants = std::move(mutants)},
                          cases_of(fast, long_run), sample_map<Format>, keeps_what_it_made<Format>,
@@ -194,12 +188,11 @@ template <class Format>
 Law effort_law(const char* id, const char* says, const char* source, std::vector<std::string> subjects,
                std::uint64_t fast, std::uint64_t long_run, std::vector<Mutant> mutants) {
   return on_maps<Format>({.id = id,
-                          .topic = "vq",
                           .says = says,
                           .source = source,
                           .method = Method::sample,
                           .subjects = std::move(subjects),
-                          .fast_seconds = 1,
+                          .tiers = {.seconds = 1},
                           .domain = sample_maps<Format>(),
                           .mutants = std::move(mutants)},
                          cases_of(fast, long_run), sample_map<Format>, keeps_its_promise<Format>,
@@ -213,12 +206,11 @@ Law effort_law(const char* id, const char* says, const char* source, std::vector
 
 Law optimum_law() {
   return on_maps<Vq2>({.id = "vq2.optimum",
-                       .topic = "vq",
                        .says = "no block needs fewer substitutions, by a solver that tries all",
                        .source = section_6,
                        .method = Method::sample,
                        .subjects = {"vq2-optimal"},
-                       .fast_seconds = 1,
+                       .tiers = {.seconds = 1},
                        .domain = sample_maps<Vq2>(),
                        .mutants = {mutant("gives up a vector under Rotate 90 in TR", "vq2-optimal",
                                           level_alone<Vq2>, gives_up_a_vector<Vq2>(1, 1)),
@@ -241,12 +233,11 @@ Law bound_law() {
   };
   return on_maps<Vq4>(
       {.id = "vq4.bound",
-       .topic = "vq",
        .says = "no encoder is below the bound, and the one beside it is not worse than the most effort",
        .source = section_6,
        .method = Method::sample,
        .subjects = {"vq4-proved"},
-       .fast_seconds = 0.5,
+       .tiers = {.seconds = 0.5},
        .domain = sample_maps<Vq4>(),
        .mutants = {vq4("gives up a vector of TL", gives_up_a_vector<Vq4>(0, 0)),
                    vq4("gives up a vector of BR where it is not turned", gives_up_a_vector<Vq4>(3, 0)),

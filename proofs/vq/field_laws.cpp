@@ -67,7 +67,7 @@ Law law_of_fields(Law law, std::uint64_t count, std::function<Values<Format>(std
   cases.check = lie_in_their_places<Format>;
   cases.chunk = 4096;
   law.source = figure_11;
-  law.fast = level_alone<Format>;
+  law.tiers.fast = level_alone<Format>;
   return on_cases(std::move(law), lacks_fields<Format>, cases);
 }
 
@@ -75,12 +75,11 @@ template <class Format>
 Law bits_law(const char* id, std::vector<Mutant> mutants) {
   return law_of_fields<Format>(
       {.id = id,
-       .topic = "vq",
        .says = fmt::format(
            "the fields of a block fill its {} bits, each with its own, and every block has fields",
            Format::bits),
        .subjects = {"vq-spec"},
-       .fast_seconds = Format::side == 2 ? 0.3 : 1.5,
+       .tiers = {.seconds = Format::side == 2 ? 0.3 : 1.5},
        .domain =
            [](const Subject&, Level) {
              return std::string("all blocks with at most two bits set or at most two clear");
@@ -93,10 +92,9 @@ template <class Format>
 Law values_law(const char* id, std::vector<Mutant> mutants) {
   return law_of_fields<Format>(
       {.id = id,
-       .topic = "vq",
        .says = "a field of a block holds each of its values, the others whatever theirs are",
        .subjects = {"vq-spec"},
-       .fast_seconds = 0.1,
+       .tiers = {.seconds = 0.1},
        .domain =
            [](const Subject&, Level) {
              return fmt::format(

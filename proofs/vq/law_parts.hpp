@@ -40,10 +40,9 @@ using Lacks = std::function<std::optional<std::string>(const VqSubject&)>;
 /// The law on numbered cases.  Its levels are those of `fast`, in the long tier as well.
 template <class Case>
 Law on_cases(Law law, Lacks lacks, Cases<Case> cases) {
-  law.topic = "vq";
-  law.long_run = law.fast;
+  law.tiers.long_run = law.tiers.fast;
   law.unfit = unless_of_topic<VqSubject>(
-      [lacks, levels = law.fast](const VqSubject& s, Level n) -> std::optional<std::string> {
+      [lacks, levels = law.tiers.fast](const VqSubject& s, Level n) -> std::optional<std::string> {
         if (n >= levels.first && n <= levels.last) return lacks(s);
         return fmt::format("2^level regions lie along a side: it is about level{} {}{}",
                            levels.first == levels.last ? "" : "s", levels.first,

@@ -128,6 +128,19 @@ Map<Format> one_odd_region(Random& random) {
   return map;
 }
 
+/// One vector of any states everywhere, or two in turn.
+template <class Format>
+Map<Format> tiled(Random& random) {
+  std::array<Vector<Format::side>, 2> tiles;
+  for (auto& tile : tiles)
+    for (State& s : tile) s = any_state(random);
+  if (random.below(2) == 0) tiles[1] = tiles[0];
+  Map<Format> map;
+  for (std::uint32_t vector = 0; vector < 64; ++vector)
+    put<Format>(map, vector, tiles[(vector % 8 + vector / 8) % 2]);
+  return map;
+}
+
 /// Fills indices and codes.  `few`: each quadrant has two to four indices of its own choice.
 template <class Format>
 void fill(Format& fields, bool few, Random& random) {
@@ -274,6 +287,9 @@ Map<Format> sample_map(std::uint64_t seed, std::uint64_t k) {
       return few_vectors<Format>(random);
     case 12:
       return uniform<Format>(random);
+    case 11:
+    case 28:
+      return tiled<Format>(random);
     case 13:
     case 29:
       return one_odd_region<Format>(random);

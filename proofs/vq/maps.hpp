@@ -16,8 +16,8 @@ void put(Map<Format>& map, std::uint32_t vector, const Vector<Format::side>& v);
 
 /// Sample k of a seed, the same everywhere: shapes with a wide outline, with O beside T, two at once, a
 /// quadrant repeated and turned; in each 32, a uniform map, two with one odd region, two of a few vectors
-/// repeated and turned, four that are a block's but for up to three regions, and noise, which takes encoders
-/// longest.
+/// repeated and turned, two of one vector or of two in turn, four that are a block's but for up to three regions, and
+/// noise, which takes encoders longest.
 template <class Format>
 Map<Format> sample_map(std::uint64_t seed, std::uint64_t k);
 

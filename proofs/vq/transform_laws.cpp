@@ -124,13 +124,11 @@ Law transforms_law() {
   constexpr std::integral_constant<std::size_t, 4> four{};
   return on_cases(
       {.id = "vq.transforms",
-       .topic = "vq",
        .says = "table 1's rows do what it says they result in, and are the symmetries of the square: closed, "
                "each with its inverse",
        .source = "Compressed Opacity Maps, 4.1, table 1",
        .subjects = {"vq-spec"},
-       .fast = both_sides,
-       .fast_seconds = 0.1,
+       .tiers = {.fast = both_sides, .seconds = 0.1},
        .domain =
            [](const Subject&, Level n) {
              return fmt::format(

@@ -130,12 +130,10 @@ Law vectors_law() {
   };
   return on_cases(
       {.id = "vq.vectors",
-       .topic = "vq",
        .says = "31 of the 2x2 vectors and 231,713 of the 4x4 ones hold no O beside T, diagonals included",
        .source = "Compressed Opacity Maps, 4 and 5.1",
        .subjects = {"vq-spec"},
-       .fast = both_sides,
-       .fast_seconds = 1,
+       .tiers = {.fast = both_sides, .seconds = 1},
        .domain =
            [](const Subject&, Level n) {
              return fmt::format("all {} vectors of {} regions, by their first row", n == 1 ? "3^4" : "3^16",

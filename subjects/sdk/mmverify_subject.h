@@ -524,11 +524,11 @@ typedef struct mmverify_subject {
 
   /* Changes of arrays, after which each triangle of each geometry resolves as before.  Arrays are bytes as in
    * mmverify_array_parts, before and after; the size is returned, as by tree_encode.  Every plain index names a
-   * record, every record's bytes lie in the data.
+   * record, every record's bytes lie in the data; records may share bytes.
    *   compact      drops unused records, and bytes that no record uses
    *   reorder      all records, those in use first, in the order of their first use
    *   concatenate  two arrays, whose bytes follow each other: the first's records and geometries, then the second's
-   * After compact and reorder the data has no gaps and no bytes behind the last record's. */
+   * After compact and reorder every byte of the data is a record's. */
   size_t (*array_compact)(const uint8_t* array, size_t array_size, uint8_t* changed, size_t capacity);
   size_t (*array_reorder)(const uint8_t* array, size_t array_size, uint8_t* changed, size_t capacity);
   size_t (*array_concatenate)(const uint8_t* arrays, size_t arrays_size, uint8_t* changed, size_t capacity);

@@ -136,10 +136,11 @@ std::optional<Result> refutation(const Asks& asks, const std::vector<SubjectPtr>
   run.options = {&index::in_fixed_point_alone};  // the slow numbers are for the right ones
   run.until_refuted = true;
   if (asks.level) {
-    EXPECT_LE(*asks.level, law.fast.last) << law.id;
+    EXPECT_LE(*asks.level, law.tiers.fast.last) << law.id;
   }
   for (const SubjectPtr& s : subjects)
-    for (Level n = asks.level.value_or(law.fast.first); n <= asks.level.value_or(law.fast.last); ++n) {
+    for (Level n = asks.level.value_or(law.tiers.fast.first); n <= asks.level.value_or(law.tiers.fast.last);
+         ++n) {
       Result r = run_level(law, *s, n, run);
       if (r.verdict == Verdict::refuted || r.verdict == Verdict::broken) return r;
     }
@@ -186,11 +187,12 @@ TEST_P(RightForeigner, PassesEveryLawAndEachKnowsThreeOfItsFaults) {
       // As far as a test can afford: a library of another hand is slow, and ./run prove runs every level of ours.
       const bool bakes = law.topic == "bake" || law.id.starts_with("attribute.bake_") ||
                          law.id == "attribute.face_mean_is_parent";
-      const Level first = law.fast.first,
+      const Level first = law.tiers.fast.first,
                   few = law.topic == "index" ? 5
                         : bakes              ? 0
                                              : 1,
-                  last = law.method == Method::sample ? first : std::max(first, std::min(law.fast.last, few));
+                  last = law.method == Method::sample ? first
+                                                      : std::max(first, std::min(law.tiers.fast.last, few));
       for (Level n = first; n <= last; ++n) {
         if (law.unfit(*s, n)) continue;
         fits = true;

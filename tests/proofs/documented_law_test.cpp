@@ -16,7 +16,7 @@ using Asked = Run;
 TEST(DocumentedLaw, HoldsAndCanFail) {
   const Law law = index::last_law();
   for (const std::string& name : law.subjects)
-    for (Level n = law.fast.first; n <= law.fast.last; ++n)
+    for (Level n = law.tiers.fast.first; n <= law.tiers.fast.last; ++n)
       EXPECT_EQ(run_level(law, *find_subject(name), n, Asked{}).verdict, Verdict::proved) << name << " " << n;
   for (const MutantResult& m : run_mutants(law, Asked{})) EXPECT_TRUE(m.killed) << m.mutant;
 }

@@ -55,12 +55,12 @@ inline bool too_long_under_sanitizers(const Law& law) {
   if (!sanitized) return false;
   if (law.topic == "vq" || law.topic == "bake")
     return law.id == "vq.vectors" || law.method == Method::sample ||
-           law.cases(law.fast.last, Asked{}) > 5'000;
+           law.cases(law.tiers.fast.last, Asked{}) > 5'000;
   return law.id == "tree.all_levels" || law.id == "dag.all_levels" || law.id == "index.wide_is_vulkan" ||
          law.id == "index.floats" || law.id == "index.row_floats" ||
          law.id == "index.published_differs_where" ||
          (law.topic == "attribute" && law.method == Method::induction) ||
-         (law.method == Method::sample && law.cases(law.fast.first, Asked{}) > 50'000);
+         (law.method == Method::sample && law.cases(law.tiers.fast.first, Asked{}) > 50'000);
 }
 #define SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law) \
   if (too_long_under_sanitizers(law)) GTEST_SKIP() << "too long; the release build runs it"
@@ -69,7 +69,7 @@ inline bool too_long_under_sanitizers(const Law& law) {
 inline std::string lacking(const Law& law) {
   std::string why;
   for (const std::string& name : law.subjects) {
-    const auto unfit = law.unfit ? law.unfit(*find_subject(name), law.fast.first) : std::nullopt;
+    const auto unfit = law.unfit ? law.unfit(*find_subject(name), law.tiers.fast.first) : std::nullopt;
     if (!unfit) return {};
     why = *unfit;
   }

@@ -88,7 +88,7 @@ std::vector<Probes> entries() {
 }
 
 bool fits(const Law& law, const Subject& subject) {
-  for (Level n = law.long_run.first; n <= law.long_run.last; ++n)
+  for (Level n = law.tiers.long_run.first; n <= law.tiers.long_run.last; ++n)
     if (!law.unfit(subject, n)) return true;
   return false;
 }

@@ -34,7 +34,8 @@ std::uint64_t promised(const std::string& domain, Level n) {
 
 TEST_P(ExhaustiveIndexLaw, CountsTheCasesThatItsDomainPromises) {
   for (const std::string& name : law.subjects)
-    for (Level n = law.fast.first; n <= std::max(law.fast.first, std::min(law.fast.last, 4u)); ++n) {
+    for (Level n = law.tiers.fast.first;
+         n <= std::max(law.tiers.fast.first, std::min(law.tiers.fast.last, 4u)); ++n) {
       const Result r = run_level(law, *find_subject(name), n, Asked{});
       if (r.verdict == Verdict::not_applicable) continue;
       EXPECT_EQ(r.cases_run(), promised(r.domain, n)) << name << " level " << n << ": " << r.domain;

@@ -35,9 +35,9 @@ bool is_run(const Law& law) {
 /// The highest level, and the one below, with few cases; the lowest level if each has many.
 std::vector<Level> levels_of(const Law& law) {
   std::vector<Level> levels;
-  for (Level n = law.fast.last + 1; n-- > law.fast.first && levels.size() < 2;)
+  for (Level n = law.tiers.fast.last + 1; n-- > law.tiers.fast.first && levels.size() < 2;)
     if (law.cases(n, Asked{}) <= few) levels.push_back(n);
-  if (levels.empty()) levels.push_back(law.fast.first);
+  if (levels.empty()) levels.push_back(law.tiers.fast.first);
   return levels;
 }
 

@@ -59,7 +59,7 @@ TEST(Topics, ARowSaysWhatItsTopicHas) {
     std::set<std::string> families;
     for (const Law& law : topic.laws()) {
       EXPECT_EQ(law.topic, topic.name) << law.id;
-      EXPECT_LE(law.long_run.last, topic.highest) << law.id;
+      EXPECT_LE(law.tiers.long_run.last, topic.highest) << law.id;
       families.insert(law.id.substr(0, law.id.find('.')));
     }
     EXPECT_EQ(families, std::set<std::string>(topic.families.begin(), topic.families.end())) << topic.name;
@@ -88,11 +88,11 @@ TEST_P(EveryLaw, SaysWhatItIs) {
   EXPECT_FALSE(law.source.empty());
   EXPECT_TRUE(law.id.starts_with(law.topic + ".") || law.id.starts_with("paper.") ||
               law.id.starts_with("lossy.") || law.id.starts_with("vq2.") || law.id.starts_with("vq4."));
-  EXPECT_LE(law.fast.first, law.fast.last);
-  EXPECT_LE(law.long_run.first, law.fast.first);
-  EXPECT_LE(law.fast.last, law.long_run.last);
-  EXPECT_LE(law.long_run.last, max_level());
-  EXPECT_TRUE(law.long_only || law.fast_seconds > 0);
+  EXPECT_LE(law.tiers.fast.first, law.tiers.fast.last);
+  EXPECT_LE(law.tiers.long_run.first, law.tiers.fast.first);
+  EXPECT_LE(law.tiers.fast.last, law.tiers.long_run.last);
+  EXPECT_LE(law.tiers.long_run.last, max_level());
+  EXPECT_TRUE(law.long_only || law.tiers.seconds > 0);
   EXPECT_FALSE(law.subjects.empty());
   for (const std::string& name : law.subjects) {
     ASSERT_NE(find_subject(name), nullptr) << name;
@@ -108,7 +108,7 @@ TEST_P(FastLaw, HoldsOfItsOwnSubject) {
   SKIP_WHAT_THIS_BUILD_LACKS(law);
   SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
   const Verdict passed = law.method == Method::sample ? Verdict::checked : Verdict::proved;
-  const Level last = std::max(std::min(law.fast.last, small), law.fast.first);
+  const Level last = std::max(std::min(law.tiers.fast.last, small), law.tiers.fast.first);
   // A sample is as large at every level; the first and the last one will do.
   const Level stride = law.method == Method::sample ? std::max(last, 1u) : 1;
   // The law's code is the same for each, and each subject has tests of its own.
@@ -123,7 +123,7 @@ TEST_P(FastLaw, HoldsOfItsOwnSubject) {
     const Result r = run_level(law, *find_subject(name), n, run);
     if (r.verdict == Verdict::not_applicable) {
       // Levels of its own it must run.
-      EXPECT_LT(n, law.fast.first) << r.reason;
+      EXPECT_LT(n, law.tiers.fast.first) << r.reason;
       continue;
     }
     ++applied;
@@ -145,7 +145,7 @@ TEST_P(FastLaw, RefutesNothingThatAnInterruptCutShort) {
   SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
   std::raise(SIGINT);
   for (const std::string& name : law.subjects) {
-    const Result r = run_level(law, *find_subject(name), law.fast.last, Asked{});
+    const Result r = run_level(law, *find_subject(name), law.tiers.fast.last, Asked{});
     EXPECT_NE(r.verdict, Verdict::refuted) << name;
     if (r.verdict != Verdict::incomplete) {
       EXPECT_EQ(r.cases_run(), r.cases_expected) << name;
@@ -170,7 +170,7 @@ TEST_P(EveryLaw, HasThreeMutantsOrFaultsOfAnotherHandAndOneThatOnlyHigherLevelsS
   const bool has_faults = laws_of_foreign_faults.find(" " + law.id + "@") != std::string::npos ||
                           laws_of_foreign_faults.find(" " + law.id + " ") != std::string::npos;
   EXPECT_GE(law.mutants.size(), has_faults ? 1u : 3u);
-  if (law.fast.last > 3 && !has_faults) {
+  if (law.tiers.fast.last > 3 && !has_faults) {
     EXPECT_TRUE(std::any_of(law.mutants.begin(), law.mutants.end(),
                             [](const Mutant& m) { return m.levels.last > 3; }));
   }
@@ -188,9 +188,9 @@ TEST_P(FastLaw, CountsAndDigestAreTheSameForOneThreadAndTwo) {
     GTEST_SKIP()
         << "a prover's statements are no chunks; ./run gate holds their count and digest on all threads";
   // Several chunks, so that two threads have something to share.
-  Level n = law.method != Method::exhaustive ? std::min(law.fast.first + 1, law.fast.last) : 8;
+  Level n = law.method != Method::exhaustive ? std::min(law.tiers.fast.first + 1, law.tiers.fast.last) : 8;
   if (law.id.starts_with("paper.")) n = 7;  // each wrong answer costs a counterexample
-  if (law.topic != "index") n = std::min(n, law.fast.last);
+  if (law.topic != "index") n = std::min(n, law.tiers.fast.last);
   if (law.id == "tree.malformed") n = 1;  // each of level 2's 65,536 maps is decoded dozens of times
   const SubjectPtr subject = find_subject(law.subjects.front());
   // Of thousands of optima in chunks of 16, hundreds are chunks enough; of a million cells an eighth.

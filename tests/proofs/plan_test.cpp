@@ -79,9 +79,9 @@ TEST(Plan, SubjectsMeetTheLawsOfTheirTopic) {
 TEST(Plan, LevelsAreThoseAskedForOrTheTiers) {
   Request request;
   request.laws = {find_law("index.in_range")};
-  EXPECT_EQ(plan(request).front().levels, request.laws.front()->fast);
+  EXPECT_EQ(plan(request).front().levels, request.laws.front()->tiers.fast);
   request.tier = Tier::long_run;
-  EXPECT_EQ(plan(request).front().levels, request.laws.front()->long_run);
+  EXPECT_EQ(plan(request).front().levels, request.laws.front()->tiers.long_run);
   request.levels = Levels{2, 3};
   EXPECT_EQ(plan(request).front().levels, (Levels{2, 3}));
 }

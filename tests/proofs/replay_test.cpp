@@ -77,7 +77,7 @@ TEST_P(Replay, KillsItsMutantsShowsTheirCounterexamplesAndAcquitsTheRightSubject
     }
     EXPECT_TRUE(killed) << mutant.name;
   }
-  if (!sanitized && law.fast.last > 3) {
+  if (!sanitized && law.tiers.fast.last > 3) {
     EXPECT_GT(highest, 3u);
   }
 }
@@ -95,10 +95,10 @@ TEST_P(Replay, ShowsTheCounterexamplesOfEverySubject) {
     if (law.method == Method::sample && !s->name().starts_with("step-f")) continue;
     std::vector<Level> levels{4};
     if (law.method == Method::exhaustive) levels = {1, 2, 3, 4};
-    if (law.topic == "vq") levels = {law.fast.first};  // each has as many cases
-    if (law.topic == "bake") levels = {1};             // in rationals, and with a picture each
+    if (law.topic == "vq") levels = {law.tiers.fast.first};  // each has as many cases
+    if (law.topic == "bake") levels = {1};                   // in rationals, and with a picture each
     if (law.id == "tree.malformed") levels = {1};  // each of level 2's 65,536 maps is decoded dozens of times
-    if (law.topic == "attribute") std::erase_if(levels, [&](Level n) { return n > law.fast.last; });
+    if (law.topic == "attribute") std::erase_if(levels, [&](Level n) { return n > law.tiers.fast.last; });
     if (s->name().ends_with("-f16")) levels.push_back(rounded_by_binary16);
     for (const Level n : levels) {
       const Result r = run_level(law, *s, n, until_refuted(law.topic == "bake" ? 4 : 40));

@@ -112,8 +112,8 @@ std::optional<std::uint64_t> family_spot(const BakeCase& one) {
 }
 
 const char* family_domain() {
-  return "all 81 2x2 textures over 0, 101, 255 in each channel, 8 pairs of addressing modes, linear and "
-         "sRGB, 7 triangles";
+  return "all 81 2x2 textures over 0, 101, 255 in each channel, 8 pairs of addressing modes, a grey border, "
+         "linear and sRGB, 7 triangles";
 }
 
 BakeCase sample_case(std::uint64_t seed, Level n, std::uint64_t k) {

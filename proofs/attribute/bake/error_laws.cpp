@@ -135,15 +135,12 @@ Law error_law() {
   cases.chunk = 1;
   return on_cases(
       {.id = "attribute.error_is_bound",
-       .topic = "attribute",
        .says = "no point of a map is further from the texture than its stated largest error, which is the "
                "exact one, as is the mean square, up to the slack that is declared",
        .source = "spec/attribute/error.hpp; Color and Attribute Micromaps, 6.3",
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 2},
-       .long_run = {0, 3},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 2}, .long_run = {0, 3}, .seconds = 1},
        .domain =
            [](const Subject&, Level) {
              return std::string("faces and vertices of sampled cases, 2x2 to 5x5 texels, each at 337 points");
@@ -190,14 +187,11 @@ Law light_law() {
   };
   return on_cases(
       {.id = "attribute.srgb_table",
-       .topic = "attribute",
        .says = "linear light of each code, and of each middle between two, is the nearest of 2^24 to the "
                "sRGB curve: x >= r^(12/5) where x^5 >= r^12",
        .source = "IEC 61966-2-1; spec/attribute/colour.hpp",
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 0},
-       .long_run = {0, 0},
-       .fast_seconds = 0.1,
+       .tiers = {.fast = {0, 0}, .long_run = {0, 0}, .seconds = 0.1},
        .domain = [](const Subject&, Level) { return std::string("the 256 codes and the 255 middles"); },
        .how = [](const Subject&, Level) { return std::string("exhaustive, whole numbers"); },
        .mutants = {mutant(

@@ -144,14 +144,11 @@ const auto rows_from_below = [](BakeCase& one) {
 
 Law vertex_law() {
   return on_cases({.id = "attribute.bake_vertex",
-                   .topic = "attribute",
                    .says = "a micro-vertex has what the sampler gives there, bilinear or nearest, as the "
                            "code it is rounded to, half up",
                    .source = cam_5,
                    .subjects = {"attribute"},
-                   .fast = {0, 2},
-                   .long_run = {0, 4},
-                   .fast_seconds = 1,
+                   .tiers = {.fast = {0, 2}, .long_run = {0, 4}, .seconds = 1},
                    .domain = [](const Subject&, Level) { return std::string(family_domain()); },
                    .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
                    .mutants = {mutant("what lies in the middle is rounded down", "attribute", {1, 1},
@@ -161,14 +158,11 @@ Law vertex_law() {
 
 Law face_law() {
   return on_cases({.id = "attribute.bake_face",
-                   .topic = "attribute",
                    .says = "a face has the mean of the texels under it, each by its share of the area, as "
                            "the code it is rounded to, half up",
                    .source = cam_5,
                    .subjects = {"attribute"},
-                   .fast = {0, 2},
-                   .long_run = {0, 4},
-                   .fast_seconds = 1,
+                   .tiers = {.fast = {0, 2}, .long_run = {0, 4}, .seconds = 1},
                    .domain = [](const Subject&, Level) { return std::string(family_domain()); },
                    .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
                    .mutants = {mutant("the texels whose centres lie inside, each the same", "attribute",
@@ -217,15 +211,12 @@ Law floats_law() {
   cases.chunk = 4;
   return on_cases(
       {.id = "attribute.bake_on_floats",
-       .topic = "attribute",
        .says = "micro-vertices and faces are exact on binary32's coordinates, directions are made one unit "
                "long again and the mean's length is kept",
        .source = std::string(cam_5) + "; glTF 2.0, normalTexture",
        .method = Method::sample,
        .subjects = {"attribute"},
-       .fast = {0, 7},
-       .long_run = {0, 9},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 7}, .long_run = {0, 9}, .seconds = 1},
        .domain =
            [](const Subject&, Level) {
              return std::string(

@@ -154,14 +154,11 @@ Law graded_law() {
   cases.check = is_graded;
   return on_cases(
       {.id = "attribute.plan_graded",
-       .topic = "attribute",
        .says = "where levels suffice from a wanted one on, each triangle gets the greatest of wanted(s) less "
                "the edges between, neighbours differ by one at most, and flags say on which edges",
        .source = "Color and Attribute Micromaps, 3.2; spec/attribute/plan.hpp",
        .subjects = {"attribute"},
-       .fast = {0, 4},
-       .long_run = {0, 4},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 4}, .long_run = {0, 4}, .seconds = 1},
        .domain =
            [](const Subject&, Level n) {
              return fmt::format(
@@ -250,16 +247,13 @@ Law keeps_law() {
   cases.check = keeps_error;
   return on_cases(
       {.id = "attribute.plan_keeps_error",
-       .topic = "attribute",
        .says =
            "whatever keeps the error: each triangle of a plan keeps it, with its edges as they are, or has "
            "the highest level and does not keep it undecimated; neighbours differ by one level at most",
        .source = "Color and Attribute Micromaps, 3.2",
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 4},
-       .long_run = {0, 4},
-       .fast_seconds = 0.5,
+       .tiers = {.fast = {0, 4}, .long_run = {0, 4}, .seconds = 0.5},
        .domain =
            [](const Subject&, Level n) {
              return fmt::format(

@@ -113,15 +113,12 @@ Law edge_law() {
   cases.chunk = 8;
   return on_cases(
       {.id = "attribute.bake_edge_agrees",
-       .topic = "attribute",
        .says = "two triangles with the same coordinates at both ends of an edge have the same codes on its "
                "N+1 micro-vertices",
        .source = "Color and Attribute Micromaps, 3.2; continuity across base triangles",
        .method = Method::sample,
        .subjects = {"attribute"},
-       .fast = {0, 5},
-       .long_run = {0, 9},
-       .fast_seconds = 0.3,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 9}, .seconds = 0.3},
        .domain =
            [](const Subject&, Level) {
              return std::string("edges of sampled triangles beside another, in all 6 places of the other");
@@ -197,14 +194,11 @@ Law parent_law() {
   cases.check = is_parent;
   cases.chunk = 4;
   return on_cases({.id = "attribute.face_mean_is_parent",
-                   .topic = "attribute",
                    .says = "before rounding, a face's mean is the mean of its four children, also where the "
                            "triangle is a segment or a point in the texture",
                    .source = "Color and Attribute Micromaps, 4.4 and 5.1",
                    .subjects = {"attribute-spec"},
-                   .fast = {0, 1},
-                   .long_run = {0, 3},
-                   .fast_seconds = 1,
+                   .tiers = {.fast = {0, 1}, .long_run = {0, 3}, .seconds = 1},
                    .domain =
                        [](const Subject&, Level) {
                          return std::string(
@@ -268,13 +262,10 @@ Law constant_law() {
     };
   };
   return on_cases({.id = "attribute.bake_constant",
-                   .topic = "attribute",
                    .says = "a texture of one colour bakes to that colour, linear or sRGB",
                    .source = "weights sum to 1, and each code is the one that its own number is rounded to",
                    .subjects = {"attribute"},
-                   .fast = {0, 1},
-                   .long_run = {0, 5},
-                   .fast_seconds = 0.5,
+                   .tiers = {.fast = {0, 1}, .long_run = {0, 5}, .seconds = 0.5},
                    .domain =
                        [](const Subject&, Level) {
                          return std::string(

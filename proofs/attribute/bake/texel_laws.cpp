@@ -100,15 +100,12 @@ Law texels16_law() {
   };
   return on_cases(
       {.id = "attribute.bake_texels16",
-       .topic = "attribute",
        .says = "of textures of 16 bits a channel micro-vertices and faces have the exact number as the code "
                "it is rounded to, half up, colours as normals",
        .source = std::string(cam_5) + "; Vulkan, Conversion From Normalized Fixed-Point to Floating-Point",
        .method = Method::sample,
        .subjects = {"attribute"},
-       .fast = {0, 4},
-       .long_run = {0, 8},
-       .fast_seconds = 0.5,
+       .tiers = {.fast = {0, 4}, .long_run = {0, 8}, .seconds = 0.5},
        .domain =
            [](const Subject&, Level) {
              return std::string(
@@ -206,15 +203,12 @@ void without_small_ones(PictureFloat& p) {
 Law texel_floats_law() {
   return on_cases(
       {.id = "attribute.bake_texel_floats",
-       .topic = "attribute",
        .says = "of textures of binary32 micro-vertices and faces have the exact number, rounded to nearest, "
                "ties to even, however large and small texels lie side by side",
        .source = std::string(cam_5) + "; IEEE 754, 4.3.1",
        .method = Method::sample,
        .subjects = {"attribute"},
-       .fast = {0, 4},
-       .long_run = {0, 8},
-       .fast_seconds = 0.5,
+       .tiers = {.fast = {0, 4}, .long_run = {0, 8}, .seconds = 0.5},
        .domain =
            [](const Subject&, Level) {
              return std::string(

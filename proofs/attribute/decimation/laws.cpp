@@ -90,14 +90,11 @@ std::string domain_at_edges(const Subject&, Level) {
 Law decimation_watertight_law() {
   return on_edge_flags(
       {.id = "attribute.decimation_watertight",
-       .topic = "attribute",
        .says =
            "with flagged edges decimated, each inner edge of a live micro-triangle meets its opposite once, "
            "a flagged base edge is that of level n-1, the others are of level n, no other vertex moves",
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 12},
-       .long_run = {0, 14},
-       .fast_seconds = 0.6,
+       .tiers = {.fast = {0, 12}, .long_run = {0, 14}, .seconds = 0.6},
        .domain = domain_of_all,
        .mutants = {wrong_rule("one vertex of level 9 stays", {9, 9}, only_at(9, 5, {0, 101}, {0, 101}))}},
       of_mesh<Asked::all>(watertight));
@@ -106,12 +103,9 @@ Law decimation_watertight_law() {
 Law decimation_areas_law() {
   return on_edge_flags(
       {.id = "attribute.decimation_areas",
-       .topic = "attribute",
        .says = "decimated micro-triangles add up to the base triangle's area, and none is turned over",
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 12},
-       .long_run = {0, 16},
-       .fast_seconds = 0.3,
+       .tiers = {.fast = {0, 12}, .long_run = {0, 16}, .seconds = 0.3},
        .domain = domain_at_edges,
        .mutants = {wrong_rule("one vertex of level 11 goes inwards", {11, 11},
                               only_at(11, 4, {0, 301}, {1, 301}), "attribute")}},
@@ -120,13 +114,10 @@ Law decimation_areas_law() {
 
 Law decimation_counts_law() {
   return on_edge_flags({.id = "attribute.decimation_counts",
-                        .topic = "attribute",
                         .says = "with p flags, p N/2 micro-triangles are degenerate, 4^n - p N/2 live, and p "
                                 "N/2 vertices unused; at level 0 none",
                         .subjects = {"attribute-spec", "attribute"},
-                        .fast = {0, 12},
-                        .long_run = {0, 16},
-                        .fast_seconds = 0.3,
+                        .tiers = {.fast = {0, 12}, .long_run = {0, 16}, .seconds = 0.3},
                         .domain = domain_at_edges,
                         .mutants = {wrong_rule("one vertex of level 11 stays", {11, 11},
                                                only_at(11, 7, {2047, 1}, {2047, 1}), "attribute")}},
@@ -148,14 +139,11 @@ std::uint64_t expected_lost_quarters(Level n, EdgeFlags flags) {
 Law lookup_fails_law() {
   return on_edge_flags(
       {.id = "paper.decimated_lookup_fails",
-       .topic = "attribute",
        .says = "if only the vertices' indices are adjusted, the micro-triangle of a point is degenerate or "
                "does not hold it on 3/(4N) of the area with one flag, 3/(2N) - 1/N^2 with two, 9/(4N) - "
                "3/N^2 with three (level 1: 3/8, 5/8, 3/4)",
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 12},
-       .long_run = {0, 16},
-       .fast_seconds = 0.3,
+       .tiers = {.fast = {0, 12}, .long_run = {0, 16}, .seconds = 0.3},
        .domain = domain_at_edges,
        .mutants = {wrong_rule("one vertex of level 10 stays", {10, 10}, only_at(10, 3, {1023, 1}, {1023, 1})),
                    wrong_rule("odd vertices go towards the edge's middle", {0, 3}, towards_the_middle),

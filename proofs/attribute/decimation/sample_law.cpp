@@ -89,15 +89,12 @@ Law decimation_sample_law() {
   cases.read = flagged_vertex_of;
   cases.check = goes_where_it_may;
   return on_cases({.id = "attribute.decimation_on_samples",
-                   .topic = "attribute",
                    .says = "an odd vertex of a flagged edge goes to one of its two even neighbours on it, "
                            "every other one stays",
                    .source = cam_3,
                    .method = Method::sample,
                    .subjects = {"attribute-spec", "attribute"},
-                   .fast = {9, 16},
-                   .long_run = {9, 16},
-                   .fast_seconds = 0.2,
+                   .tiers = {.fast = {9, 16}, .long_run = {9, 16}, .seconds = 0.2},
                    .domain =
                        [](const Subject&, Level) {
                          return std::string(

@@ -105,15 +105,12 @@ Mutant with_place(
 Law two_levels_law() {
   const auto of = [](const Subject& s) -> const AttributeSubject& { return subject_as<AttributeSubject>(s); };
   Law law{.id = "paper.two_levels_crack",
-          .topic = "attribute",
           .says =
               "a flagged edge of level n and an edge of level n-2 agree at the N/4 + 1 vertices of level n-2 "
               "and nowhere else: neighbours may differ by one level, not two",
           .source = cam_3,
           .subjects = {"attribute-spec", "attribute"},
-          .fast = {2, 6},
-          .long_run = {2, 11},
-          .fast_seconds = 0.3,
+          .tiers = {.fast = {2, 6}, .long_run = {2, 11}, .seconds = 0.3},
           .domain =
               [](const Subject&, Level) {
                 return std::string(

@@ -72,15 +72,12 @@ Law decimation_neighbours_law() {
   };
   Law law = on_cases(
       {.id = "attribute.decimation_neighbours",
-       .topic = "attribute",
        .says = "a flagged edge of level n and an unflagged one of level n-1 interpolate the same vertices "
                "with the same weights, the hat functions of level n-1, whichever edges meet and whatever "
                "their other flags",
        .source = cam_3,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {1, 12},
-       .long_run = {1, 12},
-       .fast_seconds = 3,
+       .tiers = {.fast = {1, 12}, .long_run = {1, 12}, .seconds = 3},
        .domain =
            [](const Subject&, Level) {
              return std::string(
@@ -163,15 +160,12 @@ Law decimated_lookup_law() {
   };
   return on_cases(
       {.id = "attribute.decimation_lookup",
-       .topic = "attribute",
        .says = "the lookup gives the weights that the point has on every live micro-triangle that holds it; "
                "which of several it is does not matter",
        .source = "docs/ATTRIBUTE.md, \"Decimation\"; Color and Attribute Micromaps, 3.2 and 4.1, has no "
                  "lookup for it",
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 5},
-       .long_run = {0, 9},
-       .fast_seconds = 0.6,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 9}, .seconds = 0.6},
        .domain = [](const Subject&,
                     Level) { return std::string("the 3N^2+3N+1 representatives, 8 sets of flags"); },
        .mutants = {mutant(
@@ -256,15 +250,12 @@ Law decimated_floats_law() {
   };
   return on_cases(
       {.id = "attribute.decimation_lookup_on_floats",
-       .topic = "attribute",
        .says = "at binary32 points each weight is within 2^-24 of that on the live micro-triangle that holds "
                "the very point",
        .source = "docs/ATTRIBUTE.md, \"Decimation\"",
        .method = Method::sample,
        .subjects = {"attribute"},
-       .fast = {0, 8},
-       .long_run = {0, 12},
-       .fast_seconds = 0.6,
+       .tiers = {.fast = {0, 8}, .long_run = {0, 12}, .seconds = 0.6},
        .domain =
            [](const Subject&, Level) {
              return std::string(
@@ -342,15 +333,12 @@ Law decimation_means_law() {
   using Pair = std::array<Vertex, 2>;
   return on_batches(
       {.id = "attribute.decimation_means",
-       .topic = "attribute",
        .says =
            "in the other meaning nothing moves: an odd vertex's value on a flagged edge is the mean of its "
            "two even neighbours', so that the edge has level n-1's values; every other vertex keeps its own",
        .source = "docs/ATTRIBUTE.md, \"Decimation\"",
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 9},
-       .long_run = {0, 14},
-       .fast_seconds = 0.5,
+       .tiers = {.fast = {0, 9}, .long_run = {0, 14}, .seconds = 0.5},
        .domain = [](const Subject&, Level) { return std::string("the 8 sets of flags, all V(n) vertices"); },
        .mutants = {mutant("one even vertex of level 9 is averaged, too", "attribute", {9, 9},
                           averaging([](Level n, EdgeFlags flags, const Vertex& x, Pair& pair) {
@@ -393,13 +381,12 @@ Law mean_codes_law() {
   };
   return on_cases(
       {.id = "attribute.decimation_half_a_code",
-       .topic = "attribute",
        .says = "in 8 bits the mean is rounded, halves up: beside the neighbour of level n-1 half a code of "
                "step is left at most",
        .source = "docs/ATTRIBUTE.md, \"Decimation\"",
        .subjects = {"attribute-spec", "attribute"},
+       .tiers = {.seconds = 0.01},
        .at_once = "all levels",
-       .fast_seconds = 0.01,
        .domain = [](const Subject&, Level) { return std::string("the 65,536 pairs of codes"); },
        .mutants = {mutant("one pair", "attribute", {0, 0}, meaning([](std::uint32_t x, std::uint32_t y) {
                             return (x + y + 1) / 2 + (x == 200 && y == 13 ? 1 : 0);

@@ -66,13 +66,12 @@ struct Count {
 
 Law for_all_levels(const Written& w) {
   Law law{.id = w.id,
-          .topic = "attribute",
           .says = w.says,
           .source = cam_2,
           .method = Method::induction,
           .subjects = {about},
-          .at_once = "all levels",
-          .fast_seconds = 1};
+          .tiers = {.seconds = 1},
+          .at_once = "all levels"};
   law.cases = [statements = w.statements, known = std::make_shared<Count>()](Level, const Run&) {
     std::call_once(known->once, [&] { known->of = statements().size(); });
     return known->of;

@@ -95,14 +95,11 @@ std::vector<Law> edge_lookup_laws() {
   };
   return {on_batches(
       {.id = "attribute.on_edge",
-       .topic = "attribute",
        .says = "on a base edge only its own vertices have a weight, that of the edge's hat functions: two "
                "triangles of one level that share an edge and its values agree along it",
        .source = "Color and Attribute Micromaps, 3.2 and 4.1",
        .subjects = {"attribute-spec", "attribute", "attribute-single"},
-       .fast = {0, 12},
-       .long_run = {0, 16},
-       .fast_seconds = 0.5,
+       .tiers = {.fast = {0, 12}, .long_run = {0, 16}, .seconds = 0.5},
        .domain =
            [](const Subject&, Level) {
              return std::string(

@@ -133,15 +133,12 @@ Law triplets_law() {
   };
   return on_cases<FloatCase>(
       {.id = "attribute.triplets_on_floats",
-       .topic = "attribute",
        .says = "the triplet of a pair of binary32 numbers is that of the exact numbers, in each order, ties "
                "included",
        .source = cam_4,
        .method = Method::sample,
        .subjects = {"attribute", "attribute-single"},
-       .fast = {0, 16},
-       .long_run = {0, 16},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 1},
        .domain = float_points,
        .mutants = {mutant(
            "a point on u = 1/2 is rounded to the left at level 9", "attribute", {9, 9},
@@ -193,15 +190,12 @@ Law weights_law() {
   };
   return on_cases<FloatCase>(
       {.id = "attribute.weights_on_floats",
-       .topic = "attribute",
        .says =
            "weights by the pattern are within 2^-24 of the exact ones at every level, and none is below 0",
        .source = "Color and Attribute Micromaps, 4.1, which omits it",
        .method = Method::sample,
        .subjects = {"attribute", "attribute-single"},
-       .fast = {0, 16},
-       .long_run = {0, 16},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 1},
        .domain = float_points,
        .mutants = {mutant("Cramer's rule at level 4", "attribute", {4, 4},
                           on_weights_of_floats([](Level n, const FloatCase& p, FloatWeights& w) {
@@ -277,15 +271,12 @@ Law rgba8_law() {
   };
   return on_cases<FloatCase>(
       {.id = "attribute.interpolates_rgba8",
-       .topic = "attribute",
        .says = "each channel of an RGBA8 value is within 1/2 + 2^-13 of the exact mean of its vertices' by "
                "the weights",
        .source = cam_4,
        .method = Method::sample,
        .subjects = {"attribute", "attribute-single"},
-       .fast = {0, 8},
-       .long_run = {0, 10},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 8}, .long_run = {0, 10}, .seconds = 1},
        .domain = float_points,
        .mutants = {mutant("red and blue change places at one level", "attribute", {5, 5},
                           on_rgba8([](VertexOrder, Level n, const FloatCase&, std::uint32_t got) {

@@ -100,14 +100,11 @@ bool holds_point(VertexOrder order, Level n, const GridCase& point, const Looked
 Law holds_point_law() {
   return on_batches(
       {.id = "attribute.holds_point",
-       .topic = "attribute",
        .says = "a point's triplet is a micro-triangle's, the weights are none below 0, add up to 1 and give "
                "the point",
        .source = cam_4,
        .subjects = lookup_subjects,
-       .fast = {0, 7},
-       .long_run = {0, 14},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 7}, .long_run = {0, 14}, .seconds = 1},
        .domain = every_point,
        .mutants = {mutant("two weights change places inside one micro-triangle of level 6", "attribute",
                           {6, 6}, on_weights([](Level n, const GridPoint& p, FixedWeights& w) {
@@ -140,14 +137,11 @@ bool reproduces(VertexOrder order, Level n, const GridCase& point, const Looked&
 
 Law reproduces_law() {
   return on_batches({.id = "attribute.reproduces",
-                     .topic = "attribute",
                      .says = "at a micro-vertex its own weight is 1; and values that are linear over the "
                              "triangle come out as they are",
                      .source = cam_4,
                      .subjects = lookup_subjects,
-                     .fast = {0, 7},
-                     .long_run = {0, 14},
-                     .fast_seconds = 1,
+                     .tiers = {.fast = {0, 7}, .long_run = {0, 14}, .seconds = 1},
                      .domain = every_point,
                      .mutants = {mutant("at one vertex of level 7 its weight is 3/4", "attribute-spec",
                                         {7, 7}, on_weights([](Level n, const GridPoint& p, FixedWeights& w) {
@@ -174,15 +168,12 @@ bool tie_free(VertexOrder order, Level n, const GridCase& point, const Looked& f
 Law tie_free_law() {
   return on_batches(
       {.id = "attribute.tie_free",
-       .topic = "attribute",
        .says =
            "the vertices with a weight, and their weights, are the same in each closed micro-triangle that "
            "holds the point: no rule for ties is needed, and values are continuous across micro-edges",
        .source = cam_4,
        .subjects = lookup_subjects,
-       .fast = {0, 6},
-       .long_run = {0, 12},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 6}, .long_run = {0, 12}, .seconds = 1},
        .domain = every_point,
        .mutants = {mutant("at one vertex of level 6 its neighbour has the weight", "attribute", {6, 6},
                           on_point_triplet([](VertexOrder order, Level n, const GridPoint& p, Triplet& x) {
@@ -244,16 +235,13 @@ Law face_ties_law() {
   };
   return on_batches(
       {.id = "attribute.face_ties",
-       .topic = "attribute",
        .says = "figure 4 and Vulkan's code give a point to different micro-triangles just on the lines u = "
                "i/N, 0 < i < N, below the hypotenuse: on N(N-1)/2 open edges and N(N-1)/2 vertices, where "
                "the value of a face differs",
        .source =
            "Color and Attribute Micromaps, figure 4; VK_EXT_opacity_micromap, appendix \"Reference Code\"",
        .subjects = {"attribute-spec"},
-       .fast = {0, 7},
-       .long_run = {0, 12},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 7}, .long_run = {0, 12}, .seconds = 1},
        .domain = every_point,
        .mutants = {mutant("Vulkan's code gives one vertex of level 6 to the left", "attribute-spec", {6, 6},
                           on_holder(Ties::vulkan,

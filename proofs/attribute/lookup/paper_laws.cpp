@@ -74,16 +74,13 @@ Law cramer_law() {
   };
   return on_cases<Witness>(
       {.id = "paper.cramer_in_binary32",
-       .topic = "attribute",
        .says = "Cramer's rule on the 3x3 system, the paper's general approach, loses two bits a level in "
                "binary32: at (0.1, 0.2) weights are 4^n 2^-31 to 4^n 2^-26 off; at level 14 a determinant is "
                "0, at (3493.25, 9613.25)/2^14",
        .source = "Color and Attribute Micromaps, 4.1, items 1 to 4",
        .method = Method::witness,
        .subjects = {"attribute-cramer-f32"},
-       .fast = {4, 14},
-       .long_run = {4, 14},
-       .fast_seconds = 0.1,
+       .tiers = {.fast = {4, 14}, .long_run = {4, 14}, .seconds = 0.1},
        .domain = [](const Subject&, Level) { return std::string("one point"); },
        .mutants = {mutant("two of the equations", "attribute-cramer-f32", {4, 6},
                           other([](Level n, float u, float v, const MicroTriangle& t) {
@@ -178,15 +175,12 @@ Law not_closest_law() {
   };
   return on_batches(
       {.id = "paper.triplet_is_not_closest",
-       .topic = "attribute",
        .says = "figure 4's triplet is that of the micro-triangle, not \"the closest\": on the triangle "
                "(0,0), (1,0), (2,1) all centroids but the v-corner's have a vertex nearer than one of their "
                "three, 3 of 4 at level 1",
        .source = "Color and Attribute Micromaps, 4.1: \"the closest triplet of micro-vertices\"",
        .subjects = {"attribute-spec"},
-       .fast = {0, 4},
-       .long_run = {0, 6},
-       .fast_seconds = 0.2,
+       .tiers = {.fast = {0, 4}, .long_run = {0, 6}, .seconds = 0.2},
        .domain = [](const Subject&, Level) { return std::string("the centroids of the 4^n faces"); },
        // The nearest vertices of face 0 of level 1, at the w-corner, are (0,0), (1,0) and (2,0), W-minor's 0, 1 and
        // 3.

@@ -67,14 +67,11 @@ Law remaps_agree_law() {
   };
   return on_batches(
       {.id = "attribute.remaps_agree",
-       .topic = "attribute",
        .says = "the 3x3 system by Cramer's rule, two of its equations, and the uniform pattern give the same "
                "weights, in the point's micro-triangle and in others",
        .source = "Color and Attribute Micromaps, 4.1, items 1 to 4, and what it omits",
        .subjects = {"attribute-spec"},
-       .fast = {0, 4},
-       .long_run = {0, 8},
-       .fast_seconds = 0.5,
+       .tiers = {.fast = {0, 4}, .long_run = {0, 8}, .seconds = 0.5},
        .domain = every_point,
        .mutants =
            {mutant("Cramer's columns u and v change places in upper ones", "attribute-spec", {1, 3},
@@ -156,14 +153,11 @@ Law remap_composes_law() {
   };
   return on_batches(
       {.id = "attribute.remap_composes",
-       .topic = "attribute",
        .says =
            "remapping to a level a and from there b levels on gives the vertices and weights of level a+b",
        .source = cam_4,
        .subjects = {"attribute-spec"},
-       .fast = {0, 5},
-       .long_run = {0, 12},
-       .fast_seconds = 0.5,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 12}, .seconds = 0.5},
        .domain = every_point,
        .mutants = {mutant(
            "level 2 is a 2^-28 off in one micro-triangle", "attribute-spec", {5, 5},
@@ -232,16 +226,13 @@ Law tie_recursion_law() {
   };
   return on_batches(
       {.id = "attribute.tie_recursion_false",
-       .topic = "attribute",
        .says = "taking level 1, remapping and taking level n-1 is not level n: ties inside the middle "
                "triangle go the other way, M(M-1)/2 vertices and 3M(M-1)/2 edges, M = N/2; the first is "
                "(1/4, 1/4) at level 2",
        .source =
            "Color and Attribute Micromaps, 4.1 and 4.4; VK_EXT_opacity_micromap, appendix \"Reference Code\"",
        .subjects = {"attribute-spec"},
-       .fast = {0, 6},
-       .long_run = {0, 12},
-       .fast_seconds = 0.5,
+       .tiers = {.fast = {0, 6}, .long_run = {0, 12}, .seconds = 0.5},
        .domain = every_point,
        .mutants = {mutant("level 5's ties on one edge inside the middle go the steps' way", "attribute-spec",
                           {5, 5}, on_holder_at([](Level n, const GridPoint& p, MicroTriangle& t) {

@@ -94,14 +94,11 @@ Law face_mean_law() {
   };
   return on_cases(
       {.id = "attribute.face_mip_is_mean",
-       .topic = "attribute",
        .says = "the mip of a face map at micro-triangle k is the mean over all micro-triangles of the base "
                "that lie in it, rounded once: four children along the curve, and theirs",
        .source = cam_44,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 4},
-       .long_run = {0, 6},
-       .fast_seconds = 0.3,
+       .tiers = {.fast = {0, 4}, .long_run = {0, 6}, .seconds = 0.3},
        .domain =
            [](const Subject&, Level) {
              return std::string(
@@ -151,14 +148,11 @@ std::uint64_t summed(Level m, std::uint64_t (*of)(Level)) {
 Law mip_counts_law() {
   return once_a_level(
       {.id = "attribute.face_mip_counts",
-       .topic = "attribute",
        .says = "the levels below n have (4^n - 1)/3 faces, less than a third of the map, and where each is "
                "stored apart ((4^n - 1)/3 + 3 (2^n - 1) + 2n)/2 vertices",
        .source = cam_44,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 16},
-       .long_run = {0, 16},
-       .fast_seconds = 0.01,
+       .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 0.01},
        .mutants =
            {mutant("4^n / 3", "attribute-spec", {0, 16},
                    sizing(true,
@@ -184,14 +178,11 @@ Law mip_counts_law() {
 Law mip_third_law() {
   return once_a_level(
       {.id = "paper.mip_third_is_faces_only",
-       .topic = "attribute",
        .says = "\"roughly 33 %\" of extra memory is so of faces, below 1/3 at every level; vertices stored "
                "apart take more than 1/3 at every level from 1 on, 60 % at level 2",
        .source = "Color and Attribute Micromaps, 4.4 and 4.4.1",
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 16},
-       .long_run = {0, 16},
-       .fast_seconds = 0.01,
+       .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 0.01},
        .mutants =
            {mutant("vertices are a third of the map", "attribute-spec", {0, 16},
                    sizing(false, [](Level m, std::uint64_t) { return vertex_count(m) / 3; })),
@@ -276,14 +267,11 @@ Law vertex_mip_law() {
   };
   return on_cases(
       {.id = "attribute.vertex_mip_is_prefix",
-       .topic = "attribute",
        .says = "a map's vertices of each lower level lie in it: in the Bird order they are its first V(m) "
                "values, in the others they are read at a stride of 2^(n-m) along rows or columns",
        .source = cam_441,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 7},
-       .long_run = {0, 11},
-       .fast_seconds = 0.3,
+       .tiers = {.fast = {0, 7}, .long_run = {0, 11}, .seconds = 0.3},
        .domain = [](const Subject&,
                     Level) { return std::string("the vertices of levels 0..n, in 3 orders"); },
        .mutants = {sourcing("one vertex of Bird's level 7", {7, 7},

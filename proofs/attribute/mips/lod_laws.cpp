@@ -134,15 +134,12 @@ Law lod_level_law() {
   };
   return on_cases(
       {.id = "attribute.lod_level",
-       .topic = "attribute",
        .says = "a cone of area A_c asks a triangle of area A_t for the greatest level m in 0..n with 4^m A_c "
                "<= A_t, or 0: floor(1/2 log2(A_t/A_c)), kept in range; n where A_c is 0",
        .source = cam_442,
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 12},
-       .long_run = {0, 16},
-       .fast_seconds = 0.7,
+       .tiers = {.fast = {0, 12}, .long_run = {0, 16}, .seconds = 0.7},
        .domain =
            [](const Subject&, Level) {
              return std::string(
@@ -203,15 +200,12 @@ Law lod_blend_law() {
   };
   return on_cases(
       {.id = "attribute.lod_blend",
-       .topic = "attribute",
        .says = "the weight of level m + 1 is t = 1/2 log2(A_t / (4^m A_c)) within 2^-24, below 1; 0 at level "
                "n and where A_c >= A_t: an interpolated value is off by 2^-24 of the difference of two mips",
        .source = cam_442,
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 8},
-       .long_run = {0, 16},
-       .fast_seconds = 0.6,
+       .tiers = {.fast = {0, 8}, .long_run = {0, 16}, .seconds = 0.6},
        .domain = [](const Subject&,
                     Level) { return std::string("pairs of binary32 areas, as attribute.lod_level's"); },
        .how = [](const Subject&,
@@ -264,14 +258,13 @@ Law lod_words_law() {
     return found;
   };
   return on_cases({.id = "paper.lod_words_disagree",
-                   .topic = "attribute",
                    .says = "blending levels m and m + 1 fits m = floor(1/2 log2(A_t/A_c)) alone; by the "
                            "formula, the first level with A_c >= A_t/4^m, m is one more but where A_t/A_c is "
                            "a power of 4, by the words, A_c > A_t/4^m, always",
                    .source = "Color and Attribute Micromaps, 4.4.2, (2) and (3)",
                    .subjects = {"attribute-spec", "attribute"},
+                   .tiers = {.seconds = 0.4},
                    .at_once = "all levels",
-                   .fast_seconds = 0.4,
                    .domain = [](const Subject&,
                                 Level) { return std::string("cones of area 1..32, triangles of 1..130"); },
                    .mutants = {wrong_level("the formula's level", {0, 0}, first_covered),
@@ -338,15 +331,12 @@ Law lod_jumps_law() {
   };
   return on_cases(
       {.id = "paper.lod_jumps_at_base_edges",
-       .topic = "attribute",
        .says = "two triangles with equal values on their common edge read different ones there when their "
                "areas differ: by half of the range for areas 1 and 2 times the cone's, though both have "
                "level 0; nowhere beyond level 1's",
        .source = "Color and Attribute Micromaps, 4.4.2, which does not say it",
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 6},
-       .long_run = {0, 16},
-       .fast_seconds = 0.1,
+       .tiers = {.fast = {0, 6}, .long_run = {0, 16}, .seconds = 0.1},
        .domain =
            [](const Subject&, Level) {
              return std::string("areas 2^0 to 2^(2n+2) times the cone's, the middle of the edge");

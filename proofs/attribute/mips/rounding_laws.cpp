@@ -94,14 +94,13 @@ Law mip_rounding_law(const char* id, bool all) {
   };
   Law law{
       .id = id,
-      .topic = "attribute",
       .says =
           "a mip is the mean of four codes by its rounding: within half a code and halves up, to even, below "
           "by less than 1, or two means of two and their mean, halves up",
       .source = "Color and Attribute Micromaps, 4.4, which names no rounding; docs/ATTRIBUTE.md",
       .subjects = {"attribute-spec", "attribute"},
+      .tiers = {.seconds = 0.4},
       .at_once = "all levels",
-      .fast_seconds = 0.4,
       .domain =
           [all](const Subject&, Level) {
             return all ? std::string("4 roundings; in each of the four codes the 2^32 quadruples")
@@ -175,14 +174,13 @@ Law mip_drift_law() {
   };
   return on_cases(
       {.id = "attribute.mip_drift",
-       .topic = "attribute",
        .says =
            "over all quadruples a mip is off by +1/8 of a code on average with halves up, 0 with halves to "
            "even, -3/8 truncated, +1/2 by two means with halves up: what a chain drifts by for each level",
        .source = "docs/ATTRIBUTE.md, \"Mips and level of detail\"",
        .subjects = {"attribute-spec", "attribute"},
+       .tiers = {.seconds = 0.01},
        .at_once = "all levels",
-       .fast_seconds = 0.01,
        .domain =
            [](const Subject&, Level) {
              return std::string(
@@ -326,16 +324,13 @@ Law mip_chain_law() {
   cases.chunk = 4;
   return on_cases(
       {.id = "attribute.mip_chain_error",
-       .topic = "attribute",
        .says = "d levels up a chain is off by d/2 at most with halves up or to even, 3d/4 truncated, d by "
                "two means, and a base reaches it (not with halves to even); made of exact sums, by 1/2 at "
                "most, truncated by less than 1",
        .source = "docs/ATTRIBUTE.md, \"Mips and level of detail\"",
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 5},
-       .long_run = {0, 8},
-       .fast_seconds = 0.3,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 8}, .seconds = 0.3},
        .domain =
            [](const Subject&, Level) {
              return std::string("random bases, and for each rounding the one that is worst");

@@ -79,14 +79,13 @@ Law mip_sample_law() {
   cases.check = [](const AttributeSubject& s, Level, const FacePicture& p) { return are_means(s, p); };
   return on_cases(
       {.id = "attribute.mip_on_samples",
-       .topic = "attribute",
        .says = "each code of each face of a mip is the mean of its four children's same code, whatever the "
                "others are",
        .source = "Color and Attribute Micromaps, 4.4, which names no rounding; docs/ATTRIBUTE.md",
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
+       .tiers = {.seconds = 0.2},
        .at_once = "all levels",
-       .fast_seconds = 0.2,
        .domain =
            [](const Subject&, Level) {
              return std::string(

@@ -124,13 +124,10 @@ Law bijective_law() {
   };
   Law law = on_batches(
       {.id = "attribute.order_bijective",
-       .topic = "attribute",
        .says = "each vertex of a level has an index of its own below V(n), in each of the three orders",
        .source = cam_2,
        .subjects = all_subjects,
-       .fast = {0, 11},
-       .long_run = {0, 16},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 11}, .long_run = {0, 16}, .seconds = 1},
        .domain = vertices_in_orders,
        .mutants = {mutant("one vertex inside level 7 has its neighbour's", "attribute-spec", {7, 7},
                           on_vertex_index(VertexOrder::u_major,
@@ -188,13 +185,10 @@ Law inverse_law() {
     };
   };
   return on_batches({.id = "attribute.order_inverse",
-                     .topic = "attribute",
                      .says = "the vertex of a vertex's index is that vertex, in each of the three orders",
                      .source = cam_2,
                      .subjects = all_subjects,
-                     .fast = {0, 10},
-                     .long_run = {0, 16},
-                     .fast_seconds = 1,
+                     .tiers = {.fast = {0, 10}, .long_run = {0, 16}, .seconds = 1},
                      .domain = vertices_in_orders,
                      .mutants = {mutant(
                          "U-major of level 8 begins its last column a vertex early", "attribute-spec", {8, 8},
@@ -255,14 +249,11 @@ Law walk_law() {
   };
   return on_batches(
       {.id = "attribute.order_is_walk",
-       .topic = "attribute",
        .says = "an index is the number of vertices that the order's walk meets before: rows, columns, or "
                "level by level along the curve",
        .source = cam_2,
        .subjects = all_subjects,
-       .fast = {0, 10},
-       .long_run = {0, 13},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 10}, .long_run = {0, 13}, .seconds = 1},
        .domain = vertices_in_orders,
        .mutants = {mutant("triplets begin with the edge u-v", "attribute-spec", {1, 4},
                           wrong_bird(index_from_edge_uv)),
@@ -334,14 +325,11 @@ Law faces_law() {
   };
   return on_batches(
       {.id = "attribute.face_orders",
-       .topic = "attribute",
        .says = "a face's index on the curve and in rows is that of a point inside it, in U-major the number "
                "of faces before it; and there is a way back",
        .source = "Color and Attribute Micromaps, 3.1; VK_EXT_opacity_micromap, appendix \"Reference Code\"",
        .subjects = all_subjects,
-       .fast = {0, 9},
-       .long_run = {0, 16},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 9}, .long_run = {0, 16}, .seconds = 1},
        .domain = faces_in_orders,
        .mutants = {mutant("the last row of level 5 begins one late", "attribute", {5, 5},
                           on_face_index(FaceOrder::rows,

@@ -62,15 +62,12 @@ Law products_law() {
   };
   return on_cases<OnLastDiagonals>(
       {.id = "paper.vertex_products_overflow",
-       .topic = "attribute",
        .says = "with products in 32 bits figure 4's r(r+1)/2 is right below level 16 and wrong on all of "
                "level 16's hypotenuse; U-major's i(N+2) - i(i+1)/2 is wrong at level 16's u-corner alone, "
                "98,304 for 2,147,581,952",
        .source = cam_4,
        .subjects = {"attribute-32-bit"},
-       .fast = {12, 16},
-       .long_run = {0, 16},
-       .fast_seconds = 0.2,
+       .tiers = {.fast = {12, 16}, .long_run = {0, 16}, .seconds = 0.2},
        .domain =
            [](const Subject&, Level) {
              return std::string("the 2N+1 vertices of the last two diagonals, in 2 orders");
@@ -145,14 +142,11 @@ auto on_rows(Change change) {
 
 Law printed_triplets_law() {
   return on_batches({.id = "paper.figure_4_triplets",
-                     .topic = "attribute",
                      .says = "figure 4's triplet is that of its face, an odd one begun one corner later: its "
                              "weights are (1-fv, fu+fv-1, 1-fu), not those of even ones",
                      .source = cam_4,
                      .subjects = {"attribute-figure-4"},
-                     .fast = {0, 9},
-                     .long_run = {0, 12},
-                     .fast_seconds = 0.5,
+                     .tiers = {.fast = {0, 9}, .long_run = {0, 12}, .seconds = 0.5},
                      .domain = [](const Subject&, Level) { return std::string("the 4^n faces"); },
                      .mutants = {mutant("odd triplets begin where ours do", "attribute-figure-4", {1, 3},
                                         on_rows([](std::uint32_t face, Triplet& t) {
@@ -180,16 +174,13 @@ Law printed_triplets_law() {
 Law short_root_law() {
   return on_batches(
       {.id = "paper.short_root_aliases",
-       .topic = "attribute",
        .says = "with a root one number short, which Vulkan allows, figure 4 puts the first face of each row "
                "r from 1 on at column 2r-1 of the row before, and v2 is the vertex that begins row r; other "
                "faces stay right",
        .source = "Color and Attribute Micromaps, figure 4; Vulkan, \"Precision of Individual Operations\": "
                  "sqrt inherits from 1.0 / inversesqrt()",
        .subjects = {"attribute-short-root"},
-       .fast = {0, 9},
-       .long_run = {0, 11},
-       .fast_seconds = 0.5,
+       .tiers = {.fast = {0, 9}, .long_run = {0, 11}, .seconds = 0.5},
        .domain = [](const Subject&, Level) { return std::string("the 4^n faces"); },
        .mutants = {mutant("row 1 is right", "attribute-short-root", {1, 1},
                           on_rows([](std::uint32_t face, Triplet& t) {

@@ -80,15 +80,12 @@ Law nested_law() {
   };
   Law law = on_batches(
       {.id = "attribute.order_prefix_nested",
-       .topic = "attribute",
        .says =
            "Bird alone keeps a vertex's index from level to level; in W-minor and U-major each vertex but "
            "number 0 moves up; W-minor of a level begins with the rows of the level before, number by number",
        .source = "Color and Attribute Micromaps, 3.1 and 4.4.1, which leave it open",
        .subjects = related_subjects,
-       .fast = {0, 10},
-       .long_run = {0, 15},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 10}, .long_run = {0, 15}, .seconds = 1},
        .domain = [](const Subject&,
                     Level) { return std::string("the V(n) vertices, in 3 orders and by W-minor's rows"); },
        .mutants = {mutant("one vertex of Bird's level 8 is another", "attribute-spec", {7, 7},
@@ -119,14 +116,11 @@ Law prefix_law() {
   two.wanted = [](std::size_t, std::uint32_t here) { return fmt::format("{}", here); };
   return on_batches(
       {.id = "attribute.bird_prefix",
-       .topic = "attribute",
        .says = "Bird's map of a level begins with the map of each coarser level: the vertex of index x < "
                "V(n) is the same place any number of levels on, to level 16",
        .source = "Color and Attribute Micromaps, 3.1 and 4.4.1",
        .subjects = related_subjects,
-       .fast = {0, 8},
-       .long_run = {0, 14},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 8}, .long_run = {0, 14}, .seconds = 1},
        .domain = [](const Subject&,
                     Level) { return std::string("the V(n) vertices, 1 to 16 levels on, to level 16"); },
        .mutants = {mutant("5 levels on from level 7 one number is another", "attribute-spec", {7, 7},
@@ -153,13 +147,10 @@ Law reversed_law() {
   two.wanted = [](std::size_t, std::uint32_t left) { return fmt::format("{}", left); };
   return on_batches(
       {.id = "attribute.umajor_is_reversed_rows",
-       .topic = "attribute",
        .says = "U-major(i, j) = V(n) - 1 - W-minor(j, N-i-j): the rows from the u-corner, backwards",
        .source = cam_2,
        .subjects = related_subjects,
-       .fast = {0, 10},
-       .long_run = {0, 16},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 10}, .long_run = {0, 16}, .seconds = 1},
        .domain = [](const Subject&, Level) { return std::string("the V(n) vertices"); },
        .mutants = {mutant("the last two of level 4 change places", "attribute-spec", {4, 4},
                           on_vertex_index(VertexOrder::u_major,
@@ -215,13 +206,10 @@ Law convert_law() {
   using enum VertexOrder;
   return on_batches(
       {.id = "attribute.convert",
-       .topic = "attribute",
        .says = "an index made that of another order is the same vertex's there",
        .source = cam_2,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 9},
-       .long_run = {0, 16},
-       .fast_seconds = 2,
+       .tiers = {.fast = {0, 9}, .long_run = {0, 16}, .seconds = 2},
        .domain =
            [](const Subject&, Level) {
              return std::string("the V(n) vertices, from each order to each, itself as well");
@@ -240,13 +228,10 @@ Law convert_faces_law() {
   using enum FaceOrder;
   return on_batches(
       {.id = "attribute.convert_faces",
-       .topic = "attribute",
        .says = "a face's index made that of another order is the same face's there",
        .source = cam_2,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 8},
-       .long_run = {0, 16},
-       .fast_seconds = 2,
+       .tiers = {.fast = {0, 8}, .long_run = {0, 16}, .seconds = 2},
        .domain = [](const Subject&,
                     Level) { return std::string("the 4^n faces, from each order to each, itself as well"); },
        .mutants = {mutant("to the curve of level 7 the last one is the one before", "attribute", {7, 7},
@@ -337,14 +322,11 @@ Law triangle_vertices_law() {
   };
   return on_batches(
       {.id = "attribute.triangle_vertices",
-       .topic = "attribute",
        .says = "a face's triplet are its base's index and those one step along u and along v from there, "
                "backwards of an upper one; and of the triplet's faces it is that one",
        .source = cam_4,
        .subjects = related_subjects,
-       .fast = {0, 7},
-       .long_run = {0, 16},
-       .fast_seconds = 3,
+       .tiers = {.fast = {0, 7}, .long_run = {0, 16}, .seconds = 3},
        .domain = [](const Subject&,
                     Level) { return std::string("the 4^n faces, 3 orders of faces by 3 of vertices"); },
        .mutants = {mutant("figure 4's cycle: odd triplets of rows begin one corner earlier", "attribute-spec",

@@ -144,14 +144,11 @@ void lessen_converted_bird(Functions& f) {
 Law sampled_vertices_law() {
   return on_batches(
       {.id = "attribute.vertices_on_samples",
-       .topic = "attribute",
        .says = "a vertex's index, the way back and its index in the other orders are the specification's",
        .source = cam_2,
        .method = Method::sample,
        .subjects = sampled_subjects,
-       .fast = {8, 16},
-       .long_run = {1, 16},
-       .fast_seconds = 1,
+       .tiers = {.fast = {8, 16}, .long_run = {1, 16}, .seconds = 1},
        .domain =
            [](const Subject&, Level) {
              return std::string(
@@ -251,15 +248,12 @@ Law sampled_faces_law() {
   };
   return on_batches(
       {.id = "attribute.faces_on_samples",
-       .topic = "attribute",
        .says = "a face's index, the way back, its index in the other orders, its three vertices and the face "
                "of these are the specification's",
        .source = cam_4,
        .method = Method::sample,
        .subjects = sampled_subjects,
-       .fast = {8, 16},
-       .long_run = {1, 16},
-       .fast_seconds = 1,
+       .tiers = {.fast = {8, 16}, .long_run = {1, 16}, .seconds = 1},
        .domain =
            [](const Subject&, Level) {
              return std::string("a sample of the 4^n faces, 3 orders of faces by 3 of vertices");

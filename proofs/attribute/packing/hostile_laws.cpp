@@ -131,15 +131,12 @@ Law canonical_law() {
   cases.check = takes_no_other;
   cases.chunk = 4;
   return on_cases({.id = "attribute.packed_canonical",
-                   .topic = "attribute",
                    .says = "bytes are refused, or are those that packing what they give would write: maps "
                            "have one form, and no other bytes are taken for it",
                    .source = "spec/attribute/compress.hpp",
                    .method = Method::sample,
                    .subjects = {"attribute-spec", "attribute"},
-                   .fast = {0, 4},
-                   .long_run = {0, 6},
-                   .fast_seconds = 2,
+                   .tiers = {.fast = {0, 4}, .long_run = {0, 6}, .seconds = 2},
                    .domain =
                        [](const Subject&, Level) {
                          return std::string(

@@ -42,14 +42,11 @@ Finding comes_back(const AttributeSubject& s, Level, const PackCase& one) {
 Law round_trip_law() {
   return on_cases(
       {.id = "attribute.packed_round_trip",
-       .topic = "attribute",
        .says = "without errors, packed maps are the bytes of the specification, and give back each code",
        .source = packed_source,
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 5},
-       .long_run = {0, 8},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 8}, .seconds = 1},
        .domain = packed_domain,
        .mutants = {mutant("one code of level 5's vertices is one off", "attribute", {5, 5},
                           unpacking([](const Unpacker& real, const PackedShape& shape, ByteView bytes) {
@@ -109,15 +106,12 @@ std::function<void(Functions&)> misreading(
 Law random_access_law() {
   return on_cases(
       {.id = "attribute.packed_random_access",
-       .topic = "attribute",
        .says = "a value read alone is the one that unpacking all gives, for each value of each map; of a "
                "lower level it is the parent of its four, or the vertex of the same number",
        .source = packed_source,
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 5},
-       .long_run = {0, 7},
-       .fast_seconds = 1.5,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 7}, .seconds = 1.5},
        .domain = packed_domain,
        .mutants = {mutant("one vertex of level 5 is read at its level's middle", "attribute", {5, 5},
                           misreading([](const PackedShape& shape, const ValueReader& real, std::uint32_t map,
@@ -153,15 +147,12 @@ Finding within_error(const AttributeSubject& s, Level, const PackCase& one) {
 Law within_error_law() {
   return on_cases(
       {.id = "attribute.packed_within_error",
-       .topic = "attribute",
        .says = "each code that comes back is within its channel's error, none where that is 0; packing what "
                "came back gives the same bytes",
        .source = packed_source,
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 5},
-       .long_run = {0, 8},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 8}, .seconds = 1},
        .domain = [](const Subject& s,
                     Level n) { return packed_domain(s, n) + "; errors 0..7 and 127, a channel each"; },
        .mutants = {mutant("beyond level 3 the last code is two errors off", "attribute", {4, 5},
@@ -201,16 +192,13 @@ Law size_law() {
       };
   return on_cases(
       {.id = "attribute.packed_size",
-       .topic = "attribute",
        .says =
            "packed maps take M R C + 4 ceil(B/8) + ceil(B C / 2) + ceil(bits / 8) bytes: M maps of R roots "
            "and C channels, B blocks, each of three times its triples times the sum of its least widths",
        .source = packed_source,
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
-       .fast = {0, 5},
-       .long_run = {0, 8},
-       .fast_seconds = 1,
+       .tiers = {.fast = {0, 5}, .long_run = {0, 8}, .seconds = 1},
        .domain = packed_domain,
        .mutants = {appending("level 4's vertices end in a byte of padding", {4, 4},
                              [](const PackedShape& shape, const Bytes&, ByteView) -> std::size_t {

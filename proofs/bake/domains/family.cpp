@@ -254,14 +254,14 @@ std::vector<State> Enumerated::found(Level n, std::uint64_t k, Threshold thresho
 
 std::string Enumerated::domain() const {
   return fmt::format(
-      "all {} {}x{} textures{} over {}/255, {}, {}, {} pairs of addressing modes, {} UV triangles", textures_,
-      family_.side, family_.side,
+      "all {} {}x{} textures{} over {}/255, {}, {}, {} pairs of addressing modes, border {}, {} UV triangles",
+      textures_, family_.side, family_.side,
       family_.block == 0 ? std::string()
                          : fmt::format(" that vary in {}x{} texels", family_.block, family_.block),
       fmt::join(family_.alphabet, ", "), family_.filter == Filter::nearest ? "nearest" : "bilinear",
       family_.blend ? std::string("BLEND")
                     : fmt::format("cutoff {}/{}", family_.cutoff.numerator, family_.cutoff.denominator),
-      family_.wraps.size(), family_.triangles.size());
+      family_.wraps.size(), family_.alphabet.front(), family_.triangles.size());
 }
 
 Families::Families(std::vector<Family> families) {

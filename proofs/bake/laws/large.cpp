@@ -169,16 +169,13 @@ void transparent_from_level_5_on(const Case& one, Level n, std::vector<State>& s
 
 Law large_law() {
   Law law{.id = "bake.conservative_on_large",
-          .topic = "bake",
           .says =
               "of a texture of one alpha, but for one texel at most, no micro-triangle is O or T against "
               "what is sampled at a corner, its centroid, or the one texel's centre in it",
           .source = "VK_KHR_opacity_micromap, opacity states; glTF 2.0, Alpha Coverage; spec/bake/state.hpp",
           .method = Method::sample,
           .subjects = {"bake"},
-          .fast = {0, 12},
-          .long_run = {0, 12},
-          .fast_seconds = 0.5,
+          .tiers = {.fast = {0, 12}, .long_run = {0, 12}, .seconds = 0.5},
           .domain =
               [](const Subject&, Level) {
                 return std::string(

@@ -54,9 +54,9 @@ Law relation(Law law, Case (*number)(std::uint64_t seed, Level n, std::uint64_t 
              Finding (*holds)(const BakeSubject&, const Case&, Level), const Lacks& lacks = {},
              std::uint64_t (*count)(Level, Tier) = count_of) {
   law.method = Method::sample;
-  law.fast = {0, 8};
-  law.long_run = {0, 11};
-  law.fast_seconds = 0.5;
+  law.tiers.fast = {0, 8};
+  law.tiers.long_run = {0, 11};
+  law.tiers.seconds = 0.5;
   if (!law.domain)
     law.domain = [](const Subject&, Level) {
       return fmt::format("{}; every fourth case, above level 6 every second, of {}", large_samples_text(),
@@ -202,7 +202,6 @@ std::function<void(Functions&)> in_two_state(bool (*meant)(const Case&)) {
 Law mips_law() {
   Law law = relation(
       {.id = "bake.mips",
-       .topic = "bake",
        .says = "with several mips a micro-triangle is O, or T, exactly where it is in each mip baked alone",
        .source = "a mean of two mips' alpha lies between them; spec/bake/state.hpp",
        .subjects = {"bake"},
@@ -219,7 +218,7 @@ Law mips_law() {
         return missing(s.functions.support.max_mips > 1, "it declares one mip alone");
       },
       count_with_mips);
-  law.long_run = {0, highest_rows};
+  law.tiers.long_run = {0, highest_rows};
   return law;
 }
 
@@ -251,7 +250,6 @@ std::optional<std::string> has_no_children(const BakeSubject& s, Level n) {
 Law in_turn_law() {
   return relation(
       {.id = "bake.asked_in_turn",
-       .topic = "bake",
        .says = "a map is its question's, whichever other one was asked before that differs from it "
                "in one thing: its texels from the second row on, their order, the smaller mips, the "
                "border, an addressing, the filter, a factor, the alpha mode, the cutoff, the "
@@ -273,7 +271,6 @@ std::vector<Law> relation_laws() {
   const auto never = [](const Case& one) { return one.cutoff.numerator == 256; };
   return {
       relation({.id = "bake.shift",
-                .topic = "bake",
                 .says = "whole repeats of the texture change nothing: any number along a repeated axis, an "
                         "even one along a mirrored one",
                 .source = "Vulkan, Wrapping Operation",
@@ -281,7 +278,6 @@ std::vector<Law> relation_laws() {
                 .mutants = {changed("a transparent one 30 above", {5, 5}, above, State::T, State::UT)}},
                periodic_sample, keeps_shifts, has_no_repeats),
       relation({.id = "bake.order",
-                .topic = "bake",
                 .says = "the vertices in another order give the same states, each to the micro-triangle that "
                         "is where it was",
                 .source = "VK_KHR_opacity_micromap, barycentrics to micro-triangles; spec/index/index.hpp",
@@ -291,14 +287,12 @@ std::vector<Law> relation_laws() {
                any_sample, keeps_orders),
       relation(
           {.id = "bake.force2",
-           .topic = "bake",
            .says = "a map in 2-state is force-2-state of the one in 4-state",
            .source = "VK_KHR_opacity_micromap, force-2-state; spec/micromap/micromap.hpp",
            .subjects = {"bake"},
            .mutants = {mutant("the last of odd textures in 2-state", "bake", {5, 5}, in_two_state(odd))}},
           any_sample, keeps_formats, has_one_format),
       relation({.id = "bake.nested",
-                .topic = "bake",
                 .says = "a micro-triangle is O, or T, exactly where its four children are",
                 .source = "a closed micro-triangle is the union of its children; spec/bake/state.hpp",
                 .subjects = {"bake"},
@@ -306,14 +300,12 @@ std::vector<Law> relation_laws() {
                any_sample, keeps_levels, has_no_children),
       relation(
           {.id = "bake.cutoff",
-           .topic = "bake",
            .says = "a higher cutoff makes nothing O, and nothing that is T anything else",
            .source = "glTF 2.0, Alpha Coverage",
            .subjects = {"bake"},
            .mutants = {changed("one of those with a cutoff above 1", {4, 4}, never, State::T, State::O)}},
           any_sample, keeps_cutoffs, has_one_cutoff),
       relation({.id = "bake.margin",
-                .topic = "bake",
                 .says = "a wider margin settles nothing: what is O or T with it is so without",
                 .source = "a dilated micro-triangle holds it; spec/bake/state.hpp",
                 .subjects = {"bake"},

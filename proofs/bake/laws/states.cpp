@@ -268,14 +268,11 @@ Law state_law(const char* id, const char* says, Denies denies, const Domain& dom
   }
   return on_cases(
       {.id = id,
-       .topic = "bake",
        .says = says,
        .source = source,
        .method = whole ? Method::exhaustive : Method::sample,
        .subjects = {"bake"},
-       .fast = domain.fast,
-       .long_run = domain.long_run,
-       .fast_seconds = 0.5,
+       .tiers = {.fast = domain.fast, .long_run = domain.long_run, .seconds = 0.5},
        .domain =
            [domain, whole](const Subject& s, Level) {
              if (!whole) return std::string(domain.says());

@@ -50,7 +50,6 @@ Tally discharge(const std::vector<Statement>& statements, const DagSubject& subj
 
 Law all_levels_law() {
   Law law{.id = "dag.all_levels",
-          .topic = "dag",
           .says =
               "of every map of every level n >= 3: the graph means the map, equal subtrees are one part, a "
               "lookup finds each state, what is added changes nothing that was meant, and the whole takes no "
@@ -58,8 +57,8 @@ Law all_levels_law() {
           .source = form,
           .method = Method::induction,
           .subjects = {about},
-          .at_once = "all levels",
-          .fast_seconds = 2.7};
+          .tiers = {.seconds = 2.7},
+          .at_once = "all levels"};
   law.cases = [count = shipped_all_levels().size()](Level, const Run&) { return count; };
   law.domain = [](const Subject&, Level) { return "every map of every level n >= 3"; };
   law.how = [](const Subject&, Level) { return "induction, " + proofs::induction::prover_name(); };

@@ -18,15 +18,14 @@ std::vector<proofs::induction::Statement> shipped() {
 
 Law law() {
   return {.id = "index.floats",
-          .topic = "index",
           .says =
               "for every pair of binary32 numbers, at every level 0..16, the library's index, one value at a "
               "time and in vectors, is that of the exact reference; in 64-bit words at every level 0..30",
           .source = vulkan,
           .method = Method::bit_vectors,
           .subjects = {"impl"},
+          .tiers = {.seconds = 8},
           .at_once = "levels 0..30",
-          .fast_seconds = 8,
           .cases = [count = shipped().size()](Level, const Run&) -> std::uint64_t { return count; },
           .domain =
               [](const Subject&, Level) {

@@ -117,15 +117,14 @@ std::vector<Statement> shipped_published() { return published_statements<Printed
 Law published_law() {
   return {
       .id = "index.published_differs_where",
-      .topic = "index",
       .says =
           "run in binary32 the published code gives another index than in exact arithmetic just where 1 - "
           "2^-25 <= uf+vf < 1 and floor(uN) + floor(vN) < N-1, and there that of the square's other half",
       .source = vulkan,
       .method = Method::bit_vectors,
       .subjects = {"reference-f32"},
+      .tiers = {.seconds = 8},
       .at_once = "levels 0..16",
-      .fast_seconds = 8,
       .cases = [count = shipped_published().size()](Level, const Run&) -> std::uint64_t { return count; },
       .domain = [](const Subject&,
                    Level) { return "every pair of binary32 numbers, NaN aside, levels 0..16 together"; },

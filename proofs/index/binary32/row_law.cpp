@@ -74,15 +74,14 @@ std::vector<proofs::induction::Statement> shipped_rows() {
 Law row_law() {
   const auto statements = [] { return row_statements_of(scalar_steps<Implemented>(), lane_steps()); };
   return {.id = "index.row_floats",
-          .topic = "index",
           .says =
               "for every pair of binary32 numbers, at every level 0..16, the library's index in row order, "
               "one value at a time and in vectors, is that of figure 4 in exact arithmetic",
           .source = attribute_4,
           .method = Method::bit_vectors,
           .subjects = {"impl"},
+          .tiers = {.seconds = 2},
           .at_once = "levels 0..16",
-          .fast_seconds = 2,
           .cases = [count = statements().size()](Level, const Run&) -> std::uint64_t { return count; },
           .domain =
               [](const Subject&, Level) {

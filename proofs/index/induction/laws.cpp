@@ -51,7 +51,6 @@ std::optional<std::vector<Statement>> statements_about(const Subjects& known, co
 /// counterexample.
 Law settled(const Subjects& (*known)(), Level search, std::uint64_t statements) {
   return {.id = {},
-          .topic = "index",
           .subjects = {},
           .cases = [statements](Level, const Run&) { return statements; },
           .unfit = [known](const Subject& s, Level) -> std::optional<std::string> {
@@ -82,7 +81,7 @@ Law all_levels_law() {
   law.method = Method::induction;
   law.at_once = "all levels";
   law.subjects = {"step"};
-  law.fast_seconds = 1;
+  law.tiers.seconds = 1;
   law.domain = [](const Subject&, Level) {
     return "every rational point of the triangle, every level n >= 0";
   };
@@ -102,7 +101,7 @@ Law wide_is_vulkan_law() {
   law.method = Method::bit_vectors;
   law.at_once = "levels 0..16";
   law.subjects = {"reference-wide"};
-  law.fast_seconds = 3;
+  law.tiers.seconds = 3;
   law.domain = [](const Subject&, Level) { return "every rational point, levels 0..16 together"; };
   law.how = [](const Subject&, Level) { return "bit vectors, " + proofs::induction::prover_name(); };
   law.mutants = mutants_of_wide_is_vulkan(search);
@@ -120,7 +119,7 @@ Law impl_wide_law() {
   law.method = Method::bit_vectors;
   law.at_once = "levels 0..30";
   law.subjects = {"impl"};
-  law.fast_seconds = 2;
+  law.tiers.seconds = 2;
   law.domain = [](const Subject&, Level) {
     return "every grid square and both its halves, levels 0..30 together";
   };

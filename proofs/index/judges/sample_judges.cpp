@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <string>
 
 #include "proofs/engine/kinds.hpp"
 #include "proofs/engine/random.hpp"
@@ -32,6 +34,20 @@ Kind kind_at(const spec::Point<Q>& p, Level n) {
 Counterexample at_rational(const RationalPoint& p, Level n, std::uint32_t expected, std::uint32_t got) {
   return {simplicity(p),         n, case_text(p, n), hex_text(p), fmt::format("{}", expected),
           fmt::format("{}", got)};
+}
+
+/// The same for a pair of floats, whose zeros keep their signs.
+template <class F>
+Counterexample at_floats(F u, F v, Level n, std::uint32_t expected, std::uint32_t got) {
+  const RationalPoint p{rational(u), rational(v)};
+  Counterexample found = at_rational(p, n, expected, got);
+  const bool negative_u = u == 0 && std::signbit(u), negative_v = v == 0 && std::signbit(v);
+  if (!negative_u && !negative_v) return found;
+  std::string& text = found.at;
+  if (negative_u) text.insert(text.find("u=") + 2, "-");
+  if (negative_v) text.insert(text.find("v=") + 2, "-");
+  found.hex = fmt::format("({:a},{:a})", u, v);
+  return found;
 }
 
 /// A random point in a random open cell of the level, in general on no finer grid, and that cell's representative.
@@ -121,7 +137,7 @@ Tally judged_on_pairs(Level n, const Run& run, std::uint64_t samples, Draw draw,
               tally.allow(kind);
             else
               tally.mismatch(kind, simplicity(p),
-                             [&, w = want.index] { return at_rational(p, n, w, got[t]); });
+                             [&, w = want.index] { return at_floats(u[t], v[t], n, w, got[t]); });
           }
         }
       },

@@ -33,14 +33,11 @@ Law exact_on_floats_law() {
                   }));
   };
   return {.id = "index.exact_on_floats",
-          .topic = "index",
           .says = "for binary32 numbers the index is that of the exact reference for those very numbers",
           .source = vulkan,
           .method = Method::sample,
           .subjects = {"step", "impl"},
-          .fast = {0, 16},
-          .long_run = {0, 16},
-          .fast_seconds = 12,
+          .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 12},
           .cases = hard_pairs,
           .domain = floats,
           .how = by_sample,
@@ -67,16 +64,13 @@ Law floats_err_law() {
                   }));
   };
   return {.id = "index.rounded_arithmetic_errs",
-          .topic = "index",
           .says =
               "neither algorithm is exact in binary16, binary32 or binary64: each misplaces one of two given "
               "points",
           .source = "docs/ERRATA.md, \"In rounded arithmetic\"",
           .method = Method::witness,
           .subjects = {"reference-f16", "reference-f32", "reference-f64", "step-f16", "step-f32", "step-f64"},
-          .fast = {1, 10},
-          .long_run = {1, 10},
-          .fast_seconds = 0.1,
+          .tiers = {.fast = {1, 10}, .long_run = {1, 10}, .seconds = 0.1},
           .cases = [](Level, const Run&) -> std::uint64_t { return 1; },
           .domain = [](const Subject&, Level) { return std::string("two points"); },
           .how = by_witness,
@@ -94,14 +88,11 @@ Law floats_err_law() {
 Law cells_decide_law() {
   return {
       .id = "index.cells_decide",
-      .topic = "index",
       .says = "every rational point inside a cell has the index of the cell's representative",
       .source = "docs/SOUNDNESS.md, \"Why cells prove all rationals\"",
       .method = Method::sample,
       .subjects = {"reference", "step", "step-appendix-middle", "step-appendix-ties", "step-appendix-names"},
-      .fast = {0, 16},
-      .long_run = {0, 16},
-      .fast_seconds = 3,
+      .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 3},
       .cases = rational_points,
       .domain = rationals,
       .how = by_sample,
@@ -126,14 +117,11 @@ Law fixed_is_rational_law() {
   };
   return {
       .id = "index.fixed_is_rational",
-      .topic = "index",
       .says = "64-bit fixed point gives the answers of rational arithmetic, and so do rationals of 63 bits",
       .source = "docs/SOUNDNESS.md, \"No sum overflows\"",
       .method = Method::exhaustive,
       .subjects = {"reference", "step", "step-appendix-middle", "step-appendix-ties", "step-appendix-names"},
-      .fast = {0, 8},
-      .long_run = {0, 8},
-      .fast_seconds = 6,
+      .tiers = {.fast = {0, 8}, .long_run = {0, 8}, .seconds = 6},
       .cases = all_cells,
       .domain = points,
       .how = against_rationals,
@@ -166,14 +154,11 @@ Law sweep_is_spec_law() {
   };
   return {
       .id = "index.sweep_is_spec",
-      .topic = "index",
       .says = "a row of points answered at once gets the answers that the algorithm gives each of them alone",
       .source = "docs/SOUNDNESS.md, \"Rows\"",
       .method = Method::exhaustive,
       .subjects = {"step", "reference"},
-      .fast = {0, 10},
-      .long_run = {0, 15},
-      .fast_seconds = 1,
+      .tiers = {.fast = {0, 10}, .long_run = {0, 15}, .seconds = 1},
       .cases = all_cells,
       .domain = points,
       .how = in_fixed_point,
@@ -195,13 +180,11 @@ Law exact_on_binary16_law() {
                   }));
   };
   return {.id = "index.exact_on_binary16",
-          .topic = "index",
           .says = "for binary16 numbers the index is that of the exact reference for those very numbers",
           .source = vulkan,
           .method = Method::exhaustive,
           .subjects = {"impl"},
-          .fast = {0, 10},
-          .long_run = {0, 10},
+          .tiers = {.fast = {0, 10}, .long_run = {0, 10}},
           .cases = [](Level, const Run&) { return pairs_of_binary16; },
           .domain =
               [](const Subject&, Level) {

@@ -55,14 +55,11 @@ std::vector<Mutant> mutants_of_both() {
 Law dialect_law(const char* id, const char* dialect, const char* says, const char* domain,
                 std::uint64_t (*cases)(Level, const Run&), Judge judge, Replay replay) {
   Law law{.id = id,
-          .topic = "index",
           .says = says,
           .source = code_sources,
           .method = Method::sample,
           .subjects = {"reference-f32"},
-          .fast = {0, 16},
-          .long_run = {0, 16},
-          .fast_seconds = 2,
+          .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 2},
           .cases = cases};
   law.domain = [domain](const Subject&, Level) { return std::string(domain); };
   law.how = [](const Subject&, Level) {

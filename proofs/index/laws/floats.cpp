@@ -28,16 +28,13 @@ Mutant wrong_at(const char* name, const char* base, Level level, F u, F v) {
 Law row_exact_on_floats_law() {
   return {
       .id = "index.row_exact_on_floats",
-      .topic = "index",
       .says =
           "for binary32 numbers the row-order index is that of figure 4 in exact arithmetic for those very "
           "numbers",
       .source = attribute_4,
       .method = Method::sample,
       .subjects = {"w-minor", "impl"},
-      .fast = {0, 16},
-      .long_run = {0, 16},
-      .fast_seconds = 2,
+      .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 2},
       .cases = pairs,
       .domain = [](const Subject&,
                    Level) { return std::string("a sample of binary32 pairs near what breaks row order"); },
@@ -65,14 +62,11 @@ Unfit needing_doubles() {
 
 Law exact_on_doubles_law() {
   return {.id = "index.exact_on_doubles",
-          .topic = "index",
           .says = "for binary64 numbers the index is that of the exact reference for those very numbers",
           .source = vulkan,
           .method = Method::sample,
           .subjects = {"step"},
-          .fast = {0, 16},
-          .long_run = {0, 16},
-          .fast_seconds = 2,
+          .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 2},
           .cases = double_pairs,
           .domain =
               [](const Subject&, Level) {

@@ -15,9 +15,9 @@ Law step_claim_law(Law law) {
       "Algorithm 4 as printed equals the reference, which the paper proved up to level 15 and not at 16";
   law.source = succinct_4_3;
   law.subjects = {"step"};
-  law.fast = {0, 10};
-  law.long_run = {0, 16};
-  law.fast_seconds = 3;
+  law.tiers.fast = {0, 10};
+  law.tiers.long_run = {0, 16};
+  law.tiers.seconds = 3;
   law.general = false;
   law.companion = {};
   law.knows_near = false;
@@ -36,14 +36,11 @@ Law differs_law(const char* id, const char* says, const char* source, const char
                   }));
   };
   return {.id = id,
-          .topic = "index",
           .says = says,
           .source = source,
           .method = Method::exhaustive,
           .subjects = {reading},
-          .fast = {0, 7},
-          .long_run = {0, 8},
-          .fast_seconds = 1,
+          .tiers = {.fast = {0, 7}, .long_run = {0, 8}, .seconds = 1},
           .cases = all_cells,
           .domain = points,
           .how = in_rationals_then_fixed_point,
@@ -61,7 +58,6 @@ Law differs_law(const char* id, const char* says, const char* source, const char
 
 Law prose_law() {
   return {.id = "paper.vulkan_prose_differs",
-          .topic = "index",
           .says =
               "read to the letter, Vulkan's prose differs from its reference code on the 2^n + 1 vertices of "
               "the hypotenuse of each level from 1 on, at level 0 on one, and nowhere else",
@@ -70,9 +66,7 @@ Law prose_law() {
               "appendix \"Reference Code\"",
           .method = Method::exhaustive,
           .subjects = {"vulkan-prose"},
-          .fast = {0, 7},
-          .long_run = {0, 12},
-          .fast_seconds = 1,
+          .tiers = {.fast = {0, 7}, .long_run = {0, 12}, .seconds = 1},
           .cases = all_cells,
           .domain = points,
           .how = in_rationals_then_fixed_point,
@@ -92,14 +86,11 @@ Law prose_law() {
 
 Law row_holds_point_law() {
   return {.id = "paper.w_minor_holds_point",
-          .topic = "index",
           .says = "the micro-triangle that figure 4 gives holds the point, on every line of the grid",
           .source = attribute_4,
           .method = Method::exhaustive,
           .subjects = {"w-minor"},
-          .fast = {0, 9},
-          .long_run = {0, 14},
-          .fast_seconds = 1,
+          .tiers = {.fast = {0, 9}, .long_run = {0, 14}, .seconds = 1},
           .cases = all_cells,
           .domain = points,
           .how = in_fixed_point,
@@ -116,14 +107,11 @@ Law row_holds_point_law() {
 Law binary32_root_law() {
   constexpr std::uint32_t first_wrong = 4097 * 4097 - 2;
   return {.id = "paper.w_minor_binary32_root_errs",
-          .topic = "index",
           .says = "figure 4's row of an index, rooted in binary32, is right below 4097^2-2 and wrong there",
           .source = attribute_4,
           .method = Method::exhaustive,
           .subjects = {"w-minor-f32"},
-          .fast = {10, 13},
-          .long_run = {0, 16},
-          .fast_seconds = 3,
+          .tiers = {.fast = {10, 13}, .long_run = {0, 16}, .seconds = 3},
           .cases = all_triangles,
           .domain = indices,
           .how = exhaustively,

@@ -16,16 +16,13 @@ std::string sampled_indices_alone(const Subject&, Level) { return "a sample of t
 Law on_samples_law() {
   return {
       .id = "index.on_samples",
-      .topic = "index",
       .says =
           "index, corners in any order, row-order index and row-order corners are the specification's, at "
           "every level",
       .source = "VK_EXT_opacity_micromap; Color and Attribute Micromaps, 4.1, figure 4",
       .method = Method::sample,
       .subjects = {"reference", "step", "w-minor", "impl"},
-      .fast = {0, 16},
-      .long_run = {0, 16},
-      .fast_seconds = 1,
+      .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 1},
       .cases = samples,
       .domain = sampled_indices,
       .how = by_sample,
@@ -49,16 +46,13 @@ Law on_samples_law() {
 
 Law corners_on_samples_law() {
   return {.id = "index.corners_on_samples",
-          .topic = "index",
           .says =
               "the corners of an index are those of the specification, in the order that a subject declares "
               "where it declares one, at every level",
           .source = succinct_4_3,
           .method = Method::sample,
           .subjects = {"impl"},
-          .fast = {0, 16},
-          .long_run = {0, 16},
-          .fast_seconds = 0.3,
+          .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 0.3},
           .cases = samples,
           .domain = sampled_indices_alone,
           .how = by_sample,

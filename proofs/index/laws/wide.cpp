@@ -151,15 +151,12 @@ Unfit needing_wide(Level last) {
 
 Law wide_equals_reference_law() {
   return {.id = "index.wide_equals_reference",
-          .topic = "index",
           .says = "the subject's index in 64-bit words is that of the reference in 64-bit words",
           .source =
               "VK_EXT_opacity_micromap, appendix \"Reference Code\"; docs/SOUNDNESS.md, \"Beyond level 16\"",
           .method = Method::exhaustive,
           .subjects = {"impl", "step"},
-          .fast = {0, 9},
-          .long_run = {0, 12},
-          .fast_seconds = 1,
+          .tiers = {.fast = {0, 9}, .long_run = {0, 12}, .seconds = 1},
           .cases = all_cells,
           .domain = points,
           .how = in_fixed_point,
@@ -181,7 +178,6 @@ Law wide_equals_reference_law() {
 Law wide_exact_on_floats_law() {
   return {
       .id = "index.wide_exact_on_floats",
-      .topic = "index",
       .says =
           "for binary32 numbers the index in 64-bit words is that of the exact reference for those very "
           "numbers",
@@ -189,9 +185,7 @@ Law wide_exact_on_floats_law() {
           "VK_EXT_opacity_micromap, appendix \"Reference Code\"; docs/SOUNDNESS.md, \"Beyond level 16\"",
       .method = Method::sample,
       .subjects = {"impl"},
-      .fast = {first_beyond, 30},
-      .long_run = {0, 30},
-      .fast_seconds = 3,
+      .tiers = {.fast = {first_beyond, 30}, .long_run = {0, 30}, .seconds = 3},
       .cases = [](Level, const Run&) { return pairs; },
       .domain = [](const Subject&, Level) { return fmt::format("{} hard pairs of binary32 numbers", pairs); },
       .how = by_sample,
@@ -212,37 +206,34 @@ Law wide_exact_on_floats_law() {
 }
 
 Law ends_at_16_law() {
-  return {.id = "index.vulkan_ends_at_16",
-          .topic = "index",
-          .says =
-              "in 32-bit words the reference is wrong at level 17: the last index does not fit, and bit 16 "
-              "of the prefix XOR does not come down to bit 0",
-          .source = vulkan,
-          .method = Method::witness,
-          .subjects = {"reference"},
-          .fast = {first_beyond, first_beyond},
-          .long_run = {first_beyond, first_beyond},
-          .fast_seconds = 1,
-          .cases = [](Level, const Run&) -> std::uint64_t { return beyond.size(); },
-          .domain = [](const Subject&, Level) { return fmt::format("{} given points", beyond.size()); },
-          .how = by_witness,
-          .unfit = [fits = needing_wide(0)](const Subject& s, Level n) -> std::optional<std::string> {
-            if (n != first_beyond) return "it is about level 17";
-            return fits(s, n);
-          },
-          .judge = judged_by(ends_at_16),
-          .mutants = {{"64-bit words", built_in("reference-wide"), {first_beyond, first_beyond}},
-                      wide_mutant("right at the v-corner", "reference", {first_beyond, first_beyond},
-                                  [](Level n, const RationalPoint& p, std::uint64_t index) {
-                                    return p.v == at(0, corner(n), n).v ? spec::index::reference_wide(p, n)
-                                                                        : index;
-                                  }),
-                      wide_mutant("a prefix XOR that reaches, in 32-bit words", "reference-wide",
-                                  {first_beyond, first_beyond},
-                                  [](Level, const RationalPoint&, std::uint64_t index) {
-                                    return index & 0xffffffff;
-                                  })},
-          .general = false};
+  return {
+      .id = "index.vulkan_ends_at_16",
+      .says =
+          "in 32-bit words the reference is wrong at level 17: the last index does not fit, and bit 16 "
+          "of the prefix XOR does not come down to bit 0",
+      .source = vulkan,
+      .method = Method::witness,
+      .subjects = {"reference"},
+      .tiers = {.fast = {first_beyond, first_beyond}, .long_run = {first_beyond, first_beyond}, .seconds = 1},
+      .cases = [](Level, const Run&) -> std::uint64_t { return beyond.size(); },
+      .domain = [](const Subject&, Level) { return fmt::format("{} given points", beyond.size()); },
+      .how = by_witness,
+      .unfit = [fits = needing_wide(0)](const Subject& s, Level n) -> std::optional<std::string> {
+        if (n != first_beyond) return "it is about level 17";
+        return fits(s, n);
+      },
+      .judge = judged_by(ends_at_16),
+      .mutants = {{"64-bit words", built_in("reference-wide"), {first_beyond, first_beyond}},
+                  wide_mutant("right at the v-corner", "reference", {first_beyond, first_beyond},
+                              [](Level n, const RationalPoint& p, std::uint64_t index) {
+                                return p.v == at(0, corner(n), n).v ? spec::index::reference_wide(p, n)
+                                                                    : index;
+                              }),
+                  wide_mutant(
+                      "a prefix XOR that reaches, in 32-bit words", "reference-wide",
+                      {first_beyond, first_beyond},
+                      [](Level, const RationalPoint&, std::uint64_t index) { return index & 0xffffffff; })},
+      .general = false};
 }
 
 }  // namespace

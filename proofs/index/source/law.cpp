@@ -186,14 +186,13 @@ SourceSubject::SourceSubject(std::string name, std::string about, Functions f, s
 
 Law law(std::string replayed_by) {
   Law l{.id = "index.floats",
-        .topic = "index",
+        .topic = "index",  // no registry fills it in: a source is the law's only subject
         .says =
             "for every pair of binary32 numbers the function's index is defined and that of the exact "
             "reference",
         .source = vulkan,
         .method = Method::bit_vectors,
-        .fast = {9, 9},
-        .long_run = {0, highest},
+        .tiers = {.fast = {9, 9}, .long_run = {0, highest}},
         .cases = [](Level n, const Run&) { return count_of_pairs(n); },
         .domain =
             [](const Subject&, Level) {

@@ -64,7 +64,6 @@ Barycentrics middle_of(std::uint32_t number, unsigned level) {
 
 std::vector<Law> image_laws() {
   Law law{.id = "traverse.same_image",
-          .topic = "traverse",
           .says =
               "rays that ask micromaps first, and the texture where these do not know, meet the same "
               "triangles at the same t, and the same light, as rays that ask the texture alone: with special "
@@ -72,8 +71,8 @@ std::vector<Law> image_laws() {
           .source = "Succinct Opacity Micromaps, 5.2; Compressed Opacity Maps, figures 1 and 12",
           .method = proofs::Method::sample,
           .subjects = {"traverse"},
+          .tiers = {.seconds = 1.5},
           .at_once = "levels 0..5",
-          .fast_seconds = 1.5,
           .domain =
               [](const Subject&, Level) {
                 return fmt::format(

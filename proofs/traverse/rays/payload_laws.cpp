@@ -82,7 +82,6 @@ std::function<void(Functions&)> looking(void (*change)(const Looks&, std::option
 std::vector<Law> payload_laws() {
   Law law{
       .id = "traverse.same_payload",
-      .topic = "traverse",
       .says =
           "hits along a ray blend to one payload, by max, min and add, whether any-hit shaders blend all of "
           "them or fixed functions those that maps call opaque: that of the texture's hits before the "
@@ -90,8 +89,8 @@ std::vector<Law> payload_laws() {
       .source = "Color and Attribute Micromaps, 4.3 and figure 6",
       .method = proofs::Method::sample,
       .subjects = {"traverse"},
+      .tiers = {.seconds = 1.5},
       .at_once = "levels 0..5",
-      .fast_seconds = 1.5,
       .domain =
           [](const Subject&, Level) {
             return fmt::format(

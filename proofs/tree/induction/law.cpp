@@ -49,15 +49,14 @@ std::vector<Statement> shipped_all_levels() { return all_levels_statements<Speci
 Law all_levels_law() {
   Law law{
       .id = "tree.all_levels",
-      .topic = "tree",
       .says =
           "at every level n >= 0, of every map: Algorithms 1 and 2 give it one encoding that no other map "
           "has, Algorithm 3 finds its every state there, and it is no larger than (4^(n+1)-1)/3 nodes",
       .source = "Succinct Opacity Micromaps, 4.1, 4.2 and 6.2.1",
       .method = Method::induction,
       .subjects = {about},
-      .at_once = "all levels",
-      .fast_seconds = 2};
+      .tiers = {.seconds = 2},
+      .at_once = "all levels"};
   law.cases = [count = shipped_all_levels().size()](Level, const Run&) { return count; };
   law.domain = [](const Subject&, Level) { return "every map of every level n >= 0"; };
   law.how = [](const Subject&, Level) { return "induction, " + proofs::induction::prover_name(); };
