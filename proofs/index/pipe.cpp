@@ -128,9 +128,10 @@ Answered check_corners(Level n, std::size_t errors, std::istream& in) {
   const IndexSubject subject("standard input", "answers on a pipe", std::move(f));
   Run run;
   run.errors = errors;
-  const std::vector<Law> all = laws();
+  std::vector<Law> all = laws();
   const auto law =
       std::find_if(all.begin(), all.end(), [](const Law& one) { return one.id == "index.corners"; });
+  law->topic = subject.topic();
   Answered answered{run_level(*law, subject, n, run), {}};
   answered.diagnosis.push_back("its order of corners: " + name_corner_order(subject, n));
   return answered;

@@ -222,7 +222,7 @@ TEST(Several, one_of_them_can_be_named) {
   EXPECT_THAT(o.out, HasSubstr("proved     tree.round_trip"));
   EXPECT_THAT(o.out, Not(HasSubstr("proved     micromap.packing")));
   expect_complaint(judge_tree("tree_example", "tree.round_trip", ":micromap"), 2,
-                   "no entry point of micromap");
+                   "no entry point of topic micromap");
 }
 
 TEST(Several, one_that_was_built_before_there_were_trees_is_judged_as_before) {

@@ -64,7 +64,7 @@ ctest --test-dir "$folder/without/build" --no-tests=error | tail -1
 # A keyword that an unset variable left without its value would judge less than was asked.
 for left in 'LAWS LEVELS 0..2' 'LAWS index.in_range LEVELS'; do
   sed -i "s/ LAWS.*)/ $left)/" "$folder/without/CMakeLists.txt"
-  cmake "$folder/without/build" >"$folder/configure.log" 2>&1 && fail "mmverify_add_proof takes $left"
+  PKG_CONFIG_LIBDIR=/nowhere cmake "$folder/without/build" >"$folder/configure.log" 2>&1 && fail "mmverify_add_proof takes $left"
   grep 'mmverify_add_proof(NAME SUBJECT TARGET' "$folder/configure.log"
 done
 

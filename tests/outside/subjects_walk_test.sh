@@ -6,7 +6,7 @@ set -euo pipefail
 
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../.."
 # shellcheck disable=SC2016  # the marks of code in Markdown
-script=$(sed -n '/^### From nothing to a delivery/gate/,/^### Finished maps/p' docs/SUBJECTS.md | sed -n '/^```sh$/,/^```$/{/^```/d;p}')
+script=$(sed -n '/^### From nothing to a gate/,/^### Finished maps/p' docs/SUBJECTS.md | sed -n '/^```sh$/,/^```$/{/^```/d;p}')
 [[ $(grep -c . <<<"$script") -ge 10 ]] || { echo "FAILED: docs/SUBJECTS.md has no walk"; exit 1; }
 TMPDIR=$(mktemp -d)
 export TMPDIR

@@ -77,7 +77,8 @@ TEST_P(Replay, KillsItsMutantsShowsTheirCounterexamplesAndAcquitsTheRightSubject
     }
     EXPECT_TRUE(killed) << mutant.name;
   }
-  if (!sanitized && law.tiers.fast.last > 3) {
+  // A law whose other mutants are faults of tests/foreign has one of its own, at any level.
+  if (!sanitized && law.tiers.fast.last > 3 && law.mutants.size() > 1) {
     EXPECT_GT(highest, 3u);
   }
 }
