@@ -106,7 +106,7 @@ typedef struct mmverify_blend_case {
   uint32_t size;              /* sizeof(mmverify_blend_case) */
   uint32_t operation;         /* MMVERIFY_BLEND_MAX, ... */
   uint32_t payload;           /* before any hit */
-  uint32_t count;             /* hits, up to 16 */
+  uint32_t count;             /* hits, 1 to 16 */
   const mmverify_hit_t* hits; /* in the order in which they are met, not sorted by distance */
 } mmverify_blend_case_t;
 
