@@ -90,7 +90,7 @@ class Builder {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> in_array, in_geometry;
   };
 
-  /// What the array holds already; from the base triangle on it may be shared.
+  /// The records that the array holds already; maps may share those from the base triangle on.
   void take_existing(Work& work, std::span<const PackedMap> before, std::uint32_t base_triangle) const {
     for (std::size_t r = 0; r < before.size(); ++r) {
       const std::uint32_t level = before[r].level, format = static_cast<std::uint32_t>(before[r].format);

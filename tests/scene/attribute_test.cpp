@@ -217,7 +217,7 @@ const Maps six{{{1, 2, 3, 0}, {4, 5, 6, 0}}, {{4, 5, 6, 0}, {1, 2, 3, 0}}, {{1, 
 TEST(DistinctMaps, AreNumberedAsTheyAppear) {
   DistinctMaps maps = distinct(six, 100);
   EXPECT_EQ(maps.count(), 0u);
-  // In two parts, and in another order than their owners.
+  // Owners come in two parts, not in their order.
   EXPECT_THAT(maps.add(std::vector<std::size_t>{1, 0, 2}), testing::ElementsAre(0, 1, 1));
   EXPECT_EQ(maps.constant(), 0u);
   EXPECT_THAT(maps.add(std::vector<std::size_t>{3, 4, 5, 0}), testing::ElementsAre(2, 2, 3, 1));
@@ -503,6 +503,27 @@ TEST(AttributeMeasure, SaysHowFarPackedMapsAreOff) {
         std::count_if(stored[k].begin(), stored[k].end(), [](std::uint8_t code) { return code % 3 != 0; }));
     EXPECT_EQ(packed.worst_error, 1);
     EXPECT_DOUBLE_EQ(packed.rms_error, std::sqrt(off / static_cast<double>(stored[k].size())));
+  }
+}
+
+// Images are measured by their numbers, and triangles come in the scene's order: here the other way round.
+TEST(AttributeMeasure, NumbersStoredMapsByTheirTriangles) {
+  AttributeScene scene = square_scene(drawn(4, 4, [](auto, auto, auto) { return 9; }));
+  scene.images.push_back(drawn(4, 4, [](auto, auto, auto) { return 200; }));
+  scene.textures.push_back({base_color, 1, wrapped_as(Wrap::clamp_to_edge)});
+  scene.primitives.push_back(scene.primitives.front());
+  scene.primitives.front().uses.front().texture = 1;
+  std::vector<StoredAttributes> stored;
+  AttributeOptions options{.first = 0, .last = 0};
+  options.stored = [&](const StoredAttributes& one) { stored.push_back(one); };
+  measure(scene, options);
+  ASSERT_EQ(stored.size(), 2u);
+  for (const StoredAttributes& one : stored) {
+    using mmverify::impl::attribute::MapUse;
+    EXPECT_THAT(one.maps.triangles,
+                testing::ElementsAre(MapUse{0, 0}, MapUse{0, 0}, MapUse{1, 0}, MapUse{1, 0}));
+    EXPECT_EQ(one.maps.codes.front(), 200);
+    EXPECT_EQ(one.maps.codes.back(), 9);
   }
 }
 

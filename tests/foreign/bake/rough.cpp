@@ -19,7 +19,7 @@ void clip(double at, double by, bool has_low, double low, bool has_high, double 
   if (by > 0 ? has_high : has_low) t1 = std::min(t1, ((by > 0 ? high : low) - at) / by);
 }
 
-/// Where the line at height y meets the polygon: from left to right; right < left where it does not.
+/// The span of the line at height y inside the polygon; right < left if the line misses it.
 std::pair<double, double> span_at(const std::vector<Point<double>>& p, double y) {
   double left = 1e300, right = -1e300;
   for (std::size_t e = 0; e < p.size(); ++e) {
