@@ -161,6 +161,8 @@ Job source_job(const SourceOptions& options, const std::optional<Levels>& levels
           nullptr};
   try {
     job.subject = subject_of(options, name, timeout_seconds);
+  } catch (const source::NoSource& why) {
+    throw EnvironmentError(why.what());
   } catch (const source::BadSource& why) {
     throw UsageError(why.what());
   } catch (const source::NotAvailable& why) {

@@ -123,7 +123,7 @@ Compiled::Compiled(const std::string& file, const std::string& function,
       folder_(std::make_shared<const program::Folder>("source")) {
   reader();
   std::error_code error;
-  if (!fs::exists(file, error)) throw BadSource(file + ": no such file");
+  if (!fs::exists(file, error)) throw NoSource(file + ": no such file");
   if (!fs::is_regular_file(file, error)) throw BadSource(file + ": it is no file with text or code");
   for (const std::string& flag : flags)
     if (const auto why = why_not_judged(flag))

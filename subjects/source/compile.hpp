@@ -17,6 +17,10 @@ namespace mmverify::source {
 struct BadSource : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+/// There is no such file.
+struct NoSource : BadSource {
+  using BadSource::BadSource;
+};
 /// There is no clang, or this build has no reader of bitcode; what() names the tool and its package.
 struct NotAvailable : std::runtime_error {
   using std::runtime_error::runtime_error;

@@ -23,7 +23,7 @@ judged() {
   grep -qE -- "$pattern" said || { cat said; fail "$*: nothing said like: $pattern"; }
 }
 
-judged 2 'no such file' --source missing.c
+judged 4 'no such file' --source missing.c
 grep -q 'llvm-14-dev' said && { echo "SKIPPED: $(cat said)"; exit 77; }
 
 # What is undefined, whatever LLVM's passes would make of it.
