@@ -130,7 +130,7 @@ TEST_F(ShaderOnDevice, a_whole_shader_and_its_spirv_answer_alike) {
 layout(std430, set = 0, binding = 0) readonly buffer In { uint index[]; };
 layout(std430, set = 0, binding = 3) writeonly buffer Out { uint answer[]; };
 layout(push_constant) uniform Asked { uint count, level, first, second, bytes; };
-#include "shaders/index.glsl"
+#include "subjects/shaders/index.glsl"
 layout(local_size_x = 128) in;
 void main() {
   uint k = gl_GlobalInvocationID.x;
