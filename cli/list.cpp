@@ -12,9 +12,8 @@
 #include "cli/json_text.hpp"
 #include "cli/output_file.hpp"
 #include "cli/streams.hpp"
-#include "proofs/planning/fast_levels.hpp"
+#include "proofs/planning/plan.hpp"
 #include "proofs/registry/registry.hpp"
-#include "proofs/registry/statements.hpp"
 
 namespace mmverify::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "cli/output_file.hpp"
 #include "cli/shader.hpp"
 #include "cli/streams.hpp"
-#include "proofs/index/subjects/built_in.hpp"
+#include "proofs/index/subject.hpp"
 #include "proofs/registry/registry.hpp"
 
 namespace mmverify::cli {

@@ -10,7 +10,7 @@
 #include "cli/build_info.hpp"
 #include "proofs/bake/subject.hpp"
 #include "proofs/bake/truth/truth.hpp"
-#include "proofs/index/wrong_cells.hpp"
+#include "proofs/index/diagnosis.hpp"
 #include "proofs/registry/registry.hpp"
 
 namespace mmverify::cli {

@@ -8,7 +8,7 @@
 
 #include "cli/exit_code.hpp"
 #include "proofs/engine/runner.hpp"
-#include "proofs/index/judges/plain_sweep.hpp"
+#include "proofs/index/grid/reference_sweep.hpp"
 #include "proofs/index/options.hpp"
 #include "proofs/points/cells.hpp"
 #include "proofs/registry/registry.hpp"

@@ -22,7 +22,7 @@
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
-#include "proofs/scene/subject_laws.hpp"
+#include "proofs/scene/laws.hpp"
 #include "scene/sample/scene.hpp"
 #include "scene/validate/micromaps.hpp"
 #include "scene/write/glb.hpp"

@@ -1,9 +1,6 @@
 #include "proofs/array/answers.hpp"
 
-#include <fmt/format.h>
-
 #include <set>
-#include <tuple>
 
 #include "spec/micromap/level.hpp"
 

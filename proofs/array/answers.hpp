@@ -1,11 +1,7 @@
 // A builder's answer, read as a traversal reads it; no part of it is trusted.
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "proofs/array/cases.hpp"
-#include "proofs/engine/cases.hpp"
 
 namespace mmverify::proofs::array {
 

@@ -1,8 +1,6 @@
 // Laws of builders: on all small arrays, and on samples of large ones.
-#include <algorithm>
-
-#include "proofs/array/law_groups.hpp"
 #include "proofs/array/law_parts.hpp"
+#include "proofs/array/laws.hpp"
 
 namespace mmverify::proofs::array {
 namespace {
@@ -302,7 +300,7 @@ Law sampled() {
        .subjects = {"array-spec", "array"},
        .tiers = {.fast = {0, 5}, .long_run = {0, 7}, .seconds = 3},
        .domain =
-           [](const Subject&, Level n) {
+           [](Level n) {
              return fmt::format(
                  "up to 40 maps of levels 0..{} after up to 5, all APIs, encodings, choices and base "
                  "triangles; half of them with merging of up to 6; 1 of 50 has 248 to 256 records more, for "
@@ -330,16 +328,12 @@ Law sampled() {
                             if (c.options.api == Api::NVAPI) a.geometry_counts.clear();
                           }))}},
       {entry::build},
-      {[](Level n) -> std::uint64_t { return n <= 4 ? 600 : 150; },
-       [](const ArraySubject& s, Level n, std::uint64_t k, const Run& run) {
-         return built(s, sample_array(n, run.seed, k, k % 2 == 0 ? 0 : 6), all_checks);
-       },
-       [](Level, std::uint64_t k, const Run& run) { return text_of_sample(run.seed, k); },
-       [](const ArraySubject& s, Level n, const std::string& at) {
-         const auto [seed, k] = sample_of(at);
-         return built(s, sample_array(n, seed, k, k % 2 == 0 ? 0 : 6), all_checks);
-       },
-       16});
+      drawn_cases(
+          falling({{4, 600}}, 150),
+          [](const ArraySubject& s, Level n, std::uint64_t seed, std::uint64_t k) {
+            return built(s, sample_array(n, seed, k, k % 2 == 0 ? 0 : 6), all_checks);
+          },
+          16));
 }
 
 Law whole() {
@@ -348,11 +342,10 @@ Law whole() {
        .says = "array.resolves, .formats and both histograms on every array of three triangles of levels 0 "
                "and 1, sorted or not",
        .source = array_source,
-       .method = Method::exhaustive,
        .subjects = {"array"},
        .tiers = {.fast = {1, 1}, .long_run = {1, 1}, .seconds = 200},
-       .domain = named_domain("all 278^3 arrays of three triangles, both formats, indices of 8, 16 and 32 "
-                              "bits; special indices and sharing"),
+       .domain = "all 278^3 arrays of three triangles, both formats, indices of 8, 16 and 32 "
+                 "bits; special indices and sharing",
        .mutants = {mutant("three maps of one byte are one", "array", {1, 1}, building([](BuildCase& c) {
                             if (c.maps[0].bytes == Bytes{0x1b} && c.maps[2].bytes == Bytes{0x1e})
                               c.maps[2] = c.maps[0];
@@ -371,13 +364,8 @@ Law whole() {
                           }))},
        .long_only = true},
       {entry::build},
-      {[](Level n) { return n == 1 ? whole_small_arrays() : 0; },
-       [](const ArraySubject& s, Level, std::uint64_t k, const Run&) {
-         return built(s, whole_small_array(k), all_checks);
-       },
-       [](Level, std::uint64_t k, const Run&) { return text_of(whole_small_array(k)); },
-       [](const ArraySubject& s, Level, const std::string& at) { return built(s, case_of(at), all_checks); },
-       4096});
+      built_cases([](Level n) { return n == 1 ? whole_small_arrays() : 0; },
+                  [](Level, std::uint64_t k) { return whole_small_array(k); }, all_checks, 4096));
 }
 
 }  // namespace

@@ -1,10 +1,6 @@
-#include "proofs/array/bundles.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <numeric>
 
+#include "proofs/array/cases.hpp"
 #include "proofs/array/law_parts.hpp"
 
 namespace mmverify::proofs::array {
@@ -69,18 +65,6 @@ Part any_part(std::uint64_t records, Random& random) {
   return part;
 }
 
-}  // namespace
-
-Bundle sample_bundle(Level n, std::uint64_t seed, std::uint64_t k) {
-  Random random(seed, bundle_stream + n, k);
-  Bundle b{any_array(n, random), {}};
-  for (std::uint64_t left = random.below(9); left > 0; --left)
-    b.parts.push_back(any_part(b.array.records.size(), random));
-  return b;
-}
-
-namespace {
-
 std::string text_of_triangle(const Bundle& b, const Part& part, std::uint64_t t) {
   const Target to = spec::array::target(b, part, t);
   if (to.kind == Target::Kind::special) return fmt::format("special {}", maps::name_of(to.state));
@@ -96,6 +80,14 @@ std::string text_of_triangle(const Bundle& b, const Part& part, std::uint64_t t)
 }
 
 }  // namespace
+
+Bundle sample_bundle(Level n, std::uint64_t seed, std::uint64_t k) {
+  Random random(seed, bundle_stream + n, k);
+  Bundle b{any_array(n, random), {}};
+  for (std::uint64_t left = random.below(9); left > 0; --left)
+    b.parts.push_back(any_part(b.array.records.size(), random));
+  return b;
+}
 
 std::optional<std::pair<std::string, std::string>> resolved_differently(const Bundle& was, const Bundle& is) {
   if (was.parts.size() != is.parts.size())

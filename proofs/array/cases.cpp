@@ -1,12 +1,7 @@
 #include "proofs/array/cases.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <charconv>
-#include <string_view>
 
-#include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/micromap/maps.hpp"
 

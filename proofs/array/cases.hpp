@@ -1,11 +1,6 @@
 // Cases for builders: all small arrays, samples of large ones, and the texts that name them.
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "proofs/array/subject.hpp"
 #include "proofs/engine/random.hpp"
 
@@ -55,5 +50,17 @@ PackedMap packed(Level level, Format format, const States& states);
 /// "sample:SEED:K".  Throws BadCase.
 std::string text_of_sample(std::uint64_t seed, std::uint64_t k);
 std::pair<std::uint64_t, std::uint64_t> sample_of(const std::string& text);
+
+/// The array and the geometry that the specification builds from a case.
+Bundle bundle_of(const BuildCase& c);
+
+/// Any array with any geometries.  It has up to 45 records of maps of levels up to n, or up to 600 of level 0.  Each
+/// map has bytes of its own, in any order and with gaps.  None to eight geometries have any encoding and base
+/// triangle, and up to 40 triangles each, with special indices and records in any order.  Sample k of a seed is the
+/// same everywhere.
+Bundle sample_bundle(Level n, std::uint64_t seed, std::uint64_t k);
+
+/// The first difference of two bundles in geometries, triangles or targets, as words for `was` and for `is`.
+std::optional<std::pair<std::string, std::string>> resolved_differently(const Bundle& was, const Bundle& is);
 
 }  // namespace mmverify::proofs::array

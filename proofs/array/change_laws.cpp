@@ -1,9 +1,9 @@
 // Compact, reorder, concatenate: each triangle resolves as before.
 #include <set>
 
-#include "proofs/array/bundles.hpp"
-#include "proofs/array/law_groups.hpp"
+#include "proofs/array/cases.hpp"
 #include "proofs/array/law_parts.hpp"
+#include "proofs/array/laws.hpp"
 
 namespace mmverify::proofs::array {
 namespace {
@@ -177,13 +177,12 @@ std::function<void(Functions&)> changing(One entry, void (*change)(const Bundle&
 
 using BundleCheck = Finding (*)(const ArraySubject&, const BuildCase&);
 Law on_bundles(Law law, const Entry& needed, BundleCheck check) {
-  law.method = Method::exhaustive;
   law.tiers.fast = law.tiers.long_run = {1, 1};
   law.subjects = {"array-spec", "array"};
   law.source = here;
-  law.domain = named_domain(
+  law.domain =
       "1 and 2 triangles of the sorted maps of levels 0 and 1, both formats, every choice, all encodings, "
-      "behind two records, each record with bytes of its own; two geometries");
+      "behind two records, each record with bytes of its own; two geometries";
   return on_cases(
       std::move(law), {needed},
       {[](Level n) { return n == 1 ? small_bundles() : 0; },
@@ -193,10 +192,6 @@ Law on_bundles(Law law, const Entry& needed, BundleCheck check) {
        [](Level, std::uint64_t k, const Run&) { return text_of(bundle_number(k)); },
        [check](const ArraySubject& s, Level, const std::string& at) { return check(s, case_of(at)); }});
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Samples
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// Each change that the subject has, of one array, or of it and the next one.
 Finding changes(const ArraySubject& s, Level n, std::uint64_t seed, std::uint64_t k) {
@@ -230,7 +225,7 @@ Law changes_on_samples() {
        .subjects = {"array-spec", "array"},
        .tiers = {.fast = {0, 5}, .long_run = {0, 6}, .seconds = 0.8},
        .domain =
-           [](const Subject&, Level n) {
+           [](Level n) {
              return fmt::format(
                  "arrays of up to 45 maps of levels up to {}, or 600 of level 0, in any order, with gaps and "
                  "over others; "
@@ -266,17 +261,7 @@ Law changes_on_samples() {
                                        is.array.data.back() =
                                            static_cast<std::uint8_t>(is.array.data.back() ^ 1);
                                    }))}},
-      {any_change},
-      {[](Level n) -> std::uint64_t { return n <= 3 ? 200 : 60; },
-       [](const ArraySubject& s, Level n, std::uint64_t k, const Run& run) {
-         return changes(s, n, run.seed, k);
-       },
-       [](Level, std::uint64_t k, const Run& run) { return text_of_sample(run.seed, k); },
-       [](const ArraySubject& s, Level n, const std::string& at) {
-         const auto [seed, k] = sample_of(at);
-         return changes(s, n, seed, k);
-       },
-       4});
+      {any_change}, drawn_cases(falling({{3, 200}}, 60), changes, 4));
 }
 
 void keep_base(const Bundle& was, Bundle& is) {

@@ -1,10 +1,8 @@
 // Laws of devices: levels that a device lacks are emulated; blocks have few descriptors.
-#include <algorithm>
 #include <set>
 
-#include "proofs/array/law_groups.hpp"
 #include "proofs/array/law_parts.hpp"
-#include "proofs/engine/random.hpp"
+#include "proofs/array/laws.hpp"
 #include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::array {
@@ -12,9 +10,7 @@ namespace {
 
 namespace maps = mmverify::spec::micromap;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Emulated levels
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Emulated levels
 
 /// KHR's rule, with no state lost that could be kept: a block of T alone or of O alone stays known.
 Finding emulates(const ArraySubject& s, const PackedMap& m, Level most) {
@@ -55,49 +51,41 @@ std::function<void(Functions&)> emulating(void (*change)(Level n, Level most, By
 }
 
 Law emulation() {
-  return on_cases({.id = "array.emulates",
-                   .says = "a level that the device lacks, emulated by lossy substitution, has T and O for "
-                           "blocks of T and O alone, and unknown states for the rest",
-                   .source = "the KHR slides, Lossy Micromaps",
-                   .method = Method::exhaustive,
-                   .subjects = {"array-spec", "array"},
-                   .tiers = {.fast = {1, 1}, .long_run = {1, 1}, .seconds = 0.1},
-                   .domain = named_domain("all 256 4-state maps of level 1 at level 0"),
-                   .mutants = {mutant("a majority of O is O", "array", {1, 1},
-                                      [](Functions& f) {
-                                        f.emulate = [real = f.emulate](Level n, Level most,
-                                                                       std::span<const std::uint8_t> map) {
-                                          Bytes out = real(n, most, map);
-                                          if (n == 1 && map[0] == 0x54) out[0] = 1;
-                                          return out;
-                                        };
-                                      }),
-                               mutant("a block of UT is T", "array-spec", {1, 1},
-                                      [](Functions& f) {
-                                        f.emulate = [real = f.emulate](Level n, Level most,
-                                                                       std::span<const std::uint8_t> map) {
-                                          Bytes out = real(n, most, map);
-                                          if (n == 1 && map[0] == 0xaa) out[0] = 0;
-                                          return out;
-                                        };
-                                      }),
-                               mutant("T and O are unknown at once", "array", {1, 1},
-                                      emulating([](Level, Level, Bytes& out) {
-                                        out[0] = static_cast<std::uint8_t>(out[0] | 2);
-                                      }))}},
-                  {entry::emulate},
-                  {[](Level n) -> std::uint64_t { return n == 1 ? 256 : 0; },
-                   [](const ArraySubject& s, Level, std::uint64_t k, const Run&) {
-                     return emulates(s, {1, Format::four_state, {static_cast<std::uint8_t>(k)}}, 0);
-                   },
-                   [](Level, std::uint64_t k, const Run&) {
-                     return micromap::text_of_states({1, Format::four_state, {static_cast<std::uint8_t>(k)}});
-                   },
-                   [](const ArraySubject& s, Level n, const std::string& at) {
-                     const micromap::Map map = micromap::map_from_text(n, at);
-                     if (map.format != Format::four_state) throw BadCase("4-state alone is lossy");
-                     return emulates(s, {map.level, map.format, map.packed}, 0);
-                   }});
+  return on_cases(
+      {.id = "array.emulates",
+       .says = "a level that the device lacks, emulated by lossy substitution, has T and O for "
+               "blocks of T and O alone, and unknown states for the rest",
+       .source = "the KHR slides, Lossy Micromaps",
+       .subjects = {"array-spec", "array"},
+       .tiers = {.fast = {1, 1}, .long_run = {1, 1}, .seconds = 0.1},
+       .domain = "all 256 4-state maps of level 1 at level 0",
+       .mutants = {mutant("a majority of O is O", "array", {1, 1},
+                          spoils(&Functions::emulate,
+                                 [](Level n, Level, std::span<const std::uint8_t> map, Bytes& out) {
+                                   if (n == 1 && map[0] == 0x54) out[0] = 1;
+                                 })),
+                   mutant("a block of UT is T", "array-spec", {1, 1},
+                          spoils(&Functions::emulate,
+                                 [](Level n, Level, std::span<const std::uint8_t> map, Bytes& out) {
+                                   if (n == 1 && map[0] == 0xaa) out[0] = 0;
+                                 })),
+                   mutant("T and O are unknown at once", "array", {1, 1},
+                          emulating([](Level, Level, Bytes& out) {
+                            out[0] = static_cast<std::uint8_t>(out[0] | 2);
+                          }))}},
+      {entry::emulate},
+      {[](Level n) -> std::uint64_t { return n == 1 ? 256 : 0; },
+       [](const ArraySubject& s, Level, std::uint64_t k, const Run&) {
+         return emulates(s, {1, Format::four_state, {static_cast<std::uint8_t>(k)}}, 0);
+       },
+       [](Level, std::uint64_t k, const Run&) {
+         return micromap::text_of_states({1, Format::four_state, {static_cast<std::uint8_t>(k)}});
+       },
+       [](const ArraySubject& s, Level n, const std::string& at) {
+         const micromap::Map map = micromap::map_from_text(n, at);
+         if (map.format != Format::four_state) throw BadCase("4-state alone is lossy");
+         return emulates(s, {map.level, map.format, map.packed}, 0);
+       }});
 }
 
 Law emulation_on_samples() {
@@ -126,21 +114,15 @@ Law emulation_on_samples() {
                               if (b == 0xff) b = 0x55;
                           }))}},
       {entry::emulate},
-      {[](Level n) -> std::uint64_t { return n <= 5 ? 100 : 20; },
-       [](const ArraySubject& s, Level n, std::uint64_t k, const Run& run) {
-         return emulates(s, four_state(n, run.seed, k), level_below(n, run.seed, k));
-       },
-       [](Level, std::uint64_t k, const Run& run) { return text_of_sample(run.seed, k); },
-       [](const ArraySubject& s, Level n, const std::string& at) {
-         const auto [seed, k] = sample_of(at);
-         return emulates(s, four_state(n, seed, k), level_below(n, seed, k));
-       },
-       4});
+      drawn_cases(
+          falling({{5, 100}}, 20),
+          [](const ArraySubject& s, Level n, std::uint64_t seed, std::uint64_t k) {
+            return emulates(s, four_state(n, seed, k), level_below(n, seed, k));
+          },
+          4));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Blocks
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Blocks
 
 constexpr std::size_t longest_row = 10, most_codes = 7;
 
@@ -212,11 +194,10 @@ Law palettes() {
       {.id = "array.blocks",
        .says = "triangles in order are cut into the fewest blocks of at most 7 distinct codes",
        .source = "DGF: a block holds at most 7 distinct descriptors; docs/ARRAYS.md",
-       .method = Method::exhaustive,
        .subjects = {"array-spec", "array"},
        .tiers = {.seconds = 3},
        .at_once = "all levels",
-       .domain = named_domain("all rows of 1 to 10 triangles, whatever their codes are called: 142,417"),
+       .domain = "all rows of 1 to 10 triangles, whatever their codes are called: 142,417",
        .mutants = {mutant("8 codes a block", "array", {0, 0}, cutting([](std::span<const std::uint32_t> c) {
                             return spec::array::blocks(c, 8);
                           })),

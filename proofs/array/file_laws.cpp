@@ -1,9 +1,7 @@
 // Arrays as files: both versions read back the same, and other bytes are refused.
-#include <algorithm>
-
-#include "proofs/array/bundles.hpp"
-#include "proofs/array/law_groups.hpp"
+#include "proofs/array/cases.hpp"
 #include "proofs/array/law_parts.hpp"
+#include "proofs/array/laws.hpp"
 #include "proofs/engine/shape.hpp"
 
 namespace mmverify::proofs::array {
@@ -121,7 +119,7 @@ Law files_on_samples() {
        .subjects = {"array-spec", "array"},
        .tiers = {.fast = {0, 5}, .long_run = {0, 6}, .seconds = 0.2},
        .domain =
-           [](const Subject&, Level n) {
+           [](Level n) {
              return fmt::format("the arrays of array.changes_on_samples, of levels up to {}", n);
            },
        .mutants = {mutant("data beyond 255 bytes loses its last one's high bit", "array", {0, 5},
@@ -141,16 +139,12 @@ Law files_on_samples() {
                               b.reset();
                           }))}},
       {entry::file},
-      {[](Level) -> std::uint64_t { return 60; },
-       [](const ArraySubject& s, Level n, std::uint64_t k, const Run& run) {
-         return comes_back(s, sample_bundle(n, run.seed, k));
-       },
-       [](Level, std::uint64_t k, const Run& run) { return text_of_sample(run.seed, k); },
-       [](const ArraySubject& s, Level n, const std::string& at) {
-         const auto [seed, k] = sample_of(at);
-         return comes_back(s, sample_bundle(n, seed, k));
-       },
-       16});
+      drawn_cases(
+          60,
+          [](const ArraySubject& s, Level n, std::uint64_t seed, std::uint64_t k) {
+            return comes_back(s, sample_bundle(n, seed, k));
+          },
+          16));
 }
 
 using FileCheck = Finding (*)(const ArraySubject&, const Bundle&);
@@ -211,10 +205,9 @@ std::vector<Law> file_laws() {
       on_files(
           {.id = "array.files",
            .says = "an array is saved as its one file of either version, and comes back",
-           .method = Method::exhaustive,
            .tiers = {.seconds = 0.5},
-           .domain = named_domain("1 and 2 triangles of the sorted maps of levels 0 and 1, all encodings, "
-                                  "every choice, each record with bytes of its own, none to two geometries"),
+           .domain = "1 and 2 triangles of the sorted maps of levels 0 and 1, all encodings, "
+                     "every choice, each record with bytes of its own, none to two geometries",
            .mutants = {mutant("the base triangle is lost in version 1", "array", {1, 1},
                               misreading([](std::span<const std::uint8_t> file, std::optional<Bundle>& b) {
                                 if (b && file[8] == 1) b->parts[0].base = 0;
@@ -234,10 +227,8 @@ std::vector<Law> file_laws() {
       on_files({.id = "array.malformed_files",
                 .says = "a file that is cut, longer or changed in a bit is refused, or is the file of what "
                         "is read; one whose records or indices make no array may be refused, too",
-                .method = Method::exhaustive,
                 .tiers = {.seconds = 1},
-                .domain =
-                    named_domain("1 of 97 of the arrays of array.files: every cut, every bit, a byte behind"),
+                .domain = "1 of 97 of the arrays of array.files: every cut, every bit, a byte behind",
                 .mutants = {mutant("the checksum is not looked at", "array", {1, 1}, mend_checksum),
                             mutant("bytes behind are let pass", "array-spec", {1, 1}, let_a_byte_pass),
                             mutant("version 3 is read as version 2", "array", {1, 1}, take_version_3)}},

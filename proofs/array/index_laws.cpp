@@ -1,9 +1,6 @@
 // Laws of codes: a code names a special index, no micromap, a record, or a record that does not exist.
-#include <algorithm>
-#include <array>
-
-#include "proofs/array/law_groups.hpp"
 #include "proofs/array/law_parts.hpp"
+#include "proofs/array/laws.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
 
@@ -111,7 +108,7 @@ std::pair<Reading, std::vector<Reference>> references_number(std::uint64_t seed,
   return {r, all};
 }
 
-Finding mean_of_sample(const ArraySubject& s, std::uint64_t seed, std::uint64_t k) {
+Finding mean_of_sample(const ArraySubject& s, Level, std::uint64_t seed, std::uint64_t k) {
   const auto [how, all] = references_number(seed, k);
   return mean(s, how, all);
 }
@@ -134,8 +131,8 @@ Law codes_on_samples() {
        .subjects = {"array-spec", "array"},
        .tiers = {.seconds = 0.1},
        .at_once = "all levels",
-       .domain = named_domain("5 encodings, in clusters or not; 1 to 70 codes at once, each with a base "
-                              "triangle and a number of records of its own"),
+       .domain = "5 encodings, in clusters or not; 1 to 70 codes at once, each with a base "
+                 "triangle and a number of records of its own",
        .mutants = {mutant("the first base triangle of a batch is everybody's", "array", {0, 0},
                           [](Functions& f) {
                             f.targets = [real = f.targets](const Reading& r, std::span<const Reference> of) {
@@ -154,17 +151,7 @@ Law codes_on_samples() {
                             if (to.kind == Target::Kind::record && of.records >> 31 != 0 && of.base < 256)
                               to = {Target::Kind::outside};
                           }))}},
-      {entry::targets},
-      {[](Level) -> std::uint64_t { return 2'000; },
-       [](const ArraySubject& s, Level, std::uint64_t k, const Run& run) {
-         return mean_of_sample(s, run.seed, k);
-       },
-       [](Level, std::uint64_t k, const Run& run) { return text_of_sample(run.seed, k); },
-       [](const ArraySubject& s, Level, const std::string& at) {
-         const auto [seed, k] = sample_of(at);
-         return mean_of_sample(s, seed, k);
-       },
-       64});
+      {entry::targets}, drawn_cases(2'000, mean_of_sample, 64));
 }
 
 }  // namespace
@@ -176,13 +163,12 @@ std::vector<Law> index_laws() {
            .says = "a code is a special index, in clusters -5 no micromap, or index + base triangle, which "
                    "must be less than the number of records; the base is added to nothing else",
            .source = indices_source,
-           .method = Method::exhaustive,
            .subjects = {"array-spec", "array"},
            .tiers = {.seconds = 0.1},
            .at_once = "all levels",
-           .domain = named_domain("5 encodings, in clusters or not, 9 base triangles, 11 numbers of records; "
-                                  "all codes of 8 bits, of wider ones 32 at the borders; a batch has one "
-                                  "base triangle and one number of records"),
+           .domain = "5 encodings, in clusters or not, 9 base triangles, 11 numbers of records; "
+                     "all codes of 8 bits, of wider ones 32 at the borders; a batch has one "
+                     "base triangle and one number of records",
            .mutants = {mutant("index + base may be the number of records", "array", {0, 0},
                               meaning([](const Reading&, const Reference& of, Target& to) {
                                 if (to.kind == Target::Kind::outside && to.record == of.records)

@@ -1,16 +1,7 @@
 // Common parts of the laws of topic array: sources, cases, checks, mutants.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <functional>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "proofs/array/answers.hpp"
-#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/spoils.hpp"
 
 namespace mmverify::proofs::array {
@@ -38,6 +29,13 @@ Finding built(const ArraySubject& s, BuildCase c, Check check);
 /// The law on all small arrays.
 Law on_small_arrays(Law law, Check check);
 
+/// Cases that are arrays to build, by number; `check` judges what a builder answers.
+Cases built_cases(CaseCount count, std::function<BuildCase(Level, std::uint64_t k)> number, Check check,
+                  std::uint64_t chunk = 256);
+/// Cases that are samples of a seed, by number; `check` draws them.
+using SampleCheck = Finding (*)(const ArraySubject&, Level, std::uint64_t seed, std::uint64_t k);
+Cases drawn_cases(CaseCount count, SampleCheck check, std::uint64_t chunk);
+
 /// Mutants of a builder: `spoil` changes its answer, `change` its case.
 std::function<void(Functions&)> answering(void (*spoil)(const BuildCase&, Answer&));
 std::function<void(Functions&)> building(void (*change)(BuildCase&));
@@ -45,8 +43,5 @@ std::function<void(Functions&)> building(void (*change)(BuildCase&));
 /// Reads and writes index t of an answer.
 std::uint32_t code_of(const Answer& a, const BuildCase& c, std::size_t t);
 void set_code(Answer& a, const BuildCase& c, std::size_t t, std::uint32_t code);
-
-/// The domain of a law, the same text for every subject and level.
-std::function<std::string(const Subject&, Level)> named_domain(std::string text);
 
 }  // namespace mmverify::proofs::array

@@ -1,6 +1,6 @@
 // Near-duplicate merging: a bound, and known into unknown alone.
-#include "proofs/array/law_groups.hpp"
 #include "proofs/array/law_parts.hpp"
+#include "proofs/array/laws.hpp"
 
 namespace mmverify::proofs::array {
 namespace {
@@ -55,11 +55,10 @@ std::vector<Law> merge_laws() {
        .says = "near-duplicate merging turns T and O into unknown states and nothing else, in at most as "
                "many micro-triangles of each triangle as the bound says; 2-state, formats and levels stay",
        .source = here,
-       .method = Method::exhaustive,
        .subjects = {"array-spec", "array"},
        .tiers = {.fast = {1, 1}, .long_run = {1, 1}, .seconds = 4},
-       .domain = named_domain(
-           "all pairs of maps of levels 0 and 1, all triples of sorted ones, both formats, bounds 1 and 2"),
+       .domain =
+           "all pairs of maps of levels 0 and 1, all triples of sorted ones, both formats, bounds 1 and 2",
        .mutants = {mutant(
                        "a known state is merged into a transparent one", "array", {1, 1},
                        answering([](const BuildCase& c, Answer& a) { restate(c, a, State::UO, State::T); })),
@@ -86,12 +85,8 @@ std::vector<Law> merge_laws() {
                               c.maps[1] = c.maps[0];
                           }))}},
       {entry::build},
-      {[](Level n) { return n == 1 ? merged_pairs() + merged_triples() : 0; },
-       [](const ArraySubject& s, Level, std::uint64_t k, const Run&) {
-         return built(s, merged_number(k), merges);
-       },
-       [](Level, std::uint64_t k, const Run&) { return text_of(merged_number(k)); },
-       [](const ArraySubject& s, Level, const std::string& at) { return built(s, case_of(at), merges); }})};
+      built_cases([](Level n) { return n == 1 ? merged_pairs() + merged_triples() : 0; },
+                  [](Level, std::uint64_t k) { return merged_number(k); }, merges))};
 }
 
 }  // namespace mmverify::proofs::array

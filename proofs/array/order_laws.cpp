@@ -1,6 +1,6 @@
 // Builders on one triangle of one state but for one node of the curve: where the order within a map shows.
-#include "proofs/array/law_groups.hpp"
 #include "proofs/array/law_parts.hpp"
+#include "proofs/array/laws.hpp"
 #include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::array {
@@ -34,11 +34,10 @@ std::vector<Law> order_laws() {
       {.id = "array.order",
        .says = "a triangle's micro-triangles come out in the order of the index, at every level",
        .source = array_source,
-       .method = Method::exhaustive,
        .subjects = {"array-spec", "array"},
        .tiers = {.fast = {0, highest}, .long_run = {0, highest}, .seconds = 3},
        .domain =
-           [](const Subject&, Level n) {
+           [](Level n) {
              return fmt::format(
                  "one triangle: all maps of level {} of one state but for one node of the curve", n);
            },

@@ -1,10 +1,4 @@
-#include "proofs/array/plugin_subject.hpp"
-
-#include <fmt/format.h>
-
 #include <cstring>
-#include <map>
-#include <utility>
 
 #include "proofs/array/cases.hpp"
 #include "subjects/dock/codec.hpp"

@@ -1,13 +1,6 @@
 // A subject of topic array: an implementation as functions, built in or in the dock.
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "proofs/engine/topic.hpp"
 #include "spec/array/build.hpp"
 #include "spec/array/change.hpp"
@@ -103,12 +96,11 @@ using ArraySubjectPtr = std::shared_ptr<const ArraySubject>;
 /// array-spec, the specification; array, the library.
 const std::vector<ArraySubjectPtr>& built_in_subjects();
 
-inline ArraySubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
+inline constexpr auto built_in = built_in_of<built_in_subjects>;
+inline constexpr auto mutant = mutant_of<built_in_subjects>;
 
-/// A subject with one deliberate error.
-inline Mutant mutant(const std::string& name, const std::string& base, Levels levels,
-                     const std::function<void(Functions&)>& change) {
-  return changed(*built_in(base), name, levels, change);
-}
+/// The subject that a library offers; null where it has no entry point of this topic.  It runs in worker processes; what
+/// goes wrong there comes out of the calls as SubjectBroken.  Building and resolving have entry points, the rest none.
+ArraySubjectPtr plugin_subject(const std::string& name, const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::array

@@ -1,14 +1,6 @@
 // A law whose cases are the elements of a level under several settings (orders, pairs of orders), asked in batches.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <functional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "proofs/attribute/elements.hpp"
 #include "proofs/attribute/law_parts.hpp"
 
@@ -89,8 +81,7 @@ template <class Element>
 Law on_batches(Law law, Lacks lacks, Batches<Element> cases) {
   law.unfit = unfit_by(std::move(lacks));
   law.divisible = true;
-  if (!law.how)
-    law.how = [method = law.method](const Subject&, Level) { return std::string(to_string(method)); };
+  if (!law.how) law.how = to_string(law.method);
   const auto count_of = [cases](Level n, const Run& run) {
     return cases.drawn ? cases.drawn(n, run) : cases.count(n);
   };

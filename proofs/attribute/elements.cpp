@@ -1,8 +1,5 @@
 #include "proofs/attribute/elements.hpp"
 
-#include <fmt/format.h>
-
-#include <array>
 #include <charconv>
 
 #include "proofs/engine/shape.hpp"

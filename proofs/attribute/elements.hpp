@@ -1,10 +1,6 @@
 // The vertices and the faces of a level by number, and how cases name them.
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <string>
-
 #include "proofs/attribute/subject.hpp"
 
 namespace mmverify::proofs::attribute {

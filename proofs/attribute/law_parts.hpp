@@ -1,15 +1,8 @@
 // Common parts of the laws of topic attribute: the check of a case, and the cases that it runs on.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <functional>
-#include <optional>
-#include <string>
-
 #include "proofs/attribute/subject.hpp"
-#include "proofs/engine/cases.hpp"
-#include "proofs/engine/kinds.hpp"
+#include "proofs/engine/spoils.hpp"
 
 namespace mmverify::proofs::attribute {
 

@@ -1,12 +1,5 @@
-#include "proofs/attribute/plugin_subject.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cstring>
-#include <memory>
 
-#include "proofs/attribute/bake/plugin_subject.hpp"
 #include "proofs/attribute/elements.hpp"
 #include "proofs/attribute/subject_parts.hpp"
 #include "subjects/dock/codec.hpp"

@@ -2,16 +2,10 @@
 // functions, built in or in the dock.
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "proofs/attribute/bake/functions.hpp"
 #include "proofs/attribute/decimation/functions.hpp"
 #include "proofs/attribute/lookup/functions.hpp"
 #include "proofs/attribute/mips/functions.hpp"
-#include "proofs/attribute/orders/functions.hpp"
 #include "proofs/attribute/packing/functions.hpp"
 #include "proofs/engine/topic.hpp"
 
@@ -37,12 +31,11 @@ using AttributeSubjectPtr = std::shared_ptr<const AttributeSubject>;
 /// The specification attribute-spec; this project's library attribute, batch by batch; and readings of the paper.
 const std::vector<AttributeSubjectPtr>& built_in_subjects();
 
-inline AttributeSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
+inline constexpr auto built_in = built_in_of<built_in_subjects>;
+inline constexpr auto mutant = mutant_of<built_in_subjects>;
 
-/// A subject with one deliberate error.
-inline Mutant mutant(const std::string& name, const std::string& base, Levels levels,
-                     const std::function<void(Functions&)>& change) {
-  return changed(*built_in(base), name, levels, change);
-}
+/// The subject that a library offers; null where it has no entry point of this topic.  It runs in worker
+/// processes; what goes wrong there comes out of the calls as SubjectBroken.
+AttributeSubjectPtr plugin_subject(const std::string& name, const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::attribute

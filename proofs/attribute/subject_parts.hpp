@@ -34,4 +34,7 @@ Baking library_baking();
 Compression specified_compression();
 Compression library_compression();
 
+/// The library's baking functions; each call runs in the dock.
+Baking baking_of(const dock::LibraryPtr& library);
+
 }  // namespace mmverify::proofs::attribute

@@ -1,9 +1,6 @@
 #include "proofs/bake/dialogue.hpp"
 
-#include <fmt/format.h>
-
-#include "proofs/bake/packed.hpp"
-#include "proofs/engine/bytes.hpp"
+#include "proofs/bake/subject.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

@@ -1,14 +1,7 @@
 // Common parts of the laws of topic bake: the check of a case, and the cases that it runs on.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <functional>
-#include <optional>
-#include <string>
-
 #include "proofs/bake/subject.hpp"
-#include "proofs/engine/cases.hpp"
 
 namespace mmverify::proofs::bake {
 
@@ -25,7 +18,7 @@ inline Finding unsupported() { return {.declined = true}; }
 /// The cases of a law.  `number` gives case k of the level, fitted to what the subject declares.  A family knows its
 /// case's number, by which its check can look up the true states.
 struct Cases {
-  std::function<std::uint64_t(Level, const Run&)> count;
+  CaseCount count;
   std::function<Case(const Support&, Level, std::uint64_t k, std::uint64_t seed)> number;
   std::uint64_t chunk = 16;
 };

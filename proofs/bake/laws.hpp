@@ -8,4 +8,11 @@ namespace mmverify::proofs::bake {
 /// Every law of the topic, in the order in which `list` and `prove` have them.
 std::vector<Law> laws();
 
+/// Laws of single states: each state is true of its micro-triangle.
+std::vector<Law> state_laws();
+/// The law of large textures: states that single points refute.
+Law large_law();
+/// Relations between the maps of one texture.
+std::vector<Law> relation_laws();
+
 }  // namespace mmverify::proofs::bake

@@ -1,10 +1,7 @@
-#include "proofs/bake/plugin_subject.hpp"
-
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 
-#include "proofs/bake/packed.hpp"
+#include "proofs/bake/subject.hpp"
 #include "subjects/dock/codec.hpp"
 #include "subjects/sdk/mmverify_subject.h"
 

@@ -1,7 +1,5 @@
 #include "proofs/bake/subject.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <type_traits>
 
 #include "impl/bake/triangles.hpp"
@@ -40,9 +38,7 @@ Functions specified() {
   return functions;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// impl/bake
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- impl/bake
 
 static_assert(static_cast<int>(fast::Wrap::mirrored_repeat) == static_cast<int>(Wrap::mirrored_repeat) &&
               static_cast<int>(fast::Wrap::clamp_to_border) == static_cast<int>(Wrap::clamp_to_border) &&
@@ -102,9 +98,7 @@ std::optional<Baked> baked_by_impl(const Case& one, Level n, Format format) {
 
 Functions this_projects() { return {baked_by_impl, true, {}}; }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Bakers that sample
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Bakers that sample
 
 /// Whether alpha is opaque at a place given by its weights of a micro-triangle's corners, over their sum.
 template <class Q>
@@ -163,6 +157,34 @@ Mutant spoiled(const char* name, const std::string& base, Levels levels, const S
       return std::optional(in_format(std::move(baked->states), format));
     };
   });
+}
+
+namespace {
+
+std::size_t bits_of(Format format) { return static_cast<std::size_t>(format); }
+
+}  // namespace
+
+std::size_t packed_bytes(Level n, Format format) {
+  return ((std::size_t{1} << 2 * n) * bits_of(format) + 7) / 8;
+}
+
+std::vector<std::uint8_t> packed(const std::vector<State>& states, Format format) {
+  const std::size_t bits = bits_of(format);
+  std::vector<std::uint8_t> bytes((states.size() * bits + 7) / 8);
+  for (std::size_t k = 0; k < states.size(); ++k)
+    bytes[k * bits / 8] =
+        static_cast<std::uint8_t>(bytes[k * bits / 8] | static_cast<unsigned>(states[k]) << k * bits % 8);
+  return bytes;
+}
+
+Baked unpacked(std::span<const std::uint8_t> bytes, Level n, Format format) {
+  const std::size_t bits = bits_of(format), count = std::size_t{1} << 2 * n;
+  const auto state = [&](std::size_t k) { return bytes[k * bits / 8] >> k * bits % 8 & ((1u << bits) - 1); };
+  Baked baked;
+  for (std::size_t k = 0; k < count; ++k) baked.states.push_back(static_cast<State>(state(k)));
+  for (std::size_t k = count; k * bits < 8 * bytes.size(); ++k) baked.padded = baked.padded && state(k) == 0;
+  return baked;
 }
 
 }  // namespace mmverify::proofs::bake

@@ -1,12 +1,6 @@
 // A subject of topic bake: a baker of maps of base triangles, built in or in the dock.
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "proofs/bake/support.hpp"
 #include "proofs/engine/topic.hpp"
 
@@ -41,18 +35,25 @@ using BakeSubjectPtr = std::shared_ptr<const BakeSubject>;
 /// which bake.conservative refutes.
 const std::vector<BakeSubjectPtr>& built_in_subjects();
 
-inline BakeSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
+inline constexpr auto built_in = built_in_of<built_in_subjects>;
 
 /// A mutant's change to the states of a map in 4-state.
 using Spoil = std::function<void(const Case&, Level, std::vector<State>&)>;
 
 /// `base` with spoiled maps; a map in 2-state is forced from the spoiled one.
 Mutant spoiled(const char* name, const std::string& base, Levels levels, const Spoil& spoil);
+inline constexpr auto mutant = mutant_of<built_in_subjects>;
 
-/// A subject with one deliberate error.
-inline Mutant mutant(const std::string& name, const std::string& base, Levels levels,
-                     const std::function<void(Functions&)>& change) {
-  return changed(*built_in(base), name, levels, change);
-}
+/// The subject that a library offers; null where it has no baker.  It runs in worker processes; what goes
+/// wrong there comes out of the calls as SubjectBroken.
+BakeSubjectPtr plugin_subject(const std::string& name, const dock::LibraryPtr& library);
+
+/// ceil(4^n b / 8).
+std::size_t packed_bytes(Level n, Format format);
+
+std::vector<std::uint8_t> packed(const std::vector<State>& states, Format format);
+
+/// Domain: packed_bytes(n, format) bytes.
+Baked unpacked(std::span<const std::uint8_t> bytes, Level n, Format format);
 
 }  // namespace mmverify::proofs::bake

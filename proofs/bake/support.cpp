@@ -3,14 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <utility>
-#include <vector>
 
-#include "proofs/bake/cases/resize.hpp"
 #include "proofs/bake/domains/threshold.hpp"
 
 namespace mmverify::proofs::bake {

@@ -1,10 +1,6 @@
 // The support that a baker declares; cases are drawn inside it.  In the C header: mmverify_bake_support.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-
 #include "proofs/bake/cases/case.hpp"
 #include "proofs/engine/value_set.hpp"
 

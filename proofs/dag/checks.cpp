@@ -1,15 +1,10 @@
 #include "proofs/dag/checks.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <numeric>
 
-#include "proofs/engine/bytes.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/points/exact_float.hpp"
 #include "proofs/points/hard_floats.hpp"
-#include "spec/fixed.hpp"
 
 namespace mmverify::proofs::dag {
 namespace {
@@ -128,6 +123,69 @@ spec::dag::Words words_of(const DagSubject& s, const Scene& scene) {
 
 Scene first_maps(const Scene& scene, std::size_t count) {
   return {scene.format, {scene.maps.begin(), scene.maps.begin() + static_cast<std::ptrdiff_t>(count)}};
+}
+
+Bytes sealed(Bytes bytes) {
+  if (bytes.size() < spec::dag::header_bytes) return bytes;
+  const std::uint32_t crc = spec::dag::checksum(bytes);
+  for (unsigned k = 0; k < 4; ++k) bytes[spec::dag::crc_at + k] = static_cast<std::uint8_t>(crc >> 8 * k);
+  return bytes;
+}
+
+/// Compares a subject's reading of bytes with the specification's.
+Finding taken_as_specified(const DagSubject& s, Format f, const std::string& what, const Bytes& bytes) {
+  static const DagSubjectPtr right = built_in("dag-spec");
+  const auto expected = right->functions.open(f, bytes), got = s.functions.open(f, bytes);
+  if (expected.has_value() != got.has_value())
+    return wrong(what + (expected ? " taken" : " refused"), got ? "taken" : "refused");
+  if (!got) return {hash_of(bytes)};
+  Finding found = same_scene(right->functions.decode(*expected), s.functions.decode(*got));
+  if (!found.holds) found.expected = what + " as " + found.expected;
+  return found;
+}
+
+/// Whether the bytes announce a map of a level for which the specification needs seconds.
+bool slow_to_judge(const Bytes& bytes) {
+  for (std::size_t at = spec::dag::header_bytes;
+       at < bytes.size() && at < spec::dag::header_bytes + 8 * std::size_t{bytes[8]}; at += 8)
+    if (bytes[at] > 8 && bytes[at] <= 12) return true;
+  return false;
+}
+
+void swap_words(Bytes& bytes, std::size_t a, std::size_t b) {
+  for (std::size_t k = 0; k < 4; ++k) std::swap(bytes[a + k], bytes[b + k]);
+}
+
+/// A code with a word, or an array's length, changed in one of six ways.
+struct Changed {
+  std::uint64_t kind;
+  Bytes bytes;
+};
+Changed changed_at_random(const Bytes& code, Random& random) {
+  const std::uint64_t words = code.size() / 4;
+  Bytes bytes = code;
+  const std::size_t at = 4 * static_cast<std::size_t>(8 + random.below(words - 8)),
+                    also = 4 * static_cast<std::size_t>(8 + random.below(words - 8));
+  const std::uint64_t kind = random.below(6);
+  if (kind == 0) bytes[at + random.below(4)] = static_cast<std::uint8_t>(random.next());
+  if (kind == 1) bytes[at] = static_cast<std::uint8_t>(bytes[at] + random.between(-2, 2));
+  if (kind == 2) swap_words(bytes, at, also);
+  if (kind == 3) bytes[at + random.below(4)] ^= static_cast<std::uint8_t>(1u << random.below(8));
+  if (kind == 4)
+    std::copy_n(code.begin() + static_cast<std::ptrdiff_t>(also), 4,
+                bytes.begin() + static_cast<std::ptrdiff_t>(at));
+  if (kind == 5) {  // an array a word longer, or one a word shorter
+    const std::size_t count = 8 + 4 * static_cast<std::size_t>(random.below(4));
+    const bool longer = random.below(2) == 0;
+    bytes[count] = static_cast<std::uint8_t>(bytes[count] + (longer ? 1 : -1));
+    if (longer)
+      bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(at), 4 * (1 + random.below(4)), 0);
+    else
+      bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                  bytes.begin() + static_cast<std::ptrdiff_t>(
+                                      std::min<std::size_t>(bytes.size(), at + 4 * (1 + random.below(4)))));
+  }
+  return {kind, std::move(bytes)};
 }
 
 }  // namespace
@@ -254,41 +312,6 @@ Finding same_records(const DagSubject& s, const Scene& scene) {
   return {hash_of(w.records)};
 }
 
-namespace {
-
-Bytes sealed(Bytes bytes) {
-  if (bytes.size() < spec::dag::header_bytes) return bytes;
-  const std::uint32_t crc = spec::dag::checksum(bytes);
-  for (unsigned k = 0; k < 4; ++k) bytes[spec::dag::crc_at + k] = static_cast<std::uint8_t>(crc >> 8 * k);
-  return bytes;
-}
-
-/// Compares a subject's reading of bytes with the specification's.
-Finding taken_as_specified(const DagSubject& s, Format f, const std::string& what, const Bytes& bytes) {
-  static const DagSubjectPtr right = built_in("dag-spec");
-  const auto expected = right->functions.open(f, bytes), got = s.functions.open(f, bytes);
-  if (expected.has_value() != got.has_value())
-    return wrong(what + (expected ? " taken" : " refused"), got ? "taken" : "refused");
-  if (!got) return {hash_of(bytes)};
-  Finding found = same_scene(right->functions.decode(*expected), s.functions.decode(*got));
-  if (!found.holds) found.expected = what + " as " + found.expected;
-  return found;
-}
-
-/// Whether the bytes announce a map of a level for which the specification needs seconds.
-bool slow_to_judge(const Bytes& bytes) {
-  for (std::size_t at = spec::dag::header_bytes;
-       at < bytes.size() && at < spec::dag::header_bytes + 8 * std::size_t{bytes[8]}; at += 8)
-    if (bytes[at] > 8 && bytes[at] <= 12) return true;
-  return false;
-}
-
-void swap_words(Bytes& bytes, std::size_t a, std::size_t b) {
-  for (std::size_t k = 0; k < 4; ++k) std::swap(bytes[a + k], bytes[b + k]);
-}
-
-}  // namespace
-
 /// A code of a map and its subtrees of level 3 as maps, with the first record repeated at the end.  If that map is
 /// stored flat, the later maps would allow to store it as nodes.
 Bytes again_behind_its_tiles(const DagSubject& s, Format f, const Map& map) {
@@ -305,42 +328,6 @@ Bytes again_behind_its_tiles(const DagSubject& s, Format f, const Map& map) {
   ++bytes[8];
   return sealed(bytes);
 }
-
-namespace {
-
-/// A code with a word, or an array's length, changed in one of six ways.
-struct Changed {
-  std::uint64_t kind;
-  Bytes bytes;
-};
-Changed changed_at_random(const Bytes& code, Random& random) {
-  const std::uint64_t words = code.size() / 4;
-  Bytes bytes = code;
-  const std::size_t at = 4 * static_cast<std::size_t>(8 + random.below(words - 8)),
-                    also = 4 * static_cast<std::size_t>(8 + random.below(words - 8));
-  const std::uint64_t kind = random.below(6);
-  if (kind == 0) bytes[at + random.below(4)] = static_cast<std::uint8_t>(random.next());
-  if (kind == 1) bytes[at] = static_cast<std::uint8_t>(bytes[at] + random.between(-2, 2));
-  if (kind == 2) swap_words(bytes, at, also);
-  if (kind == 3) bytes[at + random.below(4)] ^= static_cast<std::uint8_t>(1u << random.below(8));
-  if (kind == 4)
-    std::copy_n(code.begin() + static_cast<std::ptrdiff_t>(also), 4,
-                bytes.begin() + static_cast<std::ptrdiff_t>(at));
-  if (kind == 5) {  // an array a word longer, or one a word shorter
-    const std::size_t count = 8 + 4 * static_cast<std::size_t>(random.below(4));
-    const bool longer = random.below(2) == 0;
-    bytes[count] = static_cast<std::uint8_t>(bytes[count] + (longer ? 1 : -1));
-    if (longer)
-      bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(at), 4 * (1 + random.below(4)), 0);
-    else
-      bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(at),
-                  bytes.begin() + static_cast<std::ptrdiff_t>(
-                                      std::min<std::size_t>(bytes.size(), at + 4 * (1 + random.below(4)))));
-  }
-  return {kind, std::move(bytes)};
-}
-
-}  // namespace
 
 Finding damage(const DagSubject& s, const Scene& scene, bool every, std::uint64_t most) {
   const Bytes code = s.functions.bytes(s.functions.encode(scene));

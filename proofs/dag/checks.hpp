@@ -1,11 +1,7 @@
 // How one scene is judged.
 #pragma once
 
-#include <functional>
-#include <string>
-
 #include "proofs/dag/subject.hpp"
-#include "proofs/engine/cases.hpp"
 
 namespace mmverify::proofs::dag {
 

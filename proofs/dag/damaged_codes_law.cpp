@@ -1,7 +1,5 @@
 // Law of damaged codes of any form: cut, longer, or with flipped bits.  Only the encoder can tell which of them are
 // codes; the law judges that the decoder returns and gives a refusal or a scene.
-#include <algorithm>
-
 #include "proofs/dag/law_parts.hpp"
 #include "proofs/engine/random.hpp"
 
@@ -82,7 +80,7 @@ Law damaged_codes_law() {
        .source = "the header's dag_decode; docs/DAG.md",
        .subjects = {"dag"},
        .tiers = {.fast = {0, 5}, .long_run = {0, 6}, .seconds = 0.4},
-       .how = [](const Subject&, Level) { return std::string("sample, by what comes back"); },
+       .how = "sample, by what comes back",
        .mutants = {mutant("the empty code is a scene without maps", "dag", {0, 0},
                           opens([](std::span<const std::uint8_t> bytes, std::optional<Code>& code,
                                    const Functions& real) {

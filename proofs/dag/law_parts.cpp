@@ -1,8 +1,6 @@
 #include "proofs/dag/law_parts.hpp"
 
-#include <fmt/format.h>
-
-#include "proofs/engine/kinds.hpp"
+#include "proofs/engine/spoils.hpp"
 
 namespace mmverify::proofs::dag {
 namespace {
@@ -15,8 +13,6 @@ Unfit needing(std::vector<Entry> entries, Levels within, const char* about) {
         return std::nullopt;
       }));
 }
-
-std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
 
 Law on_numbers(Law law, const Check& check, const std::function<std::uint64_t(Level)>& count,
                const std::function<Scene(Level, std::uint64_t)>& scene, std::uint64_t chunk) {
@@ -32,44 +28,15 @@ Law on_numbers(Law law, const Check& check, const std::function<std::uint64_t(Le
                        chunk, Kind::interior});
 }
 
-}  // namespace
-
-Law on_small_scenes(Law law, std::vector<Entry> entries, Check check) {
-  law.method = Method::exhaustive;
-  law.tiers.fast = law.tiers.long_run = {0, 4};
-  law.how = exhaustively;
-  law.domain = [](const Subject&, Level n) { return about_small_scenes(n); };
-  law.unfit =
-      needing(std::move(entries), {0, 4}, "its scenes are those of levels 0..4; dag.on_samples goes beyond");
-  return on_numbers(std::move(law), check, small_scenes, small_scene, 256);
-}
-
-Law on_masks(Law law, std::vector<Entry> entries, Check check) {
-  law.method = Method::exhaustive;
-  law.tiers.fast = {4, 6};
-  law.tiers.long_run = {4, 7};
-  law.how = exhaustively;
-  law.domain = [](const Subject&, Level n) {
-    return fmt::format("each of the 2^{} sets of children of the root at level {}, both formats",
-                       spec::dag::children(n), n);
-  };
-  law.unfit = needing(std::move(entries), {4, 7}, "its maps are those of levels 4..7");
-  return on_numbers(std::move(law), check, mask_scenes, mask_scene, 256);
-}
-
-namespace {
-
 using Sampled = Scene (*)(Level, std::uint64_t seed, std::uint64_t k);
 
-Law on_sampled(Law law, std::vector<Entry> entries, std::function<std::uint64_t(Level)> count,
-               Sampled sampled, Check check) {
+Law on_sampled(Law law, std::vector<Entry> entries, CaseCount count, Sampled sampled, Check check) {
   law.method = Method::sample;
-  if (!law.how)
-    law.how = [](const Subject&, Level) { return std::string("sample, against the specification"); };
+  if (!law.how) law.how = "sample, against the specification";
   law.unfit = needing(std::move(entries), {0, law.tiers.long_run.last}, "it is run up to a lower level");
   return on_numbered_cases(
       std::move(law),
-      {[count](Level n, const Run&) { return count(n); },
+      {std::move(count),
        [=](const Subject& s, Level n, std::uint64_t k, const Run& run) {
          return check(subject_as<DagSubject>(s), sampled(n, run.seed, k));
        },
@@ -83,8 +50,27 @@ Law on_sampled(Law law, std::vector<Entry> entries, std::function<std::uint64_t(
 
 }  // namespace
 
-Law on_samples(Law law, std::vector<Entry> entries, std::function<std::uint64_t(Level)> count, Check check) {
-  law.domain = [](const Subject&, Level n) {
+Law on_small_scenes(Law law, std::vector<Entry> entries, Check check) {
+  law.tiers.fast = law.tiers.long_run = {0, 4};
+  law.domain = [](Level n) { return about_small_scenes(n); };
+  law.unfit =
+      needing(std::move(entries), {0, 4}, "its scenes are those of levels 0..4; dag.on_samples goes beyond");
+  return on_numbers(std::move(law), check, small_scenes, small_scene, 256);
+}
+
+Law on_masks(Law law, std::vector<Entry> entries, Check check) {
+  law.tiers.fast = {4, 6};
+  law.tiers.long_run = {4, 7};
+  law.domain = [](Level n) {
+    return fmt::format("each of the 2^{} sets of children of the root at level {}, both formats",
+                       spec::dag::children(n), n);
+  };
+  law.unfit = needing(std::move(entries), {4, 7}, "its maps are those of levels 4..7");
+  return on_numbers(std::move(law), check, mask_scenes, mask_scene, 256);
+}
+
+Law on_samples(Law law, std::vector<Entry> entries, CaseCount count, Check check) {
+  law.domain = [](Level n) {
     return fmt::format(
         "scenes of up to five maps of levels up to {}: noise, outlines, repeats, and maps nearly the same",
         n);
@@ -94,13 +80,11 @@ Law on_samples(Law law, std::vector<Entry> entries, std::function<std::uint64_t(
 
 Law on_many_maps(Law law, std::vector<Entry> entries, Check check) {
   law.tiers.fast = law.tiers.long_run = {0, 3};
-  law.domain = [](const Subject&, Level n) {
+  law.domain = [](Level n) {
     return fmt::format("scenes of 257 to 556 maps of levels up to {}{}; each state on its own", n,
                        n == 0 ? ", and of more than 2^16" : "");
   };
-  return on_sampled(
-      std::move(law), std::move(entries), [](Level) -> std::uint64_t { return 6; }, many_maps,
-      std::move(check));
+  return on_sampled(std::move(law), std::move(entries), 6, many_maps, std::move(check));
 }
 
 Change encodes_another(std::function<void(Scene&)> spoil) {
@@ -113,13 +97,7 @@ Change encodes_another(std::function<void(Scene&)> spoil) {
 }
 
 Change decodes_wrongly(std::function<void(Scene&)> spoil) {
-  return [=](Functions& functions) {
-    functions.decode = [spoil, real = functions.decode](const Code& code) {
-      Scene scene = real(code);
-      spoil(scene);
-      return scene;
-    };
-  };
+  return spoils(&Functions::decode, [spoil](const Code&, Scene& scene) { spoil(scene); });
 }
 
 Change finds_wrongly(std::function<void(const Scene&, std::uint32_t, std::uint32_t, std::uint8_t&)> spoil) {

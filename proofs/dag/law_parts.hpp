@@ -1,10 +1,6 @@
 // Common parts of the laws of topic dag: the check of a scene, and the scenes that it runs on.
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "proofs/dag/checks.hpp"
 #include "proofs/dag/scenes.hpp"
 
@@ -20,7 +16,7 @@ Law on_small_scenes(Law law, std::vector<Entry> entries, Check check);
 Law on_masks(Law law, std::vector<Entry> entries, Check check);
 
 /// The law on `count` samples of each level.
-Law on_samples(Law law, std::vector<Entry> entries, std::function<std::uint64_t(Level)> count, Check check);
+Law on_samples(Law law, std::vector<Entry> entries, CaseCount count, Check check);
 
 /// The law on scenes of many maps.
 Law on_many_maps(Law law, std::vector<Entry> entries, Check check);
@@ -32,9 +28,7 @@ Law damaged_codes_law();
 
 using Change = std::function<void(Functions&)>;
 /// A built-in subject with one deliberate error.
-inline Mutant mutant(const char* name, const char* base, Levels levels, const Change& change) {
-  return changed(*built_in(base), name, levels, change);
-}
+inline constexpr auto mutant = mutant_of<built_in_subjects>;
 
 /// A mutant that encodes another scene.
 Change encodes_another(std::function<void(Scene& scene)> spoil);

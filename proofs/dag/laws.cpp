@@ -1,7 +1,5 @@
 #include "proofs/dag/laws.hpp"
 
-#include <algorithm>
-
 #include "proofs/dag/induction/provable.hpp"
 #include "proofs/dag/law_parts.hpp"
 
@@ -161,9 +159,7 @@ Law point_law() {
                               real.point(c, first, u, v, state);
                             };
                           })}},
-      {entry::point}, [](Level n) -> std::uint64_t { return n <= 6   ? 30
-                                                            : n <= 8 ? 6
-                                                                     : 2; },
+      {entry::point}, falling({{6, 30}, {8, 6}}, 2),
       [](const DagSubject& s, const Scene& scene) { return points(s, scene, 200); });
 }
 
@@ -184,11 +180,7 @@ Law samples_law() {
                    mutant("the last byte of level 11", "dag", {11, 11}, decodes_wrongly([](Scene& scene) {
                             if (scene.maps.back().level == 11) scene.maps.back().packed.back() ^= 0x80;
                           }))}},
-      {}, [](Level n) -> std::uint64_t { return n <= 6    ? 200
-                                                : n <= 8  ? 40
-                                                : n <= 10 ? 10
-                                                          : 2; },
-      [](const DagSubject& s, const Scene& scene) {
+      {}, falling({{6, 200}, {8, 40}, {10, 10}}, 2), [](const DagSubject& s, const Scene& scene) {
         const Finding found = round_trip(s, scene);
         if (!found.holds || !s.functions.lookup) return found;
         return lookups(s, scene, 3000);
@@ -212,11 +204,7 @@ Law specified_law() {
                    mutant("a checksum of zero", "dag", {0, 0}, writes_wrongly([](const Scene&, Bytes& bytes) {
                             if (bytes.size() == 40) bytes[28] = bytes[29] = bytes[30] = bytes[31] = 0;
                           }))}},
-      {entry::container},
-      [](Level n) -> std::uint64_t { return n <= 6    ? 200
-                                            : n <= 8  ? 30
-                                            : n <= 10 ? 3
-                                                      : 1; }, is_specified);
+      {entry::container}, falling({{6, 200}, {8, 30}, {10, 3}}, 1), is_specified);
 }
 
 Law records_law() {
@@ -270,11 +258,7 @@ Law append_law() {
                           writes_wrongly([](const Scene& scene, Bytes& bytes) {
                             if (scene.maps.size() == 2) bytes[36] ^= 1;
                           }))}},
-      {entry::container},
-      [](Level n) -> std::uint64_t { return n <= 6    ? 100
-                                            : n <= 8  ? 20
-                                            : n <= 10 ? 4
-                                                      : 1; }, appends);
+      {entry::container}, falling({{6, 100}, {8, 20}, {10, 4}}, 1), appends);
 }
 
 Law bound_law() {
@@ -307,11 +291,7 @@ Law bound_law() {
                               bytes.insert(bytes.end(), 8 * bits(scene.format), 0);
                             }
                           }))}},
-      {entry::container},
-      [](Level n) -> std::uint64_t { return n <= 6    ? 100
-                                            : n <= 8  ? 20
-                                            : n <= 10 ? 3
-                                                      : 1; }, is_bounded);
+      {entry::container}, falling({{6, 100}, {8, 20}, {10, 3}}, 1), is_bounded);
 }
 
 Change takes_too_much(std::function<bool(const Bytes&)> when) {
@@ -348,8 +328,7 @@ Law damage_law() {
                               return real(f, b);
                             };
                           })}},
-      {entry::container, entry::reads}, [](Level n) -> std::uint64_t { return n <= 4 ? 60 : 20; },
-      [](const DagSubject& s, const Scene& scene) {
+      {entry::container, entry::reads}, falling({{4, 60}}, 20), [](const DagSubject& s, const Scene& scene) {
         // Large scenes use their first map only, since every bit of the code makes a case.
         const Scene first{
             scene.format,
@@ -389,10 +368,7 @@ Law damage_samples_law() {
                        return bytes[12] == 2 ? std::nullopt : real(f, bytes);
                      };
                    })}},
-      {entry::container, entry::reads},
-      [](Level n) -> std::uint64_t { return n <= 5   ? 60
-                                            : n <= 6 ? 20
-                                                     : 6; },
+      {entry::container, entry::reads}, falling({{5, 60}, {6, 20}}, 6),
       [](const DagSubject& s, const Scene& scene) { return damage(s, scene, false, 60); });
 }
 

@@ -1,9 +1,4 @@
-#include "proofs/dag/plugin_subject.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-
+#include "proofs/dag/subject.hpp"
 #include "subjects/dock/codec.hpp"
 #include "subjects/sdk/mmverify_subject.h"
 

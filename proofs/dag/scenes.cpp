@@ -1,7 +1,5 @@
 #include "proofs/dag/scenes.hpp"
 
-#include <fmt/format.h>
-
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
 

@@ -1,9 +1,6 @@
 // The scenes that the laws range over, and the text that names one on the command line.
 #pragma once
 
-#include <string>
-#include <utility>
-
 #include "proofs/dag/subject.hpp"
 
 namespace mmverify::proofs::dag {

@@ -1,7 +1,6 @@
 #include "proofs/dag/subject.hpp"
 
 #include "impl/dag/container.hpp"
-#include "impl/dag/dag.hpp"
 #include "proofs/points/exact_float.hpp"
 
 namespace mmverify::proofs::dag {
@@ -9,9 +8,7 @@ namespace {
 
 namespace fast = impl::dag;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The specification
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The specification
 
 Functions specified() {
   using spec::dag::Dag;
@@ -51,9 +48,7 @@ Functions specified() {
   return s;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The library
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The library
 
 fast::Dag graph_of(const Scene& scene) {
   fast::Dag dag(static_cast<fast::Format>(bits(scene.format)));

@@ -2,13 +2,6 @@
 // their states back, and read the bytes of others.
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "proofs/engine/topic.hpp"
 #include "spec/dag/words.hpp"
 
@@ -92,7 +85,7 @@ using DagSubjectPtr = std::shared_ptr<const DagSubject>;
 /// The built-in subjects dag-spec, dag and dag-loaded.
 const std::vector<DagSubjectPtr>& built_in_subjects();
 
-inline DagSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
+inline constexpr auto built_in = built_in_of<built_in_subjects>;
 
 /// The state of micro-triangle k.  Domain: k < 4^level.
 inline std::uint8_t state_at(const Map& map, Format f, std::uint64_t k) {
@@ -103,5 +96,11 @@ inline std::uint8_t state_at(const Map& map, Format f, std::uint64_t k) {
 inline States states_of(const Map& map, Format f) {
   return spec::micromap::unpack(map.packed, f, spec::micromap::micro_triangles(map.level));
 }
+
+/// The subject that a library offers; null where it has no entry point of this topic.  It runs in worker processes; what
+/// goes wrong there comes out of the calls as SubjectBroken.  A scene without a code and a code that its own decoder refuses
+/// are wrong answers: a scene without maps, states 255.  Throws dock::CannotLoad where its entry points lead from no scene to
+/// a code or from no code to a scene.
+DagSubjectPtr plugin_subject(const std::string& name, const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::dag

@@ -3,12 +3,9 @@
 
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <mutex>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "proofs/engine/result.hpp"
 #include "subjects/dock/broken.hpp"

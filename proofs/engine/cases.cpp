@@ -45,8 +45,7 @@ Tally judge_numbered_cases(const NumberedCases& cases, const Subject& subject, L
 
 Law on_numbered_cases(Law law, const NumberedCases& cases) {
   law.divisible = true;
-  if (!law.how)
-    law.how = [method = law.method](const Subject&, Level) { return std::string(to_string(method)); };
+  if (!law.how) law.how = to_string(law.method);
   law.cases = cases.count;
   law.judge = [cases](const Subject& s, Level n, const Run& run) {
     return judge_numbered_cases(cases, s, n, run);

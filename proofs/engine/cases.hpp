@@ -1,11 +1,6 @@
 // A law over numbered cases: the finding of one case, and the law made from the check.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <string>
-#include <utility>
-
 #include "proofs/engine/bytes.hpp"
 #include "proofs/engine/law.hpp"
 
@@ -42,9 +37,18 @@ inline Replayed replayed(const Finding& found) {
   return {false, words.expected, words.got, {}};
 }
 
+/// Counts that fall with the level: up to the level of each step its number, above the last one `beyond`.
+inline CaseCount falling(std::vector<std::pair<Level, std::uint64_t>> steps, std::uint64_t beyond) {
+  return [steps = std::move(steps), beyond](Level n) {
+    for (const auto& [last, count] : steps)
+      if (n <= last) return count;
+    return beyond;
+  };
+}
+
 /// Cases by number: their count at a level, the check of a case, its text, and the check of a text.
 struct NumberedCases {
-  std::function<std::uint64_t(Level, const Run&)> count;
+  CaseCount count;
   std::function<Finding(const Subject&, Level, std::uint64_t k, const Run&)> check;
   std::function<std::string(const Subject&, Level, std::uint64_t k, const Run&)> text;
   std::function<Finding(const Subject&, Level, const std::string&)> read;  ///< throws BadCase

@@ -4,11 +4,9 @@
 #include <chrono>
 #include <mutex>
 #include <stdexcept>
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "proofs/engine/chunk.hpp"
+#include "proofs/engine/share.hpp"
 #include "proofs/engine/tally.hpp"
 
 namespace mmverify::proofs {

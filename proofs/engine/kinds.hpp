@@ -1,8 +1,6 @@
 // The kinds that cases are counted by.
 #pragma once
 
-#include <array>
-
 #include "proofs/engine/result.hpp"
 
 namespace mmverify::proofs {

@@ -1,6 +1,7 @@
 // A law: a statement for all inputs of a domain, the judge of one level, and mutants that must fail it.
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -87,6 +88,42 @@ struct Tiers {
   double seconds = 0;  ///< of the fast tier on two cores of the machine the README names, mutants included
 };
 
+/// A number of cases: the same for all levels, one for each tier, or by level and run.
+class CaseCount {
+ public:
+  CaseCount() = default;
+  CaseCount(std::uint64_t all) : CaseCount(all, all) {}  // NOLINT: a number is a count
+  CaseCount(std::uint64_t fast, std::uint64_t long_run)
+      : count_([=](Level, const Run& run) { return run.tier == Tier::fast ? fast : long_run; }) {}
+  template <std::invocable<Level, const Run&> Function>
+  CaseCount(Function count) : count_(std::move(count)) {}  // NOLINT: so is a function
+  template <std::invocable<Level> Function>
+  CaseCount(Function count) : count_([count](Level n, const Run&) { return count(n); }) {}  // NOLINT
+  explicit operator bool() const { return bool{count_}; }
+  std::uint64_t operator()(Level n, const Run& run) const { return count_(n, run); }
+
+ private:
+  std::function<std::uint64_t(Level, const Run&)> count_;
+};
+
+/// Words about a law on a subject at a level: the same for all, or what a function says of them.
+class Wording {
+ public:
+  Wording() = default;
+  Wording(std::string words)  // NOLINT: words are a wording
+      : words_([words = std::move(words)](const Subject&, Level) { return words; }) {}
+  Wording(const char* words) : Wording(std::string(words)) {}  // NOLINT: so are these
+  template <std::invocable<const Subject&, Level> Words>
+  Wording(Words words) : words_(std::move(words)) {}  // NOLINT
+  template <std::invocable<Level> Words>
+  Wording(Words words) : words_([words](const Subject&, Level n) { return words(n); }) {}  // NOLINT
+  explicit operator bool() const { return bool{words_}; }
+  std::string operator()(const Subject& subject, Level n) const { return words_(subject, n); }
+
+ private:
+  std::function<std::string(const Subject&, Level)> words_;
+};
+
 struct Law {
   std::string id;
   std::string topic = {};  ///< filled in by the registry
@@ -99,9 +136,8 @@ struct Law {
   /// levels, and its counterexamples and mutants name levels of their own.  Empty: a run settles its level.
   std::string at_once = {};
 
-  std::function<std::uint64_t(Level, const Run&)> cases = {};  ///< closed form
-  std::function<std::string(const Subject&, Level)> domain = {};
-  std::function<std::string(const Subject&, Level)> how = {};  ///< "exhaustive, rational", ...
+  CaseCount cases = {};           ///< closed form
+  Wording domain = {}, how = {};  ///< how: "exhaustive, rational", ...
   /// The reason why the law does not apply, if any.
   std::function<std::optional<std::string>(const Subject&, Level)> unfit = {};
   /// Whether its cases are judged one by one, in a single sweep, so that shards and resumed runs add up.

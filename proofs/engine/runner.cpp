@@ -2,12 +2,6 @@
 
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
-#include <algorithm>
-#include <chrono>
-#include <stdexcept>
-#include <thread>
 
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/journal.hpp"
@@ -176,6 +170,51 @@ std::optional<MutantResult> run_mutant(const Law& law, const Mutant& mutant, con
   return m.killed || !interrupted() ? std::optional(m) : std::nullopt;
 }
 
+Run run_by(const RunOptions& options, oneapi::tbb::task_arena& arena) {
+  Run run;
+  run.arena = &arena;
+  run.errors = options.errors;
+  run.seed = options.seed;
+  run.tier = options.tier;
+  run.cases = options.cases;
+  run.options = options.options;
+  run.near = options.near;
+  return run;
+}
+
+std::uint64_t count_cases(const std::vector<Job>& jobs, const Run& run, const Shard& shard) {
+  std::uint64_t total = 0;
+  for (const Job& job : jobs)
+    for (Level n = job.levels.first; job.unfit.empty() && n <= job.levels.last; ++n)
+      if (!job.law->unfit(*job.subject, n)) total += job.law->cases(n, run) / shard.of;
+  return total;
+}
+
+void diagnose(const std::vector<Job>& jobs, Report& report) {
+  for (const Job& job : jobs)
+    if (const auto results = refuting(report, job);
+        job.law->diagnose && !results.empty() && !interrupted() && report.gave_up.empty()) {
+      try {
+        Diagnosis diagnosis{job.law->id, job.subject->name(), job.law->diagnose(*job.subject, results)};
+        if (!said_before(report, diagnosis)) report.diagnoses.push_back(std::move(diagnosis));
+      } catch (const Interrupted&) {
+      } catch (const NoResources&) {
+        // The verdict stands without the diagnosis.
+      } catch (const SubjectBroken& broken) {
+        report.diagnoses.push_back({job.law->id, job.subject->name(), {broken.what()}});
+      }
+    }
+}
+
+/// The laws of the jobs that are run at some level, each once.
+std::vector<const Law*> laws_run(const std::vector<Job>& jobs) {
+  std::vector<const Law*> laws;
+  for (const Job& job : jobs)
+    if (unfit_throughout(job).empty() && std::find(laws.begin(), laws.end(), job.law) == laws.end())
+      laws.push_back(job.law);
+  return laws;
+}
+
 }  // namespace
 
 void name_proof(Result& r, const Law& law) {
@@ -300,55 +339,6 @@ std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const
     if (m) results.push_back(*m);
   return results;
 }
-
-namespace {
-
-Run run_by(const RunOptions& options, oneapi::tbb::task_arena& arena) {
-  Run run;
-  run.arena = &arena;
-  run.errors = options.errors;
-  run.seed = options.seed;
-  run.tier = options.tier;
-  run.cases = options.cases;
-  run.options = options.options;
-  run.near = options.near;
-  return run;
-}
-
-std::uint64_t count_cases(const std::vector<Job>& jobs, const Run& run, const Shard& shard) {
-  std::uint64_t total = 0;
-  for (const Job& job : jobs)
-    for (Level n = job.levels.first; job.unfit.empty() && n <= job.levels.last; ++n)
-      if (!job.law->unfit(*job.subject, n)) total += job.law->cases(n, run) / shard.of;
-  return total;
-}
-
-void diagnose(const std::vector<Job>& jobs, Report& report) {
-  for (const Job& job : jobs)
-    if (const auto results = refuting(report, job);
-        job.law->diagnose && !results.empty() && !interrupted() && report.gave_up.empty()) {
-      try {
-        Diagnosis diagnosis{job.law->id, job.subject->name(), job.law->diagnose(*job.subject, results)};
-        if (!said_before(report, diagnosis)) report.diagnoses.push_back(std::move(diagnosis));
-      } catch (const Interrupted&) {
-      } catch (const NoResources&) {
-        // The verdict stands without the diagnosis.
-      } catch (const SubjectBroken& broken) {
-        report.diagnoses.push_back({job.law->id, job.subject->name(), {broken.what()}});
-      }
-    }
-}
-
-/// The laws of the jobs that are run at some level, each once.
-std::vector<const Law*> laws_run(const std::vector<Job>& jobs) {
-  std::vector<const Law*> laws;
-  for (const Job& job : jobs)
-    if (unfit_throughout(job).empty() && std::find(laws.begin(), laws.end(), job.law) == laws.end())
-      laws.push_back(job.law);
-  return laws;
-}
-
-}  // namespace
 
 Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const OnResult& on_result) {
   Report report;

@@ -1,9 +1,6 @@
 // Runs laws on subjects over levels and reports.
 #pragma once
 
-#include <functional>
-#include <vector>
-
 #include "proofs/engine/law.hpp"
 
 namespace mmverify::proofs {

@@ -1,11 +1,6 @@
 // Merges the results of a run's shards, or explains why they do not make up the run.
 #pragma once
 
-#include <functional>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "proofs/engine/journal.hpp"
 #include "proofs/engine/runner.hpp"
 

@@ -5,11 +5,15 @@
 #include <optional>
 #include <string>
 
-#include "proofs/engine/chunk.hpp"
-
 namespace mmverify::proofs {
 
 class Journal;
+
+/// A half-open range of a domain's units (cells, rows, indices, samples), or of chunks of them.
+struct Chunk {
+  std::uint64_t begin, end;
+  friend bool operator==(const Chunk&, const Chunk&) = default;
+};
 
 /// Part `number` of `of`, counted from 1.
 struct Shard {

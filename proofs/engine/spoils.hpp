@@ -26,4 +26,10 @@ auto spoils(std::function<Answer(Given...)> Functions::*entry, Spoil spoil) {
   };
 }
 
+/// The same for an entry point of a part of the functions.
+template <class Functions, class Part, class Answer, class... Given, class Spoil>
+auto spoils(Part Functions::*part, std::function<Answer(Given...)> Part::*entry, Spoil spoil) {
+  return [=](Functions& functions) { spoils(entry, spoil)(functions.*part); };
+}
+
 }  // namespace mmverify::proofs

@@ -4,7 +4,6 @@
 #include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/journal.hpp"

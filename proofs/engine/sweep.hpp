@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "proofs/engine/breaks.hpp"
-#include "proofs/engine/chunk.hpp"
 #include "proofs/engine/option.hpp"
 #include "proofs/engine/progress.hpp"
 #include "proofs/engine/share.hpp"

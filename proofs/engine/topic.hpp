@@ -17,6 +17,11 @@
 #include "proofs/engine/cases.hpp"
 #include "proofs/engine/kinds.hpp"
 
+namespace mmverify::dock {
+class Library;
+using LibraryPtr = std::shared_ptr<const Library>;
+}  // namespace mmverify::dock
+
 namespace mmverify::proofs {
 
 /// A subject of the topic of these functions, built in or in the dock.
@@ -62,6 +67,14 @@ Mutant changed(const TopicSubject& base, std::string name, Levels levels,
   auto subject = std::make_shared<TopicSubject>(name, "broken on purpose", std::move(functions));
   return {std::move(name), std::move(subject), levels};
 }
+
+/// A topic's built-in subject of that name, and the same with one deliberate error.  Domain: `all` has the name.
+template <auto all>
+constexpr auto built_in_of = [](const std::string& name) { return named(all(), name); };
+template <auto all>
+constexpr auto mutant_of = [](std::string name, const std::string& base, Levels levels, const auto& change) {
+  return changed(*named(all(), base), std::move(name), levels, change);
+};
 
 /// An entry point that a law needs, and its name in messages.
 template <class Functions>
@@ -109,7 +122,7 @@ std::optional<std::string> above_its_levels(const TopicSubject& s, Level n) {
 /// Cases by number: the count at a level, the check of a case, its text, and the check of a text (or BadCase).
 template <class TopicSubject>
 struct CasesOf {
-  std::function<std::uint64_t(Level)> count;
+  CaseCount count;
   std::function<Finding(const TopicSubject&, Level, std::uint64_t k, const Run&)> check;
   std::function<std::string(Level, std::uint64_t k, const Run&)> text;
   std::function<Finding(const TopicSubject&, Level, const std::string&)> read;
@@ -121,7 +134,7 @@ template <class TopicSubject>
 Law on_cases_of(Law law, CasesOf<TopicSubject> cases) {
   return on_numbered_cases(
       std::move(law),
-      {[count = std::move(cases.count)](Level n, const Run&) { return count(n); },
+      {std::move(cases.count),
        [check = std::move(cases.check)](const Subject& s, Level n, std::uint64_t k, const Run& run) {
          return check(subject_as<TopicSubject>(s), n, k, run);
        },
@@ -137,7 +150,7 @@ Law on_cases_of(Law law, CasesOf<TopicSubject> cases) {
 /// Cases drawn by number: their count, a case by number, its text, the case of a text (or BadCase), and its check.
 template <class TopicSubject, class Case>
 struct DrawnCasesOf {
-  std::function<std::uint64_t(Level, const Run&)> count;
+  CaseCount count;
   std::function<Case(Level, std::uint64_t k, std::uint64_t seed)> number;
   std::function<std::string(Level, const Case&)> text;
   std::function<Case(Level, const std::string&)> read;

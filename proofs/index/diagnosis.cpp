@@ -1,13 +1,7 @@
 #include "proofs/index/diagnosis.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <numeric>
-#include <optional>
 
-#include "proofs/engine/kinds.hpp"
 #include "proofs/index/judges/judges.hpp"
 
 namespace mmverify::proofs::index {
@@ -127,6 +121,32 @@ GridPoint rearranged(const GridPoint& p, const std::array<int, 3>& order) {
   return {wuv[static_cast<std::size_t>(order[1])], wuv[static_cast<std::size_t>(order[2])]};
 }
 
+std::uint64_t wrong(const CountByKind& counts, Kind kind) {
+  return counts[static_cast<std::size_t>(kind)].mismatches;
+}
+
+/// The kind of wrong answers at the level of `first`, the lowest refuted level: on ties or inside.  "Ties only"
+/// covers the levels whose every case was run, and no other.
+std::string where_wrong(const std::vector<Result>& results, const Result& first,
+                        const CountByKind& at_first) {
+  const std::uint64_t interiors = wrong(at_first, Kind::interior);
+  if (interiors != 0)
+    return fmt::format("wrong inside {} of {} micro-triangles of level {}", interiors,
+                       triangle_count(first.level), first.level);
+  const std::string ties = fmt::format("{} vertices and {} edges of level {}", wrong(at_first, Kind::vertex),
+                                       wrong(at_first, Kind::edge), first.level);
+  const auto inside = std::find_if(results.begin(), results.end(),
+                                   [](const Result& r) { return wrong(r.by_kind, Kind::interior) != 0; });
+  if (inside != results.end())
+    return fmt::format("wrong on ties, {}; and inside {} micro-triangles of level {}", ties,
+                       wrong(inside->by_kind, Kind::interior), inside->level);
+  const bool all_ran = std::all_of(results.begin(), results.end(), [](const Result& r) {
+    return !r.share && r.verdict != Verdict::broken && r.verdict != Verdict::incomplete;
+  });
+  return fmt::format("wrong on ties only: {}; every interior {}", ties,
+                     all_ran ? "is right" : "of this level is right");
+}
+
 }  // namespace
 
 std::string name_order(Level n, const TriangleIndex& index) {
@@ -169,36 +189,6 @@ std::string name_order(Level n, const TriangleIndex& index) {
   return {};
 }
 
-namespace {
-
-std::uint64_t wrong(const CountByKind& counts, Kind kind) {
-  return counts[static_cast<std::size_t>(kind)].mismatches;
-}
-
-/// The kind of wrong answers at the level of `first`, the lowest refuted level: on ties or inside.  "Ties only"
-/// covers the levels whose every case was run, and no other.
-std::string where_wrong(const std::vector<Result>& results, const Result& first,
-                        const CountByKind& at_first) {
-  const std::uint64_t interiors = wrong(at_first, Kind::interior);
-  if (interiors != 0)
-    return fmt::format("wrong inside {} of {} micro-triangles of level {}", interiors,
-                       triangle_count(first.level), first.level);
-  const std::string ties = fmt::format("{} vertices and {} edges of level {}", wrong(at_first, Kind::vertex),
-                                       wrong(at_first, Kind::edge), first.level);
-  const auto inside = std::find_if(results.begin(), results.end(),
-                                   [](const Result& r) { return wrong(r.by_kind, Kind::interior) != 0; });
-  if (inside != results.end())
-    return fmt::format("wrong on ties, {}; and inside {} micro-triangles of level {}", ties,
-                       wrong(inside->by_kind, Kind::interior), inside->level);
-  const bool all_ran = std::all_of(results.begin(), results.end(), [](const Result& r) {
-    return !r.share && r.verdict != Verdict::broken && r.verdict != Verdict::incomplete;
-  });
-  return fmt::format("wrong on ties only: {}; every interior {}", ties,
-                     all_ran ? "is right" : "of this level is right");
-}
-
-}  // namespace
-
 std::vector<std::string> diagnose(const IndexSubject& s, const std::vector<Result>& results) {
   const Result& first = *std::find_if(results.begin(), results.end(),
                                       [](const Result& r) { return r.verdict == Verdict::refuted; });
@@ -230,6 +220,35 @@ std::vector<std::string> diagnose(const IndexSubject& s, const std::vector<Resul
     if (!order.empty()) lines.push_back(fmt::format("its order at level {}: {}", n, order));
   }
   return lines;
+}
+
+WrongCells wrong_cells(const IndexSubject& subject, Level n, Order order, const CellWindow& window) {
+  WrongCells found;
+  std::vector<GridPoint> points;
+  std::vector<std::uint32_t> got;
+  Cells(n).rows(0, cell_count(n), [&](const Row& whole_row) {
+    for (std::uint64_t from = 0; from < whole_row.count; from += row_batch) {
+      const Row row = Cells::cut(whole_row, from, std::min<std::uint64_t>(row_batch, whole_row.count - from));
+      points.clear();
+      for (std::uint64_t t = 0; t < row.count; ++t) points.push_back(representative(row, t, n));
+      subject.functions.receive(points);
+      got.resize(points.size());
+      if (order == Order::curve)
+        subject.functions.index(n, {points}, got);
+      else
+        subject.functions.row_index(n, {points}, got);
+      for (std::uint64_t t = 0; t < row.count; ++t) {
+        const std::uint32_t expected =
+            order == Order::curve ? spec::index::reference(points[t], n) : spec::index::w_minor(points[t], n);
+        if (got[t] == expected) continue;
+        ++found.wrong;
+        const std::int64_t ku = row.ku + static_cast<std::int64_t>(t) * row.stride;
+        if (window.holds(ku, row.kv)) found.listed.push_back({ku, row.kv, expected, got[t]});
+      }
+      found.cells += row.count;
+    }
+  });
+  return found;
 }
 
 }  // namespace mmverify::proofs::index

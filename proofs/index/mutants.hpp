@@ -1,17 +1,13 @@
 // Deliberately wrong subjects that several laws must catch.
 #pragma once
 
-#include <functional>
-
 #include "proofs/index/subject.hpp"
 
 namespace mmverify::proofs::index {
 
 using Change = std::function<void(Functions&)>;
 /// A built-in subject with one deliberate error.
-inline Mutant mutant(const char* name, const char* base, Levels levels, const Change& change) {
-  return changed(*built_in(base), name, levels, change);
-}
+inline constexpr auto mutant = mutant_of<built_in_subjects>;
 
 /// (level, point, true answer) -> answer.
 using PointChange = std::function<std::uint32_t(Level, const GridPoint&, std::uint32_t)>;

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "proofs/drawing/canvas.hpp"
 #include "spec/index/index.hpp"

@@ -1,18 +1,9 @@
 #include "proofs/index/pipe.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <span>
-#include <string>
-#include <vector>
-
-#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/index/diagnosis.hpp"
 #include "proofs/index/judges/on_cells.hpp"
 #include "proofs/index/laws.hpp"
-#include "proofs/index/laws/named_corner_order.hpp"
 #include "proofs/index/subjects/rounded_subject.hpp"
 #include "proofs/pipe/lines.hpp"
 

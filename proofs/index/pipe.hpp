@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <istream>
 
-#include "proofs/engine/law.hpp"
 #include "proofs/index/subject.hpp"
 
 namespace mmverify::proofs::index {

@@ -1,14 +1,6 @@
-#include "proofs/index/plugin_subject.hpp"
-
-#include <fmt/format.h>
-
-#include <array>
 #include <cstring>
-#include <memory>
-#include <mutex>
 
 #include "proofs/index/subjects/rounded_subject.hpp"
-#include "subjects/dock/broken.hpp"
 #include "subjects/dock/elements.hpp"
 
 namespace mmverify::proofs::index {

@@ -1,10 +1,8 @@
 // Points that the laws of topic index range over: cells of a grid, rationals, floats as exact numbers, hard floats.
 #pragma once
 
-#include "proofs/points/cells.hpp"
 #include "proofs/points/exact_float.hpp"
 #include "proofs/points/hard_floats.hpp"
-#include "proofs/points/point.hpp"
 
 namespace mmverify::proofs::index {
 

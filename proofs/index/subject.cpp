@@ -1,7 +1,5 @@
 #include "proofs/index/subject.hpp"
 
-#include <utility>
-
 namespace mmverify::proofs::index {
 namespace {
 

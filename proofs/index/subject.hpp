@@ -2,11 +2,6 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
-#include <functional>
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "proofs/engine/topic.hpp"
 #include "proofs/index/points.hpp"
@@ -115,6 +110,18 @@ using IndexSubjectPtr = std::shared_ptr<const IndexSubject>;
 /// The built-in subjects: name, description, arithmetic.
 const std::vector<IndexSubjectPtr>& built_in_subjects();
 
-inline IndexSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
+inline constexpr auto built_in = built_in_of<built_in_subjects>;
+
+/// The subjects that a library offers, none where it has no entry point of this topic: one that takes
+/// binary32 numbers, named as the file, and where it has an entry point for binary64 another, named FILE:f64.
+/// Each runs in worker processes; what goes wrong there comes out of the calls as SubjectBroken.
+std::vector<IndexSubjectPtr> plugin_subjects(const dock::LibraryPtr& library);
+
+IndexSubjectPtr impl_subject();
+std::vector<IndexSubjectPtr> row_subjects();
+
+/// A subject that gives one answer to every question, an index or three corners "(I,J) (I,J) (I,J)".  It judges and
+/// draws again an answer of a program on a pipe.  Throws BadCase.
+IndexSubjectPtr given_answer(const std::string& answer);
 
 }  // namespace mmverify::proofs::index

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "proofs/engine/bytes.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/kinds.hpp"
@@ -16,7 +14,41 @@ std::string say(const Statement& s, const Found& found) {
                      to_string(found.answer), found.detail.empty() ? "" : " (" + found.detail + ")");
 }
 
+std::optional<std::vector<Statement>> statements_about(const std::vector<About>& known,
+                                                       const Subject& subject) {
+  if (const auto* own = dynamic_cast<const Provable*>(&subject)) return own->statements();
+  for (const About& a : known)
+    if (subject.name() == a.subject) return a.statements();
+  return std::nullopt;
+}
+
+/// How many statements there are.  Writing them takes half of a program's start, and most commands never ask.
+struct CountedOnce {
+  std::once_flag once;
+  std::uint64_t of = 0;
+};
+
 }  // namespace
+
+Law on_statements(Law law, std::vector<About> known, Settle settle) {
+  law.cases = [statements = known.front().statements, count = std::make_shared<CountedOnce>()](Level) {
+    std::call_once(count->once, [&] { count->of = statements().size(); });
+    return count->of;
+  };
+  law.how = [method = law.method](Level) { return fmt::format("{}, {}", to_string(method), prover_name()); };
+  law.unfit = [known](const Subject& s, Level) -> std::optional<std::string> {
+    if (dynamic_cast<const Provable*>(&s) != nullptr) return std::nullopt;
+    std::vector<std::string> names;
+    for (const About& a : known) names.push_back(a.subject);
+    if (std::find(names.begin(), names.end(), s.name()) != names.end()) return std::nullopt;
+    return fmt::format("no statements about {}: there are some about {}", s.name(), fmt::join(names, ", "));
+  };
+  law.judge = [known = std::move(known), settle = std::move(settle)](const Subject& s, Level,
+                                                                     const Run& run) {
+    return settle(statements_about(known, s).value(), s, run);
+  };
+  return law;
+}
 
 Tally discharge(const std::vector<Statement>& statements, const Search& search, const Run& run,
                 const Effort& effort) {

@@ -1,10 +1,6 @@
 // The discharge of statements, for laws that a prover settles for all levels at once.
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "proofs/engine/law.hpp"
 #include "proofs/induction/prover.hpp"
 
@@ -28,5 +24,17 @@ struct Search {
 /// counterexample, throws NotProved with the statement's name and the prover's answer.  `unknown` is a failure.
 Tally discharge(const std::vector<Statement>& statements, const Search& search, const Run& run,
                 const Effort& effort = {});
+
+/// A built-in subject, and the statements about it.
+struct About {
+  std::string subject;
+  std::vector<Statement> (*statements)();
+};
+/// Judges a subject by statements.
+using Settle = std::function<Tally(const std::vector<Statement>&, const Subject&, const Run&)>;
+
+/// The law with a case for each statement: a subject's own where it brings some, else those about it in `known`.  It
+/// fits no subject without.  Domain: lists in `known` of one length, which is each subject's own list's, too.
+Law on_statements(Law law, std::vector<About> known, Settle settle);
 
 }  // namespace mmverify::proofs::induction

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "proofs/induction/paths.hpp"
-#include "proofs/induction/term.hpp"
 
 namespace mmverify::proofs::induction {
 

@@ -3,10 +3,8 @@
 #pragma once
 
 #include <concepts>
-#include <cstdint>
 
 #include "proofs/induction/paths.hpp"
-#include "proofs/induction/term.hpp"
 #include "spec/index/index.hpp"
 
 namespace mmverify::proofs::induction {

@@ -1,12 +1,8 @@
 // Maps of one state but for one node of the curve.  What becomes of one is another such map, so that it is
 // written down at once: no oracle goes through its states, and every level is asked.
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "proofs/engine/spoils.hpp"
-#include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
+#include "proofs/micromap/laws.hpp"
 #include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -147,7 +143,6 @@ Law every_one() {
       {.id = "micromap.one_apart",
        .says = says,
        .source = packing_source,
-       .method = Method::exhaustive,
        .subjects = {"micromap-spec", "micromap"},
        .tiers = {.fast = {2, 4}, .long_run = {2, 7}, .seconds = 1},
        .domain =
@@ -178,7 +173,7 @@ Law chosen_ones() {
                           "map's end, or for none{}",
                           chosen_apart_count(n), n, parts_of(s));
                     },
-                .how = [](const Subject&, Level) { return std::string("sample, against the closed form"); },
+                .how = "sample, against the closed form",
                 .mutants = {mutant("the last UO among O of level 7 is O", "micromap", {7, 7},
                                    spoils(&Functions::unpack,
                                           [](Format, std::uint64_t, auto, States& s) {

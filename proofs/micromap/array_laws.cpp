@@ -1,14 +1,11 @@
 // Laws of arrays: a built array gives every state back and is valid, and the validator lists the specification's
 // violations.
-#include <fmt/format.h>
-
 #include <set>
-#include <tuple>
 
 #include "proofs/engine/spoils.hpp"
 #include "proofs/micromap/arrays.hpp"
-#include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
+#include "proofs/micromap/laws.hpp"
 #include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -28,9 +25,7 @@ std::uint64_t hash_of(const std::vector<Violation>& found) {
   return hash;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Building
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Building
 
 // The states of a triangle, found as a traversal finds them; for a special index, `count` times its state.
 States fetched(const Built& b, const Options& o, std::uint64_t t, std::uint64_t count) {
@@ -167,13 +162,10 @@ Law pairs() {
       {.id = "micromap.build",
        .says = "a built array is clean, gives every state back, shares equal maps and has no others",
        .source = packing_source,
-       .method = Method::exhaustive,
        .subjects = {"micromap-spec", "micromap"},
        .tiers = {.fast = {0, 1}, .long_run = {0, 1}, .seconds = 3},
        .domain =
-           [](const Subject&, Level n) {
-             return fmt::format("all ordered pairs of maps of level {}, both formats", n);
-           },
+           [](Level n) { return fmt::format("all ordered pairs of maps of level {}, both formats", n); },
        .mutants = {mutant("two maps that differ in one state share a record", "micromap", {1, 1},
                           spoils(&Functions::build,
                                  [](auto, auto maps, const Options&, Built& b) {
@@ -183,11 +175,6 @@ Law pairs() {
                           spoils(&Functions::build,
                                  [](auto, auto maps, const Options&, Built& b) {
                                    if (are(maps, 1, {0x1b, 0x1b})) b.geometry_counts = b.array_counts;
-                                 })),
-                   mutant("a uniform UO gets the index of UT", "micromap", {0, 0},
-                          spoils(&Functions::build,
-                                 [](auto, auto maps, const Options&, Built& b) {
-                                   if (are(maps, 0, {0, 3})) b.indices[1] = 0xfd;
                                  })),
                    mutant("equal maps are not shared", "micromap", {1, 1},
                           builds_otherwise([](auto maps, Options& o) {
@@ -213,18 +200,6 @@ void drop_last_bit(std::span<const PackedMap>, std::span<const PackedMap> maps, 
     drop_bit(b.data, b.data.size() - 1, 7);
 }
 
-void count_one_more(std::span<const PackedMap>, std::span<const PackedMap> maps, const Options& o, Built& b) {
-  if (maps.size() > 8 && o.special && o.encoding == Encoding::u32 && !b.geometry_counts.empty() &&
-      b.geometry_counts.size() < maps.size())
-    ++b.geometry_counts.front().count;
-}
-
-void add_base_triangle(std::span<const PackedMap>, std::span<const PackedMap>, const Options& o, Built& b) {
-  if (o.base_triangle == 2 && o.encoding == Encoding::i32)
-    for (std::size_t at = 0; at < b.indices.size(); at += 4)
-      if (b.indices[at + 3] == 0) b.indices[at] = static_cast<std::uint8_t>(b.indices[at] + 2);
-}
-
 Law sampled_builds() {
   return on_cases(
       {.id = "micromap.build_on_samples",
@@ -234,20 +209,12 @@ Law sampled_builds() {
        .subjects = {"micromap-spec", "micromap"},
        .tiers = {.fast = {0, 5}, .long_run = {0, 7}, .seconds = 3},
        .domain =
-           [](const Subject&, Level n) {
+           [](Level n) {
              return fmt::format(
                  "up to 23 maps of levels 0..{} after up to 5, all encodings, options and base triangles", n);
            },
        .mutants = {mutant("a bit of the last byte of a map of level 5", "micromap", {5, 5},
                           spoils(&Functions::build, drop_last_bit)),
-                   mutant("shares though not asked to", "micromap", {2, 4},
-                          builds_otherwise([](auto maps, Options& o) {
-                            if (maps.size() == 20) o.deduplicate = true;
-                          })),
-                   mutant("counts a special index", "micromap-spec", {0, 3},
-                          spoils(&Functions::build, count_one_more)),
-                   mutant("adds the base triangle where it has to subtract it", "micromap", {0, 5},
-                          spoils(&Functions::build, add_base_triangle)),
                    mutant("shares a record before the base triangle", "micromap-spec", {0, 5},
                           builds_otherwise([](auto, Options& o) {
                             if (o.deduplicate && o.base_triangle == 3) o.base_triangle = 0;
@@ -259,7 +226,7 @@ Law sampled_builds() {
                                      ++b.records[b.records.size() - 8];
                                  }))}},
       {entry::build},
-      {[](Level n) -> std::uint64_t { return n <= 4 ? 400 : 100; },
+      {falling({{4, 400}}, 100),
        [](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
          return builds(s, sample_build(n, run.seed, k));
        },
@@ -271,9 +238,7 @@ Law sampled_builds() {
        16});
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Validating
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Validating
 
 Finding validates(const MicromapSubject& s, const Input& in) {
   const std::vector<Violation> expected = slow::validate(in), got = s.functions.validate(in);
@@ -307,22 +272,12 @@ Law validating() {
        .subjects = {"micromap"},
        .tiers = {.fast = {0, 5}, .long_run = {0, 7}, .seconds = 4},
        .domain =
-           [](const Subject&, Level n) {
+           [](Level n) {
              return fmt::format(
                  "arrays of up to 28 maps of levels 0..{}, up to three things spoilt, all sets", n);
            },
-       .mutants = {mutant("an index equal to the number of records is in range", "micromap", {0, 5},
-                          spoils(&Functions::validate,
-                                 [](const Input&, std::vector<Violation>& found) {
-                                   std::erase_if(found, [](const Violation& v) {
-                                     return v.rule == Rule::index_range && v.found == v.other;
-                                   });
-                                 })),
-                   mutant("overlap is missed in arrays of 8 records and more", "micromap", {3, 5},
+       .mutants = {mutant("overlap is missed in arrays of 8 records and more", "micromap", {3, 5},
                           misses(Rule::record_overlap, 8)),
-                   mutant("a lossy build may have 2-state records", "micromap", {2, 4},
-                          misses(Rule::record_lossy_format)),
-                   mutant("-5 is taken for special", "micromap", {0, 5}, misses(Rule::index_special)),
                    mutant("the histograms' exchange is not seen at level 4", "micromap", {4, 5},
                           misses(Rule::counts_array_is_geometry)),
                    mutant("the last byte of a region may be missing at level 5", "micromap", {5, 5},
@@ -333,7 +288,7 @@ Law validating() {
                                    });
                                  }))}},
       {entry::validate},
-      {[](Level n) -> std::uint64_t { return n <= 4 ? 3000 : 1500; },
+      {falling({{4, 3000}}, 1500),
        [](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {
          Handed handed;
          sample_spoilt(n, run.seed, k, handed);

@@ -1,8 +1,5 @@
 #include "proofs/micromap/arrays.hpp"
 
-#include <fmt/format.h>
-
-#include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/micromap/maps.hpp"
 

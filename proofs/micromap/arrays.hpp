@@ -2,9 +2,6 @@
 // something spoilt.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "proofs/micromap/subject.hpp"
 
 namespace mmverify::proofs::micromap {

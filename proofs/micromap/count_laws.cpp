@@ -1,12 +1,7 @@
 // Laws of packing any number of states, not only powers of four.
-#include <fmt/format.h>
-
-#include <array>
-
-#include "proofs/engine/random.hpp"
 #include "proofs/engine/spoils.hpp"
-#include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
+#include "proofs/micromap/laws.hpp"
 #include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -125,15 +120,10 @@ std::vector<Law> count_laws() {
       on_cases({.id = "micromap.packing_any_count",
                 .says = says,
                 .source = packing_source,
-                .method = Method::exhaustive,
                 .subjects = {"micromap-spec", "micromap"},
                 .tiers = {.seconds = 0.3},
                 .at_once = "all levels",
-                .domain =
-                    [](const Subject&, Level) {
-                      return std::string(
-                          "all sequences of 1 to 12 states in 2-state, and of 1 to 6 in 4-state");
-                    },
+                .domain = "all sequences of 1 to 12 states in 2-state, and of 1 to 6 in 4-state",
                 .mutants = {mutant("ones after eleven states", "micromap", {0, 0},
                                    spoils(&Functions::pack,
                                           [](Format f, const States& s, Bytes& out) {
@@ -149,12 +139,8 @@ std::vector<Law> count_laws() {
                 .subjects = {"micromap-spec", "micromap"},
                 .tiers = {.seconds = 0.3},
                 .at_once = "all levels",
-                .domain =
-                    [](const Subject&, Level) {
-                      return std::string(
-                          "four sequences of each number of states from 1 to 300, and of 30 beside 2^9 to "
-                          "2^14, both formats");
-                    },
+                .domain = "four sequences of each number of states from 1 to 300, and of 30 beside 2^9 to "
+                          "2^14, both formats",
                 .mutants = {mutant("of 4098 states or more the first half's last is lost", "micromap", {0, 0},
                                    spoils(&Functions::pack,
                                           [](Format f, const States& s, Bytes& out) {

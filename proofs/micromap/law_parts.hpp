@@ -1,11 +1,6 @@
 // Common parts of the laws of topic micromap: the check of a case, and the cases that it runs on.
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-
-#include "proofs/engine/cases.hpp"
 #include "proofs/micromap/subject.hpp"
 
 namespace mmverify::proofs::micromap {

@@ -1,10 +1,8 @@
 // The three laws of lossy substitution, each for the codecs that keep it; and the law of judges of substitutions.
-#include <fmt/format.h>
-
 #include "proofs/engine/shape.hpp"
 #include "proofs/engine/spoils.hpp"
-#include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
+#include "proofs/micromap/laws.hpp"
 #include "proofs/micromap/maps.hpp"
 #include "spec/micromap/lossy.hpp"
 
@@ -74,8 +72,7 @@ void add(std::vector<Law>& laws, const Rule& rule) {
                               .source = rule.source,
                               .subjects = rule.subjects,
                               .tiers = {.seconds = 1},
-                              .mutants = {changed(1, 2)},
-                              .general = true},
+                              .mutants = {changed(1, 2)}},
                              {entry::substitute}, Maps::four_state, 0, keeps(rule.pair)));
   laws.push_back(on_samples({.id = std::string(rule.id) + "_on_samples",
                              .says = rule.says,
@@ -85,10 +82,6 @@ void add(std::vector<Law>& laws, const Rule& rule) {
                              .mutants = {changed(6, 2048)}},
                             {entry::substitute}, Maps::four_state, keeps(rule.pair)));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Who judges substitutions
-// ---------------------------------------------------------------------------------------------------------------------
 
 Finding judges(const MicromapSubject& s, const PackedMap& was, const PackedMap& is) {
   const std::uint64_t count = slow::micro_triangles(was.level);
@@ -134,7 +127,6 @@ Law judge_law() {
       {.id = "lossy.judges",
        .says = "a judge of substitutions says which of the three rules every micro-triangle keeps",
        .source = lossy_source,
-       .method = Method::exhaustive,
        .subjects = {"micromap-spec", "micromap"},
        .tiers = {.fast = {0, 1}, .long_run = {0, 1}, .seconds = 1},
        .domain = [](const Subject&,
@@ -220,7 +212,7 @@ Law judge_samples_law() {
        .subjects = {"micromap-spec", "micromap"},
        .tiers = {.fast = {2, 7}, .long_run = {2, 9}, .seconds = 0.5},
        .domain =
-           [](const Subject&, Level n) {
+           [](Level n) {
              return fmt::format(
                  "{} sample maps of level {}, each state in the place of one at a word's or the map's end, "
                  "or of a quarter",

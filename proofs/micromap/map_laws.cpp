@@ -1,11 +1,7 @@
 // Laws of packed maps.  Each oracle works state by state, without words.
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "proofs/engine/spoils.hpp"
-#include "proofs/micromap/law_groups.hpp"
 #include "proofs/micromap/law_parts.hpp"
+#include "proofs/micromap/laws.hpp"
 #include "spec/micromap/lossy.hpp"
 
 namespace mmverify::proofs::micromap {
@@ -36,10 +32,6 @@ void flip(Bytes& bytes, std::size_t bit) {
 bool is(Level n, std::span<const std::uint8_t> in, Level level, std::initializer_list<std::uint8_t> bytes) {
   return n == level && std::equal(in.begin(), in.end(), bytes.begin(), bytes.end());
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Checks
-// ---------------------------------------------------------------------------------------------------------------------
 
 // The result of `make` is `expected` for any padding.
 Finding always(const char* what, const PackedMap& map, const Bytes& expected,
@@ -189,10 +181,6 @@ Finding everything(const MicromapSubject& s, const PackedMap& map) {
   also(s.functions.through && map.format == four, goes_through_modes);
   return found;
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Laws
-// ---------------------------------------------------------------------------------------------------------------------
 
 const std::vector<std::string> both{"micromap-spec", "micromap"};
 

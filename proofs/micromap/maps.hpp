@@ -1,7 +1,6 @@
 // The maps that the laws range over, and the text that names one on the command line.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -1,7 +1,4 @@
-#include "proofs/micromap/plugin_subject.hpp"
-
-#include <bit>
-
+#include "proofs/micromap/subject.hpp"
 #include "subjects/dock/codec.hpp"
 
 namespace mmverify::proofs::micromap {

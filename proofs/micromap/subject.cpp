@@ -1,6 +1,5 @@
 #include "proofs/micromap/subject.hpp"
 
-#include "impl/micromap/array.hpp"
 #include "impl/micromap/level.hpp"
 #include "impl/micromap/validate.hpp"
 #include "spec/micromap/lossy.hpp"
@@ -13,9 +12,7 @@ namespace slow = mmverify::spec::micromap;
 using slow::micro_triangles;
 using slow::packed_bytes;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The specification
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The specification
 
 States states(Level n, std::span<const std::uint8_t> bytes) {
   return slow::unpack(bytes, Format::four_state, micro_triangles(n));
@@ -68,9 +65,7 @@ Functions specified() {
   return f;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// impl
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- impl
 
 constexpr fast::Format to_fast(Format f) { return static_cast<fast::Format>(f); }
 
@@ -190,9 +185,7 @@ Functions library() {
   return f;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Lossy codecs: what is left of a map when four siblings that differ become alike
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Lossy codecs: what is left of a map when four siblings that differ become alike
 
 using Merge = void (*)(std::span<State> siblings);
 

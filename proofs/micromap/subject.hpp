@@ -1,12 +1,6 @@
 // A subject of topic micromap: an implementation as functions on bytes, built in or in the dock.
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "proofs/engine/topic.hpp"
 #include "spec/micromap/level.hpp"
 #include "spec/micromap/validate.hpp"
@@ -94,12 +88,12 @@ using MicromapSubjectPtr = std::shared_ptr<const MicromapSubject>;
 /// lossy-merge.
 const std::vector<MicromapSubjectPtr>& built_in_subjects();
 
-inline MicromapSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
+inline constexpr auto built_in = built_in_of<built_in_subjects>;
+inline constexpr auto mutant = mutant_of<built_in_subjects>;
 
-/// A subject with one deliberate error.
-inline Mutant mutant(const std::string& name, const std::string& base, Levels levels,
-                     const std::function<void(Functions&)>& change) {
-  return changed(*built_in(base), name, levels, change);
-}
+/// The subject that a library offers; null where it has no entry point of this topic.  It runs in worker
+/// processes; what goes wrong there comes out of the calls as SubjectBroken.  Special indices, arrays and
+/// their validation have no entry points.
+MicromapSubjectPtr plugin_subject(const std::string& name, const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::micromap

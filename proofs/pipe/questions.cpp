@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <unordered_map>
-#include <utility>
 
 #include "proofs/engine/bytes.hpp"
 #include "proofs/engine/interrupt.hpp"
-#include "proofs/engine/progress.hpp"
 #include "proofs/pipe/lines.hpp"
 #include "proofs/planning/plan.hpp"
 

@@ -5,10 +5,7 @@
 #pragma once
 
 #include <cstdio>
-#include <functional>
 #include <istream>
-#include <string>
-#include <vector>
 
 #include "proofs/engine/runner.hpp"
 

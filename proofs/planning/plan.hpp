@@ -28,4 +28,10 @@ Verdict weakest(const std::vector<Result>& results, const std::string& subject);
 std::vector<Level> levels_not_judged(const std::vector<Result>& results, const std::string& subject,
                                      const Levels& asked);
 
+/// Subjects that the fast tier judges by a law on other levels than Law::fast, and which.
+std::vector<std::pair<std::string, Levels>> fast_levels_apart(const Law& law);
+
+/// The levels that the fast tier judges the subject on: its own, or Law::fast.
+Levels fast_levels(const Law& law, const Subject& subject);
+
 }  // namespace mmverify::proofs

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <string>
 
 #include "proofs/engine/kinds.hpp"
-#include "proofs/engine/result.hpp"
 #include "spec/fixed.hpp"
 #include "spec/index/index.hpp"
 

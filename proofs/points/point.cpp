@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <stdexcept>
 
 #include "proofs/engine/kinds.hpp"
 #include "proofs/engine/law.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "proofs/engine/result.hpp"
 #include "proofs/points/cells.hpp"

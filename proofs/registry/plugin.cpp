@@ -1,7 +1,5 @@
 #include "proofs/registry/plugin.hpp"
 
-#include <algorithm>
-
 #include "proofs/engine/interrupt.hpp"
 
 namespace mmverify::proofs {
@@ -13,6 +11,17 @@ std::vector<std::weak_ptr<const dock::Library>>& opened() {
   static std::vector<std::weak_ptr<const dock::Library>> all;
   return all;
 }
+
+class Absent : public Subject {
+ public:
+  Absent(const std::string& topic, const std::string& name, std::string why)
+      : Subject(topic, name, "not here"), why_(std::move(why)) {}
+  std::string absent() const override { return why_; }
+  bool exact() const override { return true; }  // nothing is said of floats either
+
+ private:
+  std::string why_;
+};
 
 }  // namespace
 
@@ -42,21 +51,6 @@ std::vector<PluginSubject> plugin_subjects(const dock::LibraryPtr& library) {
     for (PluginSubject& subject : topic.of_library(library, all.empty())) all.push_back(std::move(subject));
   return all;
 }
-
-namespace {
-
-class Absent : public Subject {
- public:
-  Absent(const std::string& topic, const std::string& name, std::string why)
-      : Subject(topic, name, "not here"), why_(std::move(why)) {}
-  std::string absent() const override { return why_; }
-  bool exact() const override { return true; }  // nothing is said of floats either
-
- private:
-  std::string why_;
-};
-
-}  // namespace
 
 std::vector<SubjectPtr> absent_subjects(const std::string& name, const std::vector<std::string>& entry_points,
                                         const std::string& why) {

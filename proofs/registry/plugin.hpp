@@ -1,9 +1,6 @@
 // A shared library of a stranger, as subjects of every topic that it has entry points of.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "proofs/registry/topics.hpp"
 
 namespace mmverify::proofs {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "proofs/engine/law.hpp"
+#include "proofs/induction/statement.hpp"
 
 namespace mmverify::proofs {
 
@@ -22,5 +23,9 @@ std::vector<SubjectPtr> subjects();
 
 /// Null where there is no built-in subject of that name.
 SubjectPtr find_subject(const std::string& name);
+
+/// Statements by FOLDER/NAME, a folder a law: "index/floats/index".  proofs/statements.lock has the SHA-256 of each text and
+/// the steps that z3 takes to settle it; `mmverify list --statements DIR` writes the texts.
+std::map<std::string, induction::Statement> shipped_statements();
 
 }  // namespace mmverify::proofs

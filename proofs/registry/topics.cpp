@@ -1,26 +1,16 @@
 #include "proofs/registry/topics.hpp"
 
 #include "proofs/array/laws.hpp"
-#include "proofs/array/plugin_subject.hpp"
 #include "proofs/attribute/laws.hpp"
-#include "proofs/attribute/plugin_subject.hpp"
 #include "proofs/bake/dialogue.hpp"
 #include "proofs/bake/laws.hpp"
-#include "proofs/bake/plugin_subject.hpp"
 #include "proofs/dag/laws.hpp"
-#include "proofs/dag/plugin_subject.hpp"
 #include "proofs/index/laws.hpp"
-#include "proofs/index/plugin_subject.hpp"
-#include "proofs/index/subjects/built_in.hpp"
 #include "proofs/micromap/laws.hpp"
-#include "proofs/micromap/plugin_subject.hpp"
 #include "proofs/traverse/laws.hpp"
-#include "proofs/traverse/plugin_subject.hpp"
 #include "proofs/tree/dialogue.hpp"
 #include "proofs/tree/laws.hpp"
-#include "proofs/tree/plugin_subject.hpp"
 #include "proofs/vq/laws.hpp"
-#include "proofs/vq/plugin_subject.hpp"
 
 namespace mmverify::proofs {
 namespace {
@@ -34,7 +24,9 @@ std::vector<SubjectPtr> all() {
 
 /// The subjects of a topic that makes one of a library, named FILE:TOPIC or, as the library's first, FILE.
 template <auto plugin_subject>
-std::vector<PluginSubject> one(const dock::LibraryPtr& library, const char* topic, bool first) {
+std::vector<PluginSubject> one(const dock::LibraryPtr& library, bool first) {
+  using Made = std::invoke_result_t<decltype(plugin_subject), std::string, dock::LibraryPtr>;
+  const std::string topic = Made::element_type::Functions::topic;
   const SubjectPtr subject = plugin_subject(first ? library->path() : library->path() + ":" + topic, library);
   if (subject == nullptr) return {};
   return {{topic, subject}};
@@ -48,7 +40,6 @@ std::vector<PluginSubject> by_arithmetic(const dock::LibraryPtr& library, bool) 
 }
 
 using dock::Call;
-using dock::LibraryPtr;
 
 // The table has a row for each topic.
 // clang-format off
@@ -56,29 +47,21 @@ const std::vector<Topic> table{
     {"index", {"index", "paper"}, index::laws, all<index::built_in_subjects>, {"f32", "f64"},
      by_arithmetic, Call::index_f32, 30, "index"},
     {"micromap", {"micromap", "lossy"}, micromap::laws, all<micromap::built_in_subjects>, {"micromap"},
-     [](const LibraryPtr& l, bool first) { return one<micromap::plugin_subject>(l, "micromap", first); },
-     Call::micromap_pack, 12},
+     one<micromap::plugin_subject>, Call::micromap_pack, 12},
     {"tree", {"tree", "paper"}, tree::laws, all<tree::built_in_subjects>, {"tree"},
-     [](const LibraryPtr& l, bool first) { return one<tree::plugin_subject>(l, "tree", first); },
-     Call::tree_encode, 16, "tree", &tree::dialogue},
+     one<tree::plugin_subject>, Call::tree_encode, 16, "tree", &tree::dialogue},
     {"vq", {"vq", "vq2", "vq4"}, vq::laws, all<vq::built_in_subjects>, {"vq"},
-     [](const LibraryPtr& l, bool first) { return one<vq::plugin_subject>(l, "vq", first); },
-     Call::vq2_decode, 5, "vq"},
+     one<vq::plugin_subject>, Call::vq2_decode, 5, "vq"},
     {"bake", {"bake"}, bake::laws, all<bake::built_in_subjects>, {"bake"},
-     [](const LibraryPtr& l, bool first) { return one<bake::plugin_subject>(l, "bake", first); },
-     Call::bake, 12, "bake", &bake::dialogue},
+     one<bake::plugin_subject>, Call::bake, 12, "bake", &bake::dialogue},
     {"attribute", {"attribute", "paper"}, attribute::laws, all<attribute::built_in_subjects>, {"attribute"},
-     [](const LibraryPtr& l, bool first) { return one<attribute::plugin_subject>(l, "attribute", first); },
-     Call::attribute_vertex_index, 16, "attribute"},
+     one<attribute::plugin_subject>, Call::attribute_vertex_index, 16, "attribute"},
     {"traverse", {"traverse", "paper"}, traverse::laws, all<traverse::built_in_subjects>, {"traverse"},
-     [](const LibraryPtr& l, bool first) { return one<traverse::plugin_subject>(l, "traverse", first); },
-     Call::traverse_decide, 0},
+     one<traverse::plugin_subject>, Call::traverse_decide, 0},
     {"array", {"array"}, array::laws, all<array::built_in_subjects>, {"array"},
-     [](const LibraryPtr& l, bool first) { return one<array::plugin_subject>(l, "array", first); },
-     Call::array_build, 9, "array"},
+     one<array::plugin_subject>, Call::array_build, 9, "array"},
     {"dag", {"dag"}, dag::laws, all<dag::built_in_subjects>, {"dag"},
-     [](const LibraryPtr& l, bool first) { return one<dag::plugin_subject>(l, "dag", first); },
-     Call::dag_encode, 12, "dag"},
+     one<dag::plugin_subject>, Call::dag_encode, 12, "dag"},
 };
 // clang-format on
 

@@ -2,10 +2,7 @@
 #pragma once
 
 #include <span>
-#include <string>
-#include <vector>
 
-#include "proofs/engine/law.hpp"
 #include "proofs/pipe/questions.hpp"
 #include "subjects/dock/library.hpp"
 

@@ -1,11 +1,7 @@
 // Laws of the scene's array, and of the way from a triangle to its states.
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "impl/micromap/validate.hpp"
-#include "proofs/scene/law_groups.hpp"
 #include "proofs/scene/law_parts.hpp"
+#include "proofs/scene/laws.hpp"
 #include "proofs/scene/other_order.hpp"
 
 namespace mmverify::proofs::scene {

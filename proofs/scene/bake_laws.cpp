@@ -1,15 +1,10 @@
 // The laws of baking, on a scene's own triangles.
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cstdio>
 #include <limits>
-#include <memory>
 
-#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/scene/exact_surface.hpp"
-#include "proofs/scene/law_groups.hpp"
+#include "proofs/scene/laws.hpp"
 #include "spec/micromap/micromap.hpp"
 
 namespace mmverify::proofs::scene {
@@ -194,17 +189,14 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
   const auto cases = [total, most](Level n) { return std::min(most, total(n)); };
   law.cases = [cases](Level n, const Run&) { return cases(n); };
   const auto whole = [total, most](Level n) { return total(n) <= most; };
-  law.method = Method::exhaustive;
   for (const BakedTriangle& t : data.baked.triangles)
     if (!whole(t.level)) law.method = Method::sample;
-  law.domain = [total, whole, claim](const Subject&, Level n) {
+  law.domain = [total, whole, claim](Level n) {
     return fmt::format(
         "the {} {} micro-triangles of level {} of this scene{}", total(n), claim.states, n,
         whole(n) ? "" : "; every second one drawn within a texel of a change, where 512 draws find one");
   };
-  law.how = [whole](const Subject&, Level n) {
-    return std::string(whole(n) ? "exhaustive, rational" : "sample, rational");
-  };
+  law.how = [whole](Level n) { return std::string(whole(n) ? "exhaustive, rational" : "sample, rational"); };
   law.unfit = [total, claim](const Subject&, Level n) -> std::optional<std::string> {
     if (total(n) != 0) return std::nullopt;
     return fmt::format("no micro-triangle is {}", claim.states);

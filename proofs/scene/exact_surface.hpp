@@ -1,10 +1,8 @@
 // The specification's view of a plan: the exact state of any of its micro-triangles.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "proofs/engine/result.hpp"
 #include "scene/plan/plan.hpp"

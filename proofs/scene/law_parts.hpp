@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <functional>
-#include <string>
-
 #include "proofs/engine/cases.hpp"
 #include "proofs/engine/kinds.hpp"
 
@@ -19,9 +16,8 @@ struct Domain {
 };
 
 inline Law on_cases(Law law, Domain parts) {
-  law.method = Method::exhaustive;
-  law.how = [](const Subject&, Level) { return std::string("exhaustive"); };
-  law.domain = [parts](const Subject&, Level n) {
+  law.how = "exhaustive";
+  law.domain = [parts](Level n) {
     return fmt::format("the {} {} of level {} of this scene", parts.count(n), parts.what, n);
   };
   law.unfit = [parts](const Subject&, Level n) -> std::optional<std::string> {

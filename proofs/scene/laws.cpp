@@ -1,11 +1,7 @@
 #include "proofs/scene/laws.hpp"
 
-#include <fmt/format.h>
-
-#include <map>
 #include <variant>
 
-#include "proofs/engine/bytes.hpp"
 #include "proofs/scene/law_parts.hpp"
 
 namespace mmverify::proofs::scene {

@@ -1,13 +1,31 @@
 // The laws of all topics on one scene's own data.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "proofs/engine/runner.hpp"
-#include "proofs/scene/law_groups.hpp"
+#include "proofs/scene/subject_maps.hpp"
 
 namespace mmverify::proofs::scene {
+
+/// How many micro-triangles a law of baking looks at, as many of each level that occurs; none: all.
+struct BakeSample {
+  std::optional<std::uint64_t> size;
+};
+
+// `data` outlives the laws.
+std::vector<Law> bake_laws(const Data& data, const BakeSample& sample);
+std::vector<Law> array_laws(const Data& data);
+std::vector<Law> tree_laws(const Data& data);
+std::vector<Law> vq_laws(const Data& data);
+
+struct SubjectLaws {
+  std::vector<Law> laws;
+  std::vector<Job> jobs;
+};
+
+/// bake.conservative and bake.tight, a case a triangle of the scene, a job for each level that occurs.
+/// `command`: what shows a counterexample again, but for --replay LAW and --case LEVEL@CASE.
+/// Domain: maps that outlive the laws.
+SubjectLaws subject_laws(const SubjectMaps& maps, const std::string& command);
 
 /// A law, levels of a law, or a format without cases in the scene, and the reason.
 struct LeftOutLaw {

@@ -1,9 +1,6 @@
 // The place of a micro-triangle once the vertices of its triangle are named in another order.
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include "proofs/engine/result.hpp"
 #include "scene/plan/uv_duplicates.hpp"
 #include "spec/index/index.hpp"

@@ -1,12 +1,7 @@
 // A scene's own data as a subject: its baked maps, and the arrays and codes built from them.
 #pragma once
 
-#include <functional>
-#include <mutex>
-#include <string>
-
 #include "impl/tree/tree.hpp"
-#include "impl/vq/vq.hpp"
 #include "proofs/engine/law.hpp"
 #include "scene/bake/arrays.hpp"
 #include "scene/bake/square_maps.hpp"

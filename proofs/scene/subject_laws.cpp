@@ -1,11 +1,6 @@
-#include "proofs/scene/subject_laws.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "proofs/bake/truth/truth.hpp"
 #include "proofs/scene/law_parts.hpp"
+#include "proofs/scene/laws.hpp"
 
 namespace mmverify::proofs::scene {
 namespace {
@@ -69,10 +64,7 @@ Law law_of_maps(const MapLaw& map_law, const SubjectMaps& maps) {
   law = on_cases(std::move(law), std::move(parts));
   // Ours are proved on families and checked on scenes, not proved on this one.
   law.method = Method::sample;
-  law.how = [](const Subject&, Level) {
-    return std::string(
-        "each map beside this project's; where its rules are others, beside the specification");
-  };
+  law.how = "each map beside this project's; where its rules are others, beside the specification";
   return law;
 }
 

@@ -1,6 +1,5 @@
 #include "proofs/scene/subject_maps.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <variant>

@@ -1,14 +1,6 @@
 // The maps of a scene's triangles by another program's baker, compared with this project's.
 #pragma once
 
-#include <atomic>
-#include <cstdint>
-#include <memory>
-#include <mutex>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "proofs/bake/subject.hpp"
 #include "proofs/scene/subject.hpp"
 

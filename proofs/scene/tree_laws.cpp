@@ -1,8 +1,8 @@
 // The succinct tree, on a scene's own maps.
 #include "impl/tree/tree.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/scene/law_groups.hpp"
 #include "proofs/scene/law_parts.hpp"
+#include "proofs/scene/laws.hpp"
 
 namespace mmverify::proofs::scene {
 namespace {

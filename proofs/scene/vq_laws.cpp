@@ -2,11 +2,9 @@
 #include "impl/vq/vq.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/scene/exact_surface.hpp"
-#include "proofs/scene/law_groups.hpp"
 #include "proofs/scene/law_parts.hpp"
+#include "proofs/scene/laws.hpp"
 #include "proofs/scene/other_order.hpp"
-#include "spec/bake/bake.hpp"
-#include "spec/index/index.hpp"
 #include "spec/vq/block.hpp"
 
 namespace mmverify::proofs::scene {

@@ -1,16 +1,11 @@
 // Laws of operations on payloads, code by code.  If any two hits may be exchanged on any payload, any number of hits
 // may be met in any order: exchanges of neighbours lead from each order to each other.
-#include <algorithm>
-#include <array>
-#include <span>
-#include <vector>
-
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/engine/spoils.hpp"
 #include "proofs/traverse/colours.hpp"
-#include "proofs/traverse/law_groups.hpp"
 #include "proofs/traverse/law_parts.hpp"
+#include "proofs/traverse/laws.hpp"
 
 namespace mmverify::proofs::traverse {
 namespace {
@@ -157,10 +152,6 @@ std::function<void(Functions&)> blending(void (*wrong)(Operation, std::uint32_t 
                 });
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The operations
-// ---------------------------------------------------------------------------------------------------------------------
-
 Law blend_law() {
   return on_cases(
       {.id = "traverse.blend",
@@ -169,7 +160,7 @@ Law blend_law() {
        .source = cam_functions,
        .subjects = {"traverse", "traverse-single"},
        .tiers = {.seconds = 1},
-       .domain = named_domain("5 operations; in each channel all 2^24 of payload, alpha and value"),
+       .domain = "5 operations; in each channel all 2^24 of payload, alpha and value",
        .mutants = {mutant("over multiplies alpha into a red of 9 again", "traverse",
                           blending([](Operation o, std::uint32_t, std::uint32_t v, std::uint32_t& out) {
                             if (o == Operation::over && (v & 255) == 9 && v >> 24 < 128) --out;
@@ -229,7 +220,7 @@ Law order_free() {
        .source = cam_functions,
        .subjects = {"traverse"},
        .tiers = {.seconds = 1.5},
-       .domain = named_domain("3 operations; in each channel all 2^24 of a payload and two values"),
+       .domain = "3 operations; in each channel all 2^24 of a payload and two values",
        .mutants = {mutant("min takes signs in alpha", "traverse",
                           blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
                             if (o == Operation::min && p >> 24 == 128 && v >> 24 == 127) out |= 0xFF000000;
@@ -252,7 +243,7 @@ Law duplicates() {
        .source = "Color and Attribute Micromaps, 4.3; VK_GEOMETRY_NO_DUPLICATE_ANY_HIT_INVOCATION_BIT_KHR",
        .subjects = {"traverse-spec", "traverse"},
        .tiers = {.seconds = 0.3},
-       .domain = named_domain("4 operations; in each channel all 2^16 of a payload and a value"),
+       .domain = "4 operations; in each channel all 2^16 of a payload and a value",
        .mutants = {mutant("max adds one to equal codes of 77", "traverse",
                           blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
                             if (o == Operation::max && (p & 255) == 77 && (v & 255) == 77) ++out;
@@ -287,10 +278,6 @@ Law duplicates() {
       }));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// What does depend on the order
-// ---------------------------------------------------------------------------------------------------------------------
-
 /// The smallest case: payload, value and value.
 constexpr std::array<Code, 3> smallest{2, 64, 128};
 
@@ -303,7 +290,7 @@ Law multiply_depends() {
        .source = cam_functions,
        .subjects = {"traverse"},
        .tiers = {.seconds = 0.5},
-       .domain = named_domain("all 2^24 of a payload and two values, the same in the four channels"),
+       .domain = "all 2^24 of a payload and two values, the same in the four channels",
        .mutants = {mutant("2 by 64 is 0", "traverse",
                           blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
                             if (o == Operation::multiply && (p & 255) == 2 && (v & 255) == 64) out &= ~255u;
@@ -342,7 +329,7 @@ Law over_depends() {
        .source = cam_functions,
        .subjects = {"traverse"},
        .tiers = {.seconds = 0.5},
-       .domain = named_domain("all 2^24 of a payload and two opaque values, the same in R, G and B"),
+       .domain = "all 2^24 of a payload and two opaque values, the same in R, G and B",
        .mutants = {mutant("payloads of 255 shine through", "traverse",
                           blending([](Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t& out) {
                             if (o == Operation::over && (p & 255) == 255 && (v & 255) < 255) ++out;

@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <iterator>
 #include <span>
-#include <utility>
 
 #include "proofs/engine/law.hpp"
 #include "proofs/engine/shape.hpp"

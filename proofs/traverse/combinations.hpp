@@ -1,7 +1,6 @@
 // Every combination that a decision depends on, by number and by text.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // Laws of the outcome for a candidate, in every combination that an API defines, and of the undefined combinations.
 #include "proofs/engine/spoils.hpp"
-#include "proofs/traverse/law_groups.hpp"
 #include "proofs/traverse/law_parts.hpp"
+#include "proofs/traverse/laws.hpp"
 #include "proofs/traverse/premises.hpp"
 
 namespace mmverify::proofs::traverse {
@@ -13,11 +13,6 @@ constexpr char dxr_and_vulkan[] =
 bool all_of_them(const Combination&) { return true; }
 
 using spec::traverse::consulted;
-using spec::traverse::two_state_override;
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The decision, and what is undefined
-// ---------------------------------------------------------------------------------------------------------------------
 
 Law decision() {
   return on_defined(
@@ -27,29 +22,13 @@ Law decision() {
        .source = dxr_and_vulkan,
        .subjects = {"traverse", "traverse-single"},
        .tiers = {.seconds = 0.2},
-       .domain = named_domain("all 17,040 combinations that an API defines"),
-       .mutants =
-           {mutant("CullNoOpaque looks at the geometry's flag under a special UO", "traverse",
-                   deciding([](const Combination& c, Outcome o) {
-                     const bool here = consulted(c) && c.candidate.held == Held::special &&
-                                       c.candidate.state == State::UO && c.ray.cull_no_opaque;
-                     return here && c.candidate.geometry_opaque && !c.instance.force_no_opaque &&
-                                    !two_state_override(c)
-                                ? Outcome::non_opaque
-                                : o;
-                   })),
-            mutant("the ray's force-2-state is lost in DXR ray queries", "traverse-single",
-                   mistaking([](Combination& c) {
-                     if (c.api == Api::dxr_query) c.ray.force_two_state = false;
-                   })),
-            mutant("FORCE_NO_OPAQUE yields to CullOpaque", "traverse", mistaking([](Combination& c) {
-                     if (c.ray.cull_opaque) c.instance.force_no_opaque = false;
-                   })),
-            mutant("one combination", "traverse-single", deciding([](const Combination& c, Outcome o) {
-                     static const Combination one = combination_of(
-                         "khr-query,on,4-state:UO,not-opaque,instance=force-no-opaque+2-state,ray=opaque");
-                     return c == one ? Outcome::non_opaque : o;
-                   }))}},
+       .domain = "all 17,040 combinations that an API defines",
+       .mutants = {mutant(
+           "one combination", "traverse-single", deciding([](const Combination& c, Outcome o) {
+             static const Combination one = combination_of(
+                 "khr-query,on,4-state:UO,not-opaque,instance=force-no-opaque+2-state,ray=opaque");
+             return c == one ? Outcome::non_opaque : o;
+           }))}},
       all_of_them, [](const TraverseSubject& s, const Combination& c) {
         return same(spec::traverse::decide(c), s.functions.decide(c));
       });
@@ -89,7 +68,7 @@ Law undefined_is_named() {
                  "SPV_KHR_opacity_micromap, 3.2.5; DXR, RAY_FLAG and Opacity micromaps",
        .subjects = {"traverse", "traverse-spec"},
        .tiers = {.seconds = 0.3},
-       .domain = named_domain("all 123,904 combinations"),
+       .domain = "all 123,904 combinations",
        .mutants =
            {mutant("Opaque goes with CullNoOpaque", "traverse",
                    naming([](const Combination& c, Undefined& u) {
@@ -111,10 +90,6 @@ Law undefined_is_named() {
       {entry::undefined}, std::move(cases));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// What users of the flags rely on
-// ---------------------------------------------------------------------------------------------------------------------
-
 Law ignored_is_final() {
   return on_defined({.id = "traverse.ignored_is_final",
                      .says = "what the lookup ignores, T, or UT under force-2-state, no flag of the "
@@ -122,7 +97,7 @@ Law ignored_is_final() {
                      .source = dxr_and_vulkan,
                      .subjects = {"traverse-spec", "traverse"},
                      .tiers = {.seconds = 0.1},
-                     .domain = named_domain("all 3,240 defined combinations whose lookup ignores"),
+                     .domain = "all 3,240 defined combinations whose lookup ignores",
                      .mutants = {mutant("FORCE_OPAQUE of an opaque geometry wins over a special T",
                                         "traverse-spec", deciding([](const Combination& c, Outcome o) {
                                           return consulted(c) && c.candidate.held == Held::special &&
@@ -145,7 +120,7 @@ Law two_state_never_calls_a_shader() {
        .source = "Vulkan, Ray Opacity Micromap; the KHR slides, \"force2state\"",
        .subjects = {"traverse-spec", "traverse"},
        .tiers = {.seconds = 0.1},
-       .domain = named_domain("all 6,480 defined combinations whose lookup leaves nothing unknown"),
+       .domain = "all 6,480 defined combinations whose lookup leaves nothing unknown",
        .mutants = {mutant("force-2-state overrides NoOpaque, too", "traverse", mistaking([](Combination& c) {
                             if (c.instance.force_two_state && consulted(c)) c.ray.no_opaque = false;
                           }))}},
@@ -165,7 +140,7 @@ Law micromap_replaces_flag() {
                      .source = dxr_and_vulkan,
                      .subjects = {"traverse-spec", "traverse"},
                      .tiers = {.seconds = 0.2},
-                     .domain = named_domain("all 17,040 combinations that an API defines"),
+                     .domain = "all 17,040 combinations that an API defines",
                      .mutants = {mutant("force-2-state makes geometries without a micromap opaque",
                                         "traverse-spec", mistaking([](Combination& c) {
                                           if (!consulted(c) && c.ray.force_two_state)
@@ -195,7 +170,7 @@ Law last_flag_wins() {
        .source = "Vulkan, Ray Opacity Culling; DXR, RAY_FLAG and D3D12_RAYTRACING_INSTANCE_FLAGS",
        .subjects = {"traverse-spec", "traverse"},
        .tiers = {.seconds = 0.1},
-       .domain = named_domain("all 11,040 defined combinations with such a flag and no ignoring lookup"),
+       .domain = "all 11,040 defined combinations with such a flag and no ignoring lookup",
        .mutants = {mutant("FORCE_OPAQUE leaves O, UT and UO of a special index as they are", "traverse-spec",
                           mistaking([](Combination& c) {
                             if (consulted(c) && c.candidate.held == Held::special)
@@ -218,7 +193,7 @@ Law apis_agree() {
        .source = dxr_and_vulkan,
        .subjects = {"traverse-spec", "traverse"},
        .tiers = {.seconds = 0.1},
-       .domain = named_domain("the 2,640 defined combinations of an EXT ray query, in the five other APIs"),
+       .domain = "the 2,640 defined combinations of an EXT ray query, in the five other APIs",
        .mutants = {mutant("EXT pipelines have no FORCE_NO_OPAQUE of 2-state maps", "traverse",
                           mistaking([](Combination& c) {
                             if (c.api == Api::ext_pipeline && c.candidate.held == Held::two_state)

@@ -1,12 +1,8 @@
 #include "proofs/traverse/hit_lists.hpp"
 
-#include <fmt/format.h>
-
-#include <bit>
 #include <cmath>
 #include <cstdlib>
 
-#include "proofs/engine/law.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/traverse/colours.hpp"

@@ -1,10 +1,6 @@
 // Lists of hits for samples: up to sixteen, at distances of every size and next to each other, some reported twice.
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "proofs/traverse/subject.hpp"
 
 namespace mmverify::proofs::traverse {

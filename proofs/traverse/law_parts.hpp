@@ -1,23 +1,10 @@
 // Common parts of the laws of topic traverse: the check of a case, and the cases that it runs on.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "proofs/engine/cases.hpp"
-#include "proofs/engine/kinds.hpp"
 #include "proofs/traverse/combinations.hpp"
 #include "proofs/traverse/subject.hpp"
 
 namespace mmverify::proofs::traverse {
-
-inline constexpr char vulkan_culling[] = "Vulkan, Ray Opacity Culling and Ray Opacity Micromap";
 
 /// The reason why the law does not apply, if any: another topic, or a missing entry point.
 Unfit needing(std::vector<Entry> entries);
@@ -36,7 +23,6 @@ struct Cases {
 /// The law on numbered cases, at all levels at once.
 template <class Case>
 Law on_cases(Law law, std::vector<Entry> entries, Cases<Case> cases) {
-  law.method = Method::exhaustive;
   law.at_once = "all levels";
   law.unfit = needing(std::move(entries));
   return on_numbered_cases(
@@ -56,9 +42,6 @@ using Check = std::function<Finding(const TraverseSubject&, const Combination&)>
 
 /// The law on the defined combinations that `about` accepts; the text of another combination is a BadCase.
 Law on_defined(Law law, bool (*about)(const Combination&), Check check);
-
-/// The domain of a law, the same text for every subject and level.
-std::function<std::string(const Subject&, Level)> named_domain(const char* text);
 
 /// A mutant: `wrong` makes its outcome from the combination and the right outcome.
 std::function<void(Functions&)> deciding(Outcome (*wrong)(const Combination&, Outcome));

@@ -1,10 +1,7 @@
 // Laws of lossy maps, which replace states by unknown ones.  The shader answers as the full map would, so a ray may
 // only end another way if no shader runs.
-#include <map>
-#include <mutex>
-
-#include "proofs/traverse/law_groups.hpp"
 #include "proofs/traverse/law_parts.hpp"
+#include "proofs/traverse/laws.hpp"
 #include "proofs/traverse/premises.hpp"
 
 namespace mmverify::proofs::traverse {
@@ -133,7 +130,7 @@ Law is_conservative() {
        .source = lossy_source,
        .subjects = {"traverse-spec", "traverse"},
        .tiers = {.seconds = 0.1},
-       .domain = named_domain("all 1,736 substitutions of KHR traces that leave it to the shader"),
+       .domain = "all 1,736 substitutions of KHR traces that leave it to the shader",
        .mutants = {mutant("the instance's force-2-state reads UO of special indices as UT", "traverse",
                           deciding([](const Combination& c, Outcome o) {
                             return c.candidate.held == Held::special && c.candidate.state == State::UO &&
@@ -153,7 +150,7 @@ Law shows_without_a_shader() {
        .source = lossy_source,
        .subjects = {"traverse-spec", "traverse"},
        .tiers = {.seconds = 0.1},
-       .domain = named_domain("all 1,144 substitutions of KHR traces that do not leave it to the shader"),
+       .domain = "all 1,144 substitutions of KHR traces that do not leave it to the shader",
        .mutants = {mutant("force-2-state leaves UO to the shader", "traverse-spec",
                           deciding([](const Combination& c, Outcome o) {
                             return c.candidate.state == State::UO && o == Outcome::opaque &&
@@ -173,7 +170,7 @@ Law decides_no_more() {
        .source = lossy_source,
        .subjects = {"traverse-spec", "traverse"},
        .tiers = {.seconds = 0.1},
-       .domain = named_domain("all 2,880 substitutions of KHR traces"),
+       .domain = "all 2,880 substitutions of KHR traces",
        .mutants = {mutant("under NoOpaque force-2-state accepts UO without a shader", "traverse",
                           deciding([](const Combination& c, Outcome o) {
                             return c.candidate.state == State::UO && c.ray.no_opaque &&

@@ -1,15 +1,12 @@
 // Laws of hits that blend, with accepted hits among them, in every order in which traversal may meet them.
-#include <algorithm>
-#include <array>
 #include <numeric>
 #include <set>
-#include <utility>
 
 #include "proofs/engine/shape.hpp"
 #include "proofs/engine/spoils.hpp"
 #include "proofs/traverse/colours.hpp"
-#include "proofs/traverse/law_groups.hpp"
 #include "proofs/traverse/law_parts.hpp"
+#include "proofs/traverse/laws.hpp"
 
 namespace mmverify::proofs::traverse {
 namespace {
@@ -168,10 +165,6 @@ Cases<Scene> on_scenes(std::vector<Scene> frames, const std::vector<std::string>
   return cases;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// As they are met
-// ---------------------------------------------------------------------------------------------------------------------
-
 /// Whether a B lies behind the nearest A, or at its distance.
 bool blends_behind_an_accepted(const Scene& s) {
   std::uint32_t nearest = ~0u;
@@ -198,9 +191,8 @@ Law accepted_hit() {
        .source = fixed_functions,
        .subjects = {"traverse-as-met"},
        .tiers = {.seconds = 0.1},
-       .domain =
-           named_domain("3 operations, all 170 scenes of one to four hits, two or more at one distance among "
-                        "them, each in all its orders; two payloads; values that show what lies behind"),
+       .domain = "3 operations, all 170 scenes of one to four hits, two or more at one distance among "
+                 "them, each in all its orders; two payloads; values that show what lies behind",
        .mutants =
            {mutant("accepted hits hide nothing", "traverse-as-met", gathering([](std::vector<Hit>& hits) {
                      std::erase_if(hits, [](const Hit& h) { return h.accepted; });
@@ -240,10 +232,6 @@ Law accepted_hit() {
       }));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Before the closest
-// ---------------------------------------------------------------------------------------------------------------------
-
 bool is_order_free(Operation o) { return o != Operation::multiply && o != Operation::over; }
 
 /// The payload of the blends before the nearest A: for max, min and add by distance and each once, for multiply and
@@ -280,9 +268,9 @@ Law before_closest() {
        .source = fixed_functions,
        .subjects = {"traverse-spec", "traverse"},
        .tiers = {.seconds = 1},
-       .domain = named_domain(
+       .domain =
            "5 operations, all 4,330 lists of one to four hits at distances that may be the same, in every "
-           "order; max and min reported in three ways; two payloads, distinct values in three orders"),
+           "order; max and min reported in three ways; two payloads, distinct values in three orders",
        .mutants = {mutant("a hit at the accepted one's distance blends", "traverse-spec",
                           gathering([](std::vector<Hit>& hits) {
                             for (Hit& h : hits) h.distance += h.accepted ? 1 : 0;

@@ -1,19 +1,8 @@
-#include "proofs/traverse/plugin_subject.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <cstring>
-#include <map>
-#include <memory>
-#include <mutex>
-#include <utility>
-#include <vector>
 
 #include "proofs/traverse/colours.hpp"
 #include "proofs/traverse/combinations.hpp"
-#include "proofs/traverse/words.hpp"
+#include "proofs/traverse/subject.hpp"
 #include "subjects/dock/codec.hpp"
 #include "subjects/dock/elements.hpp"
 #include "subjects/sdk/mmverify_subject.h"

@@ -1,14 +1,10 @@
 #include "proofs/traverse/subject.hpp"
 
-#include <map>
-#include <tuple>
-
 #include "impl/traverse/blend.hpp"
 #include "impl/traverse/decision.hpp"
 #include "proofs/traverse/colours.hpp"
 #include "proofs/traverse/combinations.hpp"
 #include "proofs/traverse/rays/sample_world.hpp"
-#include "proofs/traverse/words.hpp"
 
 namespace mmverify::proofs::traverse {
 namespace {

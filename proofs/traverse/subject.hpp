@@ -1,15 +1,6 @@
 // A subject of topic traverse: functions that decide on candidates and blend hits, built in or in the dock.
 #pragma once
 
-#include <atomic>
-#include <bit>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "display/render/opacity.hpp"
 #include "proofs/engine/topic.hpp"
 #include "spec/traverse/blend.hpp"
@@ -82,12 +73,16 @@ using TraverseSubjectPtr = std::shared_ptr<const TraverseSubject>;
 /// traverse-as-met, which blends hits as it meets them.
 const std::vector<TraverseSubjectPtr>& built_in_subjects();
 
-inline TraverseSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
+inline constexpr auto built_in = built_in_of<built_in_subjects>;
 
 /// A subject with one deliberate error.
 inline Mutant mutant(const char* name, const std::string& base,
                      const std::function<void(Functions&)>& change) {
   return changed(*built_in(base), name, {0, 0}, change);
 }
+
+/// The subject that a library offers; null where it has no entry point of this topic.  It runs in worker processes; what
+/// goes wrong there comes out of the calls as SubjectBroken.
+TraverseSubjectPtr plugin_subject(const std::string& name, const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::traverse

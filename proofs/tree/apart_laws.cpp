@@ -1,9 +1,7 @@
 // Maps of one state but for one node of the curve.  Their codes have a closed form, so that they are judged at
 // every level without the specification's encoder.
-#include <fmt/format.h>
-
 #include "proofs/tree/checks.hpp"
-#include "proofs/tree/high_laws.hpp"
+#include "proofs/tree/laws.hpp"
 #include "proofs/tree/mutants.hpp"
 
 namespace mmverify::proofs::tree {
@@ -108,10 +106,9 @@ Law one_apart_law() {
           .subjects = subjects,
           .tiers = {.fast = {0, 4}, .long_run = {0, 6}}};
   law.tiers.seconds = 0.5;
-  law.domain = [](const Subject&, Level n) {
+  law.domain = [](Level n) {
     return fmt::format("all maps of level {} of one state but for one node, and the uniform ones", n);
   };
-  law.how = [](const Subject&, Level) { return std::string("exhaustive"); };
   law.mutants = {mutant("UT among T merges in the last four of level 4", "tree-stream", {4, 4},
                         encodes_another([](Map& map) {
                           if (is(map, 4, {four, 0, 2, 4, 254})) map.packed.back() = 0;
@@ -132,13 +129,13 @@ Law one_apart_samples_law() {
           .subjects = {"tree-stream", "tree-ranked", "tree-stepwise", "tree-container"},
           .tiers = {.fast = {5, 12}, .long_run = {5, 12}}};
   law.tiers.seconds = 1;
-  law.domain = [](const Subject&, Level n) {
+  law.domain = [](Level n) {
     return fmt::format(
         "{} maps of level {} of one state but for one micro-triangle at a word's or the map's end, or for "
         "none",
         chosen_apart_count(n), n);
   };
-  law.how = [](const Subject&, Level) { return std::string("sample, against the closed form"); };
+  law.how = "sample, against the closed form";
   law.mutants = {
       mutant("the last UO among O of level 7 is lost", "tree-stream", {7, 7}, encodes_another([](Map& map) {
                if (is(map, 7, {four, 1, 3, 7, 16383})) map.packed.back() = 0x55;

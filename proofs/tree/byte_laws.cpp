@@ -1,20 +1,13 @@
-#include "proofs/tree/byte_laws.hpp"
-
-#include <fmt/format.h>
-
-#include "proofs/engine/bytes.hpp"
-#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/engine/spoils.hpp"
 #include "proofs/tree/checks.hpp"
+#include "proofs/tree/laws.hpp"
 #include "proofs/tree/mutants.hpp"
 
 namespace mmverify::proofs::tree {
 namespace {
 
 using spec::micromap::micro_triangles;
-
-std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
 
 constexpr std::uint64_t strings = 1 + 256 + 65536;
 
@@ -73,10 +66,7 @@ Law canonical_law() {
           .subjects = {"tree-spec", "tree-stream"},
           .tiers = {.fast = {0, 4}, .long_run = {0, 8}}};
   law.tiers.seconds = 0.4;
-  law.domain = [](const Subject&, Level) {
-    return std::string("all byte strings of up to two bytes, 2-state and 4-state");
-  };
-  law.how = exhaustively;
+  law.domain = "all byte strings of up to two bytes, 2-state and 4-state";
   law.unfit = [](const Subject& s, Level n) -> std::optional<std::string> {
     if (n > 8) return "it is run up to level 8";
     return needing({entry::bytes, entry::paper})(s, n);
@@ -122,8 +112,7 @@ Law bits_read_law() {
           .subjects = {"tree-spec"},
           .tiers = {.fast = {0, 6}, .long_run = {0, 7}}};
   law.tiers.seconds = 0.3;
-  law.domain = [](const Subject&, Level) { return std::string("the 4^n indices of the alternating map"); };
-  law.how = exhaustively;
+  law.domain = "the 4^n indices of the alternating map";
   law.unfit = needing({entry::reads});
   const auto cases = [](const Code& code) {
     return NumberedCases{
@@ -170,7 +159,7 @@ Law worst_size_law() {
           .tiers = {.fast = {0, 8}, .long_run = {0, 10}}};
   law.method = Method::witness;
   law.tiers.seconds = 0.3;
-  law.domain = [](const Subject&, Level) { return std::string("the alternating map, both formats"); };
+  law.domain = "the alternating map, both formats";
   law.unfit = needing({entry::stream});
   law = on_numbered_cases(
       std::move(law),

@@ -1,9 +1,5 @@
 #include "proofs/tree/checks.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <initializer_list>
 #include <numeric>
 

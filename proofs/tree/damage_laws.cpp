@@ -1,9 +1,7 @@
 // Laws of malformed and non-canonical codes, above the levels of which every map is tried.
-#include <fmt/format.h>
-
 #include "proofs/tree/damages.hpp"
-#include "proofs/tree/high_laws.hpp"
 #include "proofs/tree/law_parts.hpp"
+#include "proofs/tree/laws.hpp"
 #include "proofs/tree/mutants.hpp"
 
 namespace mmverify::proofs::tree {
@@ -76,7 +74,7 @@ Law damage_samples_law() {
           .subjects = {"tree-stream", "tree-container"},
           .tiers = {.fast = {0, 8}, .long_run = {0, 10}}};
   law.tiers.seconds = 2;
-  law.domain = [](const Subject&, Level n) {
+  law.domain = [](Level n) {
     if (n < first_sampled)
       return fmt::format("the {} maps of level {}, some 100 strings each", samples(n), n);
     return samples(n) == 0
@@ -87,7 +85,7 @@ Law damage_samples_law() {
                      "{} of one state but for one; some 100 strings each",
                      n, apart_maps(n));
   };
-  law.how = [](const Subject&, Level) { return std::string("sample, by construction"); };
+  law.how = "sample, by construction";
   // Each mutant takes a code that it must refuse, for a map of one state, or refuses one that it must take.
   const auto with = [](const char* name, const char* base, Levels levels, auto choose) {
     return mutant(name, base, levels,

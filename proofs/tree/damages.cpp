@@ -1,11 +1,7 @@
 #include "proofs/tree/damages.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <set>
 
-#include "proofs/engine/cases.hpp"
 #include "proofs/micromap/maps.hpp"
 
 namespace mmverify::proofs::tree {
@@ -95,70 +91,6 @@ void set_state(Map& map, std::uint64_t k, std::uint8_t state) {
 
 /// The number of states of a node.
 std::uint64_t run_of(Level n, Level depth) { return micro_triangles(n - depth); }
-
-}  // namespace
-
-void any_damage(const Map& map, const Bytes& code, std::size_t thorough, const TakeDamaged& take) {
-  const Level n = map.level;
-  const Format f = map.format;
-  Random random(hash_of(map.packed), n, 77);
-  bool go_on = true;
-  const auto give = [&](const std::string& what, const Bytes& bytes) {
-    go_on = go_on && take({what, n, f, bytes});
-  };
-
-  const std::size_t size = code.size(), all_bits = 8 * size;
-  std::set<std::size_t> cuts{0, 1, 2, size / 4, size / 2, 3 * size / 4, size - 2, size - 1}, flips;
-  if (size <= thorough) {
-    for (std::size_t k = 0; k < all_bits; ++k) flips.insert(k);
-    for (std::size_t k = 0; k < size; ++k) cuts.insert(k);
-  } else {
-    for (std::size_t k = 0; k < 8; ++k)
-      flips.insert({k, 8 + k, all_bits - 1 - k, random.below(all_bits), random.below(all_bits)});
-    cuts.insert({random.below(size), random.below(size)});
-  }
-  for (const std::size_t cut : cuts)
-    if (cut < size)
-      give(fmt::format("cut to {} bytes,", cut),
-           {code.begin(), code.begin() + static_cast<std::ptrdiff_t>(cut)});
-
-  const std::uint8_t any = static_cast<std::uint8_t>(1 + random.below(255));
-  // Some decoders round sizes up.
-  const std::set<std::size_t> longer_by{1, 2, 3, 4, 5, 6, 7, 8, 16, 64, 16 - size % 16, 64 - size % 64};
-  for (const std::uint8_t value : {std::uint8_t{0}, std::uint8_t{0xFF}, any})
-    for (const std::size_t more : longer_by) {
-      Bytes longer = code;
-      longer.insert(longer.end(), more, value);
-      give(fmt::format("{} bytes {:02x} more,", more, value), longer);
-    }
-  // A count of 8 or 16 bits overflows to 0 with so many bytes more.
-  for (const std::size_t more : {std::size_t{1} << 8, std::size_t{1} << 16}) {
-    Bytes longer = code;
-    longer.insert(longer.end(), more, 0);
-    give(fmt::format("{} bytes 00 more,", more), longer);
-  }
-  // Nodes in nodes, a million deep, against a decoder that descends before it counts.
-  give("in the place of all 2^17 bytes ff,", Bytes(std::size_t{1} << 17, 0xFF));
-  Bytes twice = code;
-  twice.insert(twice.end(), code.begin(), code.end());
-  give("twice,", twice);
-
-  Bytes bytes = code;
-  for (const std::size_t bit : flips) {
-    flip(bytes, bit);
-    give(fmt::format("bit {} flipped,", bit), bytes);
-    flip(bytes, bit);
-  }
-  const auto other = [&](Level level, Format format) {
-    if (go_on)
-      go_on = take({fmt::format("as {}-state of level {},", 1 << bits(format), level), level, format, code});
-  };
-  if (n > 0) other(n - 1, f);
-  if (n < 12) other(n + 1, f);
-  other(n, f == Format::two_state ? Format::four_state : Format::two_state);
-}
-
-namespace {
 
 /// Codes that are made of the subtrees of one map's code, until `take` wants no more.
 class Construction {
@@ -304,6 +236,66 @@ class Construction {
 };
 
 }  // namespace
+
+void any_damage(const Map& map, const Bytes& code, std::size_t thorough, const TakeDamaged& take) {
+  const Level n = map.level;
+  const Format f = map.format;
+  Random random(hash_of(map.packed), n, 77);
+  bool go_on = true;
+  const auto give = [&](const std::string& what, const Bytes& bytes) {
+    go_on = go_on && take({what, n, f, bytes});
+  };
+
+  const std::size_t size = code.size(), all_bits = 8 * size;
+  std::set<std::size_t> cuts{0, 1, 2, size / 4, size / 2, 3 * size / 4, size - 2, size - 1}, flips;
+  if (size <= thorough) {
+    for (std::size_t k = 0; k < all_bits; ++k) flips.insert(k);
+    for (std::size_t k = 0; k < size; ++k) cuts.insert(k);
+  } else {
+    for (std::size_t k = 0; k < 8; ++k)
+      flips.insert({k, 8 + k, all_bits - 1 - k, random.below(all_bits), random.below(all_bits)});
+    cuts.insert({random.below(size), random.below(size)});
+  }
+  for (const std::size_t cut : cuts)
+    if (cut < size)
+      give(fmt::format("cut to {} bytes,", cut),
+           {code.begin(), code.begin() + static_cast<std::ptrdiff_t>(cut)});
+
+  const std::uint8_t any = static_cast<std::uint8_t>(1 + random.below(255));
+  // Some decoders round sizes up.
+  const std::set<std::size_t> longer_by{1, 2, 3, 4, 5, 6, 7, 8, 16, 64, 16 - size % 16, 64 - size % 64};
+  for (const std::uint8_t value : {std::uint8_t{0}, std::uint8_t{0xFF}, any})
+    for (const std::size_t more : longer_by) {
+      Bytes longer = code;
+      longer.insert(longer.end(), more, value);
+      give(fmt::format("{} bytes {:02x} more,", more, value), longer);
+    }
+  // A count of 8 or 16 bits overflows to 0 with so many bytes more.
+  for (const std::size_t more : {std::size_t{1} << 8, std::size_t{1} << 16}) {
+    Bytes longer = code;
+    longer.insert(longer.end(), more, 0);
+    give(fmt::format("{} bytes 00 more,", more), longer);
+  }
+  // Nodes in nodes, a million deep, against a decoder that descends before it counts.
+  give("in the place of all 2^17 bytes ff,", Bytes(std::size_t{1} << 17, 0xFF));
+  Bytes twice = code;
+  twice.insert(twice.end(), code.begin(), code.end());
+  give("twice,", twice);
+
+  Bytes bytes = code;
+  for (const std::size_t bit : flips) {
+    flip(bytes, bit);
+    give(fmt::format("bit {} flipped,", bit), bytes);
+    flip(bytes, bit);
+  }
+  const auto other = [&](Level level, Format format) {
+    if (go_on)
+      go_on = take({fmt::format("as {}-state of level {},", 1 << bits(format), level), level, format, code});
+  };
+  if (n > 0) other(n - 1, f);
+  if (n < 12) other(n + 1, f);
+  other(n, f == Format::two_state ? Format::four_state : Format::two_state);
+}
 
 void constructed_codes(const Map& map, const std::function<bool(const Constructed&)>& take) {
   Construction(map, take).give_all();

@@ -1,10 +1,6 @@
 // Damaged codes: the ways to damage one, and the right answer of a decoder to it.
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-
 #include "proofs/tree/subject.hpp"
 
 namespace mmverify::proofs::tree {

@@ -1,10 +1,5 @@
 #include "proofs/tree/dialogue.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-
-#include "proofs/engine/bytes.hpp"
 #include "proofs/tree/subject.hpp"
 
 namespace mmverify::proofs::tree {

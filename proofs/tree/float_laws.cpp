@@ -1,12 +1,8 @@
-#include "proofs/tree/float_laws.hpp"
-
-#include <fmt/format.h>
-
-#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/points/exact_float.hpp"
 #include "proofs/points/hard_floats.hpp"
 #include "proofs/tree/law_parts.hpp"
+#include "proofs/tree/laws.hpp"
 #include "proofs/tree/mutants.hpp"
 
 namespace mmverify::proofs::tree {
@@ -129,14 +125,6 @@ Replayed replay(const Subject& subject, Level n, const std::string& at) {
   return replayed(looked_up(map, p, got));
 }
 
-/// A mutant that answers with the state at index(level, point).
-template <class Index>
-Change taken_from(Index index) {
-  return finds_points_wrongly([=](const Map& map, float u, float v, std::uint8_t& state) {
-    state = state_at(map, index(map.level, spec::Point<float>{u, v}));
-  });
-}
-
 /// A mutant that is wrong only at this pair of this level.
 Change wrong_at(Level level, float u, float v) {
   return finds_points_wrongly([=](const Map& map, float pu, float pv, std::uint8_t& state) {
@@ -147,7 +135,6 @@ Change wrong_at(Level level, float u, float v) {
 }  // namespace
 
 Law point_exact_on_floats_law() {
-  using spec::index::Reading;
   Law law{
       .id = law_id,
       .says =
@@ -158,29 +145,18 @@ Law point_exact_on_floats_law() {
       .subjects = {"tree-spec", "tree-ranked", "tree-stepwise"},
       .tiers = {.fast = {0, 12}, .long_run = {0, 12}, .seconds = 2}};
   law.cases = [](Level n, const Run& run) { return sizes(n, run).maps * sizes(n, run).pairs; };
-  law.domain = [](const Subject&, Level n) {
+  law.domain = [](Level n) {
     return fmt::format(
         "a sample of binary32 pairs near what breaks index functions, in maps that are noise {}",
         n <= noisy_levels ? "throughout" : "around them");
   };
-  law.how = [](const Subject&, Level) { return std::string("sample, against exact arithmetic"); };
+  law.how = "sample, against exact arithmetic";
   law.unfit = needing({entry::point});
   law.divisible = true;
   law.judge = judge;
   law.replay = replay;
-  law.mutants = {
-      mutant("Algorithm 4 in binary32", "tree-ranked", {4, 8}, taken_from([](Level n, const auto& p) {
-               return spec::index::step<Reading::printed>(p, n) % micro_triangles(n);
-             })),
-      mutant("the reference in binary32", "tree-stepwise", {1, 8},
-             taken_from([](Level n, const auto& p) { return spec::index::reference(p, n); })),
-      mutant("the index of level 8 for every level above", "tree-ranked", {8, 9},
-             taken_from([](Level n, const auto& p) {
-               const Level low = std::min<Level>(n, 8);
-               return std::uint64_t{index_of(low, {p.u, p.v})} << 2 * (n - low);
-             })),
-      mutant("one pair of level 7, an ulp under the v-corner", "tree-spec", {7, 7},
-             wrong_at(7, 0.0f, 0x1.fffffep-1f))};
+  law.mutants = {mutant("one pair of level 7, an ulp under the v-corner", "tree-spec", {7, 7},
+                        wrong_at(7, 0.0f, 0x1.fffffep-1f))};
   return law;
 }
 

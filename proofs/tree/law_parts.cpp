@@ -1,9 +1,5 @@
 #include "proofs/tree/law_parts.hpp"
 
-#include <fmt/format.h>
-
-#include "proofs/engine/kinds.hpp"
-
 namespace mmverify::proofs::tree {
 namespace {
 
@@ -11,7 +7,7 @@ constexpr std::uint64_t maps_per_chunk = 256;
 
 /// The number of maps, map k, and its text.
 struct Domain {
-  std::function<std::uint64_t(Level)> count;
+  CaseCount count;
   std::function<Map(Level, std::uint64_t, const Run&)> map;
   std::function<std::string(const Map&, std::uint64_t, const Run&)> text;
   std::uint64_t chunk = maps_per_chunk;
@@ -28,8 +24,6 @@ Law on_maps(Law law, std::vector<Entry> entries, const Check& check, const Domai
        [=](const TreeSubject& s, Level n, const std::string& at) { return check(s, map_from_text(n, at)); },
        domain.chunk});
 }
-
-std::string exhaustively(const Subject&, Level) { return "exhaustive"; }
 
 }  // namespace
 
@@ -48,10 +42,8 @@ Unfit needing(std::vector<Entry> entries) {
 }
 
 Law on_all_maps(Law law, std::vector<Entry> entries, Check check) {
-  law.method = Method::exhaustive;
   law.tiers.fast = law.tiers.long_run = {0, 2};
-  law.how = exhaustively;
-  law.domain = [](const Subject&, Level n) {
+  law.domain = [](Level n) {
     return fmt::format("all {} maps of level {}", n < 2 ? "2-state and 4-state" : "65,536 2-state", n);
   };
   law = on_maps(std::move(law), std::move(entries), check,
@@ -66,11 +58,9 @@ Law on_all_maps(Law law, std::vector<Entry> entries, Check check) {
 }
 
 Law on_four_state_maps_of_level_2(Law law, std::vector<Entry> entries, Check check) {
-  law.method = Method::exhaustive;
   law.tiers.fast = law.tiers.long_run = {2, 2};
   law.long_only = true;
-  law.how = exhaustively;
-  law.domain = [](const Subject&, Level) { return std::string("all 4^16 4-state maps of level 2"); };
+  law.domain = "all 4^16 4-state maps of level 2";
   law = on_maps(std::move(law), std::move(entries), check,
                 {[](Level) { return four_state_maps_of_level_2; },
                  [](Level, std::uint64_t k, const Run&) { return four_state_map_of_level_2(k); },
@@ -84,8 +74,8 @@ Law on_four_state_maps_of_level_2(Law law, std::vector<Entry> entries, Check che
 
 Law on_samples(Law law, std::vector<Entry> entries, Check check) {
   law.method = Method::sample;
-  law.how = [](const Subject&, Level) { return std::string("sample, against the specification"); };
-  law.domain = [](const Subject&, Level n) {
+  law.how = "sample, against the specification";
+  law.domain = [](Level n) {
     return fmt::format("{} maps of level {}, both formats",
                        n <= 8   ? "noise, leaves, blocks, alternating and all-but-one"
                        : n <= 9 ? "noise and leaves,"
@@ -94,9 +84,7 @@ Law on_samples(Law law, std::vector<Entry> entries, Check check) {
   };
   return on_maps(
       std::move(law), std::move(entries), check,
-      {[](Level n) -> std::uint64_t {
-         return n <= 5 ? 200 : n <= 6 ? 100 : n <= 7 ? 40 : n <= 8 ? 20 : n <= 9 ? 4 : 2;
-       },
+      {falling({{5, 200}, {6, 100}, {7, 40}, {8, 20}, {9, 4}}, 2),
        [](Level n, std::uint64_t k, const Run& run) { return sample_map(n, run.seed, k); },
        [](const Map& map, std::uint64_t k, const Run& run) { return text_of_sample(map, run.seed, k); }, 1});
 }

@@ -1,12 +1,6 @@
 // Common parts of the laws of topic tree: the check of a map, and the maps that it runs on.
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-
-#include "proofs/engine/cases.hpp"
-#include "proofs/micromap/maps.hpp"
 #include "proofs/tree/subject.hpp"
 
 namespace mmverify::proofs::tree {

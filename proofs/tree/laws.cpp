@@ -1,9 +1,6 @@
 #include "proofs/tree/laws.hpp"
 
-#include "proofs/tree/byte_laws.hpp"
 #include "proofs/tree/checks.hpp"
-#include "proofs/tree/float_laws.hpp"
-#include "proofs/tree/high_laws.hpp"
 #include "proofs/tree/induction/provable.hpp"
 #include "proofs/tree/mutants.hpp"
 
@@ -132,7 +129,7 @@ Law samples_law() {
       if (map.level == n && k == index && map.format == Format::four_state) state ^= 1;
     });
   };
-  Law law = on_samples(
+  return on_samples(
       {.id = "tree.on_samples",
        .says = "round trip, lookups by index and by point, and the paper's bytes, on maps of higher levels",
        .source = succinct_4_2,
@@ -154,8 +151,6 @@ Law samples_law() {
         if (map.level <= 8) also(asked_in_turn(s, map));
         return found;
       });
-  law.general = true;
-  return law;
 }
 
 }  // namespace

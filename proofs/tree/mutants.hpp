@@ -1,17 +1,13 @@
 // Tree subjects that are broken on purpose.
 #pragma once
 
-#include <functional>
-
 #include "proofs/tree/subject.hpp"
 
 namespace mmverify::proofs::tree {
 
 using Change = std::function<void(Functions&)>;
 /// A built-in subject with one thing broken on purpose.
-inline Mutant mutant(const char* name, const char* base, Levels levels, const Change& change) {
-  return changed(*built_in(base), name, levels, change);
-}
+inline constexpr auto mutant = mutant_of<built_in_subjects>;
 
 // One function's answers, changed; `map` is the one that the code is of.
 Change encodes_another(std::function<void(Map& map)> spoil);

@@ -1,10 +1,6 @@
-#include "proofs/tree/plugin_subject.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <numeric>
 
+#include "proofs/tree/subject.hpp"
 #include "subjects/dock/codec.hpp"
 #include "subjects/sdk/mmverify_subject.h"
 

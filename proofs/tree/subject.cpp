@@ -1,7 +1,6 @@
 #include "proofs/tree/subject.hpp"
 
 #include "impl/tree/container.hpp"
-#include "impl/tree/stream.hpp"
 #include "impl/tree/tree.hpp"
 #include "proofs/points/exact_float.hpp"
 
@@ -16,9 +15,7 @@ Bytes empty_map(Level n, Format f) {
   return Bytes(spec::micromap::packed_bytes(spec::micromap::micro_triangles(n), f), 0);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The specification
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The specification
 
 Functions specified() {
   using spec::tree::Succinct;
@@ -56,9 +53,7 @@ Functions specified() {
   return s;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The paper's streams, fast
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The paper's streams, fast
 
 /// The two sequences: the tree ends once every node has its children, or with the bytes.
 fast::Stream cut(std::span<const std::uint8_t> bytes) {
@@ -106,9 +101,7 @@ Functions streamed() {
   return s;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The form for random access
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The form for random access
 
 /// The functions on a code's tree; tree_of(code) gives the tree.
 template <class TreeOf>
@@ -172,9 +165,7 @@ Functions stepwise() {
   return s;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The container
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The container
 
 Functions contained() {
   Functions s;

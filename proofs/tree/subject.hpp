@@ -2,16 +2,8 @@
 // of others.
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "proofs/engine/topic.hpp"
 #include "proofs/micromap/maps.hpp"
-#include "spec/tree/tree.hpp"
 
 namespace mmverify::proofs::tree {
 
@@ -83,6 +75,12 @@ using TreeSubjectPtr = std::shared_ptr<const TreeSubject>;
 /// The built-in subjects tree-spec, tree-stream, tree-ranked, tree-stepwise and tree-container.
 const std::vector<TreeSubjectPtr>& built_in_subjects();
 
-inline TreeSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
+inline constexpr auto built_in = built_in_of<built_in_subjects>;
+
+/// The subject that a library offers; null where it has no entry point of this topic.  It runs in worker
+/// processes; what goes wrong there comes out of the calls as SubjectBroken.  A map without a code and a code
+/// that its own decoder refuses are wrong answers: an empty map, states 255. Throws dock::CannotLoad
+/// where its entry points lead from no map to a code or from no code to a map.
+TreeSubjectPtr plugin_subject(const std::string& name, const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::tree

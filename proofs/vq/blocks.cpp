@@ -1,7 +1,5 @@
 #include "proofs/vq/blocks.hpp"
 
-#include <utility>
-
 #include "proofs/engine/random.hpp"
 #include "proofs/vq/fields.hpp"
 

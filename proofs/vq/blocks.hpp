@@ -1,9 +1,6 @@
 // The blocks that decoders are tried on.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "proofs/vq/subject.hpp"
 
 namespace mmverify::proofs::vq {

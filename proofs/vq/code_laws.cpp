@@ -1,12 +1,10 @@
 // Laws of the codes of vectors (figure 4, 5.1, table 2); the oracle is sets of code words.
-#include <algorithm>
-#include <array>
 #include <cstdio>
 
-#include "proofs/vq/law_groups.hpp"
+#include "proofs/engine/spoils.hpp"
 #include "proofs/vq/law_parts.hpp"
+#include "proofs/vq/laws.hpp"
 #include "proofs/vq/texts.hpp"
-#include "proofs/vq/vector_parts.hpp"
 
 namespace mmverify::proofs::vq {
 namespace {
@@ -156,39 +154,27 @@ Law codes_law() {
        .subjects = {"vq-spec"},
        .tiers = {.fast = both_sides, .seconds = 1},
        .domain =
-           [](const Subject&, Level n) {
+           [](Level n) {
              return std::string(n == 1 ? "all words of 5 bits; O at one region, T at another, C elsewhere"
                                        : "all words of 17, 18, 18 and 20 bits; O at one region, T at "
                                          "another, C elsewhere, each of the four ways");
            },
        .mutants = {mutant("one word of 20 bits has T for C in its last region", "vq-spec", {2, 2},
-                          [](Functions& functions) {
-                            functions.of4.decode = [real = functions.of4.decode](Code4 how,
-                                                                                 std::uint32_t code) {
-                              Vector<4> v = real(how, code);
-                              if (how == Code4::generic && code == 0x7beef) v[15] = T;
-                              return v;
-                            };
-                          }),
+                          spoils(&Functions::of4, &Vectors<4>::decode,
+                                 [](Code4 how, std::uint32_t code, Vector<4>& v) {
+                                   if (how == Code4::generic && code == 0x7beef) v[15] = T;
+                                 })),
                    mutant("all C is written with the palette of O", "vq-spec", {1, 1},
-                          [](Functions& functions) {
-                            functions.of2.encode = [real = functions.of2.encode](Code4 how,
-                                                                                 const Vector<2>& v) {
-                              auto code = real(how, v);
-                              if (v == spec::vq::uniform<2>(C)) code = 31;
-                              return code;
-                            };
-                          }),
+                          spoils(&Functions::of2, &Vectors<2>::encode,
+                                 [](Code4, const Vector<2>& v, auto& code) {
+                                   if (v == spec::vq::uniform<2>(C)) code = 31;
+                                 })),
                    mutant("a horizontal line takes O and T of one row", "vq-spec", {2, 2},
-                          [](Functions& functions) {
-                            functions.of4.encode = [real = functions.of4.encode](Code4 how,
-                                                                                 const Vector<4>& v) {
-                              auto code = real(how, v);
-                              if (how == Code4::horizontal && v[12] == O && v[15] == T && !code)
-                                code = 0x36fff;
-                              return code;
-                            };
-                          })}},
+                          spoils(&Functions::of4, &Vectors<4>::encode,
+                                 [](Code4 how, const Vector<4>& v, auto& code) {
+                                   if (how == Code4::horizontal && v[12] == O && v[15] == T && !code)
+                                     code = 0x36fff;
+                                 }))}},
       lacks_vectors, cases);
 }
 

@@ -1,7 +1,6 @@
 // How an answer to one block is judged: the whole map, every region in its order, and regions in others.
 #pragma once
 
-#include <algorithm>
 #include <numeric>
 
 #include "proofs/vq/fields.hpp"

@@ -1,7 +1,7 @@
 // Laws of decoders: both ways to decode a block mean the same map.
 #include "proofs/vq/blocks.hpp"
 #include "proofs/vq/decoder_checks.hpp"
-#include "proofs/vq/law_groups.hpp"
+#include "proofs/vq/laws.hpp"
 
 namespace mmverify::proofs::vq {
 namespace {
@@ -21,11 +21,11 @@ template <class Format>
 using BlockOfNumber = std::function<BlockBytes<Format>(std::uint64_t seed, std::uint64_t k)>;
 
 template <class Format>
-Law on_blocks(Law law, std::function<std::uint64_t(const Run&)> count, BlockOfNumber<Format> number,
+Law on_blocks(Law law, CaseCount count, BlockOfNumber<Format> number,
               std::function<Finding(const VqSubject&, const BlockBytes<Format>&)> check,
               std::uint64_t chunk = 64) {
   Cases<BlockBytes<Format>> cases;
-  cases.count = [=](Level, const Run& run) { return count(run); };
+  cases.count = std::move(count);
   cases.number = [=](Level, std::uint64_t k, std::uint64_t seed) { return number(seed, k); };
   cases.text = text_of_block<Format>;
   cases.read = [](Level n, const std::string& at) {
@@ -39,14 +39,6 @@ Law on_blocks(Law law, std::function<std::uint64_t(const Run&)> count, BlockOfNu
   law.tiers.fast = level_alone<Format>;
   return on_cases(std::move(law), lacks_decoder<Format>, cases);
 }
-
-std::function<std::uint64_t(const Run&)> always(std::uint64_t count) {
-  return [=](const Run&) { return count; };
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Mutants
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// A change of whole maps; regions alone are not there, which halves the time of a sweep.
 template <class Format>
@@ -110,10 +102,6 @@ std::function<void(Functions&)> in_some_calls(Change change) {
   };
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Laws
-// ---------------------------------------------------------------------------------------------------------------------
-
 constexpr char both_ways_say[] =
     "a block decodes, whole and region by region, to the map whose vectors are its entries, transformed";
 
@@ -124,19 +112,15 @@ Law region_law(const char* id, std::vector<Mutant> mutants) {
        .says = both_ways_say,
        .subjects = {"vq-spec", "vq"},
        .tiers = {.seconds = Format::side == 2 ? 0.1 : 1.5},
-       .domain =
-           [](const Subject&, Level) {
-             return fmt::format(
-                 "every region; each transform of each quadrant with each entry and {}, the other entries at "
-                 "others and seldom equal; each index at each place under all 512 transform triples, any two "
-                 "index fields "
-                 "with all pairs of values{}",
-                 Format::side == 2 ? "all its words"
-                                   : "its words that have at most three of 20 bits set or clear",
-                 Format::side == 2 ? " under each value of any transform" : "");
-           },
+       .domain = fmt::format(
+           "every region; each transform of each quadrant with each entry and {}, the other entries at "
+           "others and seldom equal; each index at each place under all 512 transform triples, any two "
+           "index fields "
+           "with all pairs of values{}",
+           Format::side == 2 ? "all its words" : "its words that have at most three of 20 bits set or clear",
+           Format::side == 2 ? " under each value of any transform" : ""),
        .mutants = std::move(mutants)},
-      always(word_blocks<Format>() + index_blocks<Format>),
+      word_blocks<Format>() + index_blocks<Format>,
       [](std::uint64_t, std::uint64_t k) {
         const std::uint64_t first = word_blocks<Format>();
         return spec::vq::bytes(k < first ? word_block<Format>(k) : index_block<Format>(k - first));
@@ -152,17 +136,14 @@ Law other_bits_law(const char* id, std::vector<std::string> subjects, std::vecto
            "a region's state depends on its own index, transform and entry, and on no other bit of the block",
        .subjects = std::move(subjects),
        .tiers = {.seconds = Format::side == 2 ? 0.3 : 0.5},
-       .domain =
-           [](const Subject&, Level) {
-             return fmt::format(
-                 "{} blocks of random bits: every region, with each value of its index, of its transform and "
-                 "of the two "
-                 "bits of its entry beside either value of every other bit",
-                 scattered_blocks<Format>);
-           },
+       .domain = fmt::format(
+           "{} blocks of random bits: every region, with each value of its index, of its transform and "
+           "of the two "
+           "bits of its entry beside either value of every other bit",
+           scattered_blocks<Format>),
        .mutants = std::move(mutants)},
-      always(scattered_blocks<Format>),
-      [](std::uint64_t, std::uint64_t k) { return scattered_block<Format>(k); }, decodes<Format>);
+      scattered_blocks<Format>, [](std::uint64_t, std::uint64_t k) { return scattered_block<Format>(k); },
+      decodes<Format>);
 }
 
 template <class Format>
@@ -174,22 +155,17 @@ Law random_law(const char* id, std::uint64_t fast, std::uint64_t long_run) {
        .method = Method::sample,
        .subjects = {"vq"},
        .tiers = {.seconds = 0.3},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "blocks of random bits, one in four with two indices in a pattern and an entry twice, one "
+       .domain = "blocks of random bits, one in four with two indices in a pattern and an entry twice, one "
                  "in eight "
                  "with entries that repeat; a "
-                 "region alone, up to 40 with repetitions, all in another order");
-           },
+                 "region alone, up to 40 with repetitions, all in another order",
        .mutants = {mutant("the last of a call whose size is odd, where it is asked for twice in turn", "vq",
                           level_alone<Format>, in_some_calls<Format>([](auto x, auto y, auto state) {
                             const std::size_t n = state.size();
                             if (n % 2 != 0 && n > 1 && x[n - 1] == x[n - 2] && y[n - 1] == y[n - 2])
                               state[n - 1] = T;
                           }))}},
-      [=](const Run& run) { return run.tier == Tier::fast ? fast : long_run; },
-      [](std::uint64_t seed, std::uint64_t k) { return random_block<Format>(seed, k); },
+      {fast, long_run}, [](std::uint64_t seed, std::uint64_t k) { return random_block<Format>(seed, k); },
       decodes_in_any_order<Format>);
 }
 
@@ -199,12 +175,8 @@ Law every_word_law() {
       {.id = "vq4.every_code_word",
        .says = "both ways to decode, for every code word of every entry",
        .subjects = {"vq"},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "every region, each transform of each quadrant, each entry with all its words, the other "
-                 "entries at others, every index in each quadrant");
-           },
+       .domain = "every region, each transform of each quadrant, each entry with all its words, the other "
+                 "entries at others, every index in each quadrant",
        .mutants = {mutant("one word of entry 15, transposed in BR", "vq", level_alone<Vq4>,
                           decodes_wrongly<Vq4>([=](const Vq4& f, Map<Vq4>& map) {
                             if (word_of(f, 15) == 0xABCDE && f.transforms[3].number() == 5)
@@ -217,9 +189,8 @@ Law every_word_law() {
                        "one word of entry 7", "vq", level_alone<Vq4>,
                        asked_wrongly<Vq4>({0, 16}, [=](const Vq4& f) { return word_of(f, 7) == 0x2FACE; }))},
        .long_only = true},
-      always(every_word_blocks),
-      [](std::uint64_t, std::uint64_t k) { return spec::vq::bytes(every_word_block(k)); }, decodes<Vq4>,
-      4096);
+      every_word_blocks, [](std::uint64_t, std::uint64_t k) { return spec::vq::bytes(every_word_block(k)); },
+      decodes<Vq4>, 4096);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "proofs/vq/law_parts.hpp"
-#include "proofs/vq/least.hpp"
 #include "proofs/vq/maps.hpp"
 #include "proofs/vq/texts.hpp"
 
@@ -98,12 +97,11 @@ std::optional<std::string> does_not_keep(const VqSubject& s) {
 }
 
 template <class Format>
-Law on_maps(Law law, std::function<std::uint64_t(const Run&)> count,
-            std::function<Map<Format>(std::uint64_t seed, std::uint64_t k)> number,
+Law on_maps(Law law, CaseCount count, std::function<Map<Format>(std::uint64_t seed, std::uint64_t k)> number,
             std::function<Finding(const VqSubject&, const Map<Format>&)> check,
             const Lacks& lacks = lacks_encoder<Format>) {
   Cases<Map<Format>> cases;
-  cases.count = [=](Level, const Run& run) { return count(run); };
+  cases.count = std::move(count);
   cases.number = [=](Level, std::uint64_t k, std::uint64_t seed) { return number(seed, k); };
   cases.text = text_of_map<Format>;
   cases.read = [](Level n, const std::string& at) {
@@ -117,19 +115,12 @@ Law on_maps(Law law, std::function<std::uint64_t(const Run&)> count,
   return on_cases(std::move(law), lacks, cases);
 }
 
-/// The number of cases: `fast` in the fast tier, `long_run` in the long tier.
-inline std::function<std::uint64_t(const Run&)> cases_of(std::uint64_t fast, std::uint64_t long_run) {
-  return [=](const Run& run) { return run.tier == Tier::fast ? fast : long_run; };
-}
-
 template <class Format>
-std::function<std::string(const Subject&, Level)> sample_maps() {
-  return [](const Subject&, Level) {
-    return fmt::format(
-        "maps of {0}x{0} regions: shapes, O beside T, turned quadrants, few vectors, a block's but for up to "
-        "three regions, uniform, one odd region, noise",
-        8 * Format::side);
-  };
+std::string sample_maps() {
+  return fmt::format(
+      "maps of {0}x{0} regions: shapes, O beside T, turned quadrants, few vectors, a block's but for up to "
+      "three regions, uniform, one odd region, noise",
+      8 * Format::side);
 }
 
 }  // namespace mmverify::proofs::vq

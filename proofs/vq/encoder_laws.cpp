@@ -1,9 +1,6 @@
 // Laws of encoders: nothing but O and T become C, what fits is kept, more effort does not lose more.
-#include <array>
-
-#include "proofs/vq/encoder_checks.hpp"
 #include "proofs/vq/encoder_mutants.hpp"
-#include "proofs/vq/law_groups.hpp"
+#include "proofs/vq/laws.hpp"
 
 namespace mmverify::proofs::vq {
 namespace {
@@ -56,19 +53,13 @@ Law alone_law() {
       {.id = "vq2.conservative",
        .says = conservative_says,
        .source = section_3,
-       .method = Method::exhaustive,
        .subjects = {"vq2-optimal", "vq2-paper"},
        .tiers = {.seconds = 2},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "each of the 81 vectors of 2x2, O beside T among them, alone at each place of a uniform "
-                 "map");
-           },
+       .domain = "each of the 81 vectors of 2x2, O beside T among them, alone at each place of a uniform "
+                 "map",
        .mutants = {mutant("one C becomes T", "vq2-optimal", level_alone<Vq2>,
                           instead<Vq2>(one(T, 27, {T, C, T, T}), one(T, 27, {T, T, T, T})))}},
-      cases_of(3 * 64 * 81, 3 * 64 * 81), [](std::uint64_t, std::uint64_t k) { return alone_number(k); },
-      conservative<Vq2>);
+      3 * 64 * 81, [](std::uint64_t, std::uint64_t k) { return alone_number(k); }, conservative<Vq2>);
 }
 
 /// Two vectors of VQ2 in two quadrants of a map of T, at a place of their own each.
@@ -99,17 +90,12 @@ Law pairs_law() {
       {.id = "vq2.conservative_in_pairs",
        .says = conservative_says,
        .source = section_3,
-       .method = Method::exhaustive,
        .subjects = {"vq2-optimal"},
        .tiers = {.seconds = 1},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string("every pair of the 81 vectors of 2x2 in every two quadrants of a map of T");
-           },
+       .domain = "every pair of the 81 vectors of 2x2 in every two quadrants of a map of T",
        .mutants = {mutant("the last pair is encoded as one that has O for C", "vq2-optimal", level_alone<Vq2>,
                           instead<Vq2>(pair(5, 40, 79), pair(5, 40, 80)))}},
-      cases_of(6 * 81 * 81, 6 * 81 * 81), [](std::uint64_t, std::uint64_t k) { return pair_number(k); },
-      conservative<Vq2>);
+      6 * 81 * 81, [](std::uint64_t, std::uint64_t k) { return pair_number(k); }, conservative<Vq2>);
 }
 
 Law odd_region_law() {
@@ -123,15 +109,12 @@ Law odd_region_law() {
       {.id = "vq4.conservative",
        .says = conservative_says,
        .source = section_3,
-       .method = Method::exhaustive,
        .subjects = {"vq4-fast", "vq4-balanced", "vq4-thorough", "vq4-paper"},
        .tiers = {.seconds = 3},
-       .domain = [](const Subject&,
-                    Level) { return std::string("each region, alone in each state of each uniform map"); },
+       .domain = "each region, alone in each state of each uniform map",
        .mutants = {mutant("the last region, O in T, is T", "vq4-fast", level_alone<Vq4>,
                           instead<Vq4>(one(T, 1023, O), one(T, 1023, T)))}},
-      cases_of(6 * 1024, 6 * 1024), [](std::uint64_t, std::uint64_t k) { return odd_region_number(k); },
-      conservative<Vq4>);
+      6 * 1024, [](std::uint64_t, std::uint64_t k) { return odd_region_number(k); }, conservative<Vq4>);
 }
 
 template <class Format>
@@ -145,7 +128,7 @@ Law conservative_on_samples(const char* id, std::vector<std::string> subjects, s
                           .tiers = {.seconds = 1},
                           .domain = sample_maps<Format>(),
                           .mutants = std::move(mutants)},
-                         cases_of(fast, long_run), sample_map<Format>, conservative<Format>);
+                         {fast, long_run}, sample_map<Format>, conservative<Format>);
 }
 
 template <class Format>
@@ -158,13 +141,9 @@ Law lossless_law(const char* id, const char* source, std::vector<std::string> su
        .method = Method::sample,
        .subjects = std::move(subjects),
        .tiers = {.seconds = 1},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "maps of blocks under all 512 transform triples in turn, with few, uneven or all entries");
-           },
+       .domain = "maps of blocks under all 512 transform triples in turn, with few, uneven or all entries",
        .mutants = std::move(mutants)},
-      cases_of(fast, long_run),
+      {fast, long_run},
       [](std::uint64_t seed, std::uint64_t k) { return spec::vq::decode(sample_block<Format>(seed, k)); },
       keeps<Format>, does_not_keep<Format>);
 }
@@ -180,7 +159,7 @@ Law reencode_law(const char* id, const char* source, std::vector<std::string> su
                           .tiers = {.seconds = 1},
                           .domain = sample_maps<Format>(),
                           .mutants = std::move(mutants)},
-                         cases_of(fast, long_run), sample_map<Format>, keeps_what_it_made<Format>,
+                         {fast, long_run}, sample_map<Format>, keeps_what_it_made<Format>,
                          does_not_keep<Format>);
 }
 
@@ -195,7 +174,7 @@ Law effort_law(const char* id, const char* says, const char* source, std::vector
                           .tiers = {.seconds = 1},
                           .domain = sample_maps<Format>(),
                           .mutants = std::move(mutants)},
-                         cases_of(fast, long_run), sample_map<Format>, keeps_its_promise<Format>,
+                         {fast, long_run}, sample_map<Format>, keeps_its_promise<Format>,
                          [](const VqSubject& s) -> std::optional<std::string> {
                            const Codec<Format>& codec = s.functions.codec<Format>();
                            if (!codec.at_most && !codec.at_least)
@@ -218,7 +197,7 @@ Law optimum_law() {
                                           level_alone<Vq2>, gives_up_a_vector<Vq2>(3, 1)),
                                    mutant("gives up a vector of TL", "vq2-optimal", level_alone<Vq2>,
                                           gives_up_a_vector<Vq2>(0, 0))}},
-                      cases_of(48, 10'000), sample_map<Vq2>, fewest,
+                      {48, 10'000}, sample_map<Vq2>, fewest,
                       [](const VqSubject& s) -> std::optional<std::string> {
                         if (auto lacks = lacks_encoder<Vq2>(s)) return lacks;
                         if (!s.functions.vq2.fewest)
@@ -247,7 +226,7 @@ Law bound_law() {
                            return real(map) + 1;
                          };
                        })}},
-      cases_of(12, 64), sample_map<Vq4>, keeps_its_promise<Vq4>,
+      {12, 64}, sample_map<Vq4>, keeps_its_promise<Vq4>,
       [](const VqSubject& s) -> std::optional<std::string> {
         if (auto lacks = lacks_encoder<Vq4>(s)) return lacks;
         if (!s.functions.vq4.at_least) return s.name() + " gives no bound";

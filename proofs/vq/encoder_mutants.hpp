@@ -1,7 +1,6 @@
 // Deliberately wrong encoders, which change a code if its transforms are particular ones.
 #pragma once
 
-#include <functional>
 #include <set>
 
 #include "proofs/vq/encoder_checks.hpp"

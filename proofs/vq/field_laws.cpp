@@ -1,8 +1,8 @@
 // Laws of fields: where the bits of each lie in a block.
 #include "proofs/vq/blocks.hpp"
 #include "proofs/vq/fields.hpp"
-#include "proofs/vq/law_groups.hpp"
 #include "proofs/vq/law_parts.hpp"
+#include "proofs/vq/laws.hpp"
 #include "proofs/vq/texts.hpp"
 
 namespace mmverify::proofs::vq {
@@ -54,7 +54,7 @@ std::optional<std::string> lacks_fields(const VqSubject& s) {
 template <class Format>
 Law law_of_fields(Law law, std::uint64_t count, std::function<Values<Format>(std::uint64_t)> number) {
   Cases<Values<Format>> cases;
-  cases.count = [=](Level, const Run&) { return count; };
+  cases.count = count;
   cases.number = [=](Level, std::uint64_t k, std::uint64_t) { return number(k); };
   cases.text = [](const Values<Format>& values) {
     return text_of_block<Format>(bits_of_values<Format>(values));
@@ -80,10 +80,7 @@ Law bits_law(const char* id, std::vector<Mutant> mutants) {
            Format::bits),
        .subjects = {"vq-spec"},
        .tiers = {.seconds = Format::side == 2 ? 0.3 : 1.5},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string("all blocks with at most two bits set or at most two clear");
-           },
+       .domain = "all blocks with at most two bits set or at most two clear",
        .mutants = std::move(mutants)},
       2 * two_bits<Format>, two_bits_number<Format>);
 }
@@ -95,13 +92,10 @@ Law values_law(const char* id, std::vector<Mutant> mutants) {
        .says = "a field of a block holds each of its values, the others whatever theirs are",
        .subjects = {"vq-spec"},
        .tiers = {.seconds = 0.1},
-       .domain =
-           [](const Subject&, Level) {
-             return fmt::format(
-                 "every value of every field, every pair of values of two fields of up to 5 bits, in {} "
-                 "blocks",
-                 field_blocks<Format>);
-           },
+       .domain = fmt::format(
+           "every value of every field, every pair of values of two fields of up to 5 bits, in {} "
+           "blocks",
+           field_blocks<Format>),
        .mutants = std::move(mutants),
        .long_only = Format::side == 4},
       field_blocks<Format>, [](std::uint64_t k) { return values_of_bits<Format>(field_block<Format>(k)); });

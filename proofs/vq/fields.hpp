@@ -1,8 +1,6 @@
 // A block as a row of fields, by a table of their places; spec/vq/block.hpp writes and reads them one by one.
 #pragma once
 
-#include <array>
-
 #include "proofs/vq/subject.hpp"
 
 namespace mmverify::proofs::vq {

@@ -1,14 +1,6 @@
 // Common parts of the laws of topic vq: the check of a case, and the cases that it runs on.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <functional>
-#include <optional>
-#include <string>
-
-#include "proofs/engine/cases.hpp"
-#include "proofs/engine/kinds.hpp"
 #include "proofs/vq/subject.hpp"
 
 namespace mmverify::proofs::vq {
@@ -26,7 +18,7 @@ void check_level(Level n) {
 /// Cases by number, as DrawnCasesOf has them; a text and a check need no level.
 template <class Case>
 struct Cases {
-  std::function<std::uint64_t(Level, const Run&)> count;
+  CaseCount count;
   std::function<Case(Level, std::uint64_t k, std::uint64_t seed)> number;
   std::function<std::string(const Case&)> text;
   std::function<Case(Level, const std::string&)> read;
@@ -54,6 +46,23 @@ Law on_cases(Law law, Lacks lacks, Cases<Case> cases) {
        [text = std::move(cases.text)](Level, const Case& one) { return text(one); }, std::move(cases.read),
        [check = std::move(cases.check)](const VqSubject& s, Level, const Case& one) { return check(s, one); },
        cases.chunk});
+}
+
+/// The levels of vectors, which have 2^level regions along a side.
+inline constexpr Levels both_sides{1, 2};
+
+/// Calls f(std::integral_constant<std::size_t, side>) for a level.  Throws BadCase at other levels.
+template <class F>
+auto at_side(Level n, F f) {
+  if (n == 1) return f(std::integral_constant<std::size_t, 2>());
+  if (n == 2) return f(std::integral_constant<std::size_t, 4>());
+  throw BadCase(fmt::format("level {}: vectors have 2 or 4 regions along a side, levels 1 and 2", n));
+}
+
+inline std::optional<std::string> lacks_vectors(const VqSubject& s) {
+  if (!s.functions.of2.valid || !s.functions.composed)
+    return s.name() + " has no entry point of vectors: they are the specification's";
+  return std::nullopt;
 }
 
 }  // namespace mmverify::proofs::vq

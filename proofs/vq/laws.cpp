@@ -1,7 +1,5 @@
 #include "proofs/vq/laws.hpp"
 
-#include "proofs/vq/law_groups.hpp"
-
 namespace mmverify::proofs::vq {
 
 std::vector<Law> laws() {

@@ -1,9 +1,3 @@
-#include "proofs/vq/least.hpp"
-
-#include <algorithm>
-#include <map>
-#include <vector>
-
 #include "proofs/vq/maps.hpp"
 
 namespace mmverify::proofs::vq {

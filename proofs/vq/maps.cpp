@@ -4,7 +4,6 @@ namespace mmverify::proofs::vq {
 namespace {
 
 using enum State;
-using spec::vq::Quadrant;
 
 State any_state(Random& random) { return static_cast<State>(random.below(3)); }
 Transform any_transform(Random& random) { return Transform::of(static_cast<std::uint32_t>(random.below(8))); }

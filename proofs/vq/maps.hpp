@@ -1,8 +1,6 @@
 // The maps and blocks that encoders are tried on.
 #pragma once
 
-#include <cstdint>
-
 #include "proofs/engine/random.hpp"
 #include "proofs/vq/subject.hpp"
 
@@ -27,5 +25,12 @@ Map<Format> sample_map(std::uint64_t seed, std::uint64_t k);
 /// first kind of VQ2 uses one to three entries in all.
 template <class Format>
 Format sample_block(std::uint64_t seed, std::uint64_t k);
+
+/// min over shared entries of the sum over quadrants of min over transforms and own pairs of what 16 vectors
+/// lose.  Every choice is tried, but for entries that another one replaces without loss: an entry is left out
+/// of a quadrant under a transform, or of the shared ones, where another loses no more of any vector there.
+/// Counted region by region on the specification's vectors; nothing of impl's sets or bounds.
+/// Domain: every map; takes time with the square of the kinds of vectors, and more.
+std::uint32_t least_substitutions(const Map<Vq2>& map);
 
 }  // namespace mmverify::proofs::vq

@@ -1,9 +1,3 @@
-#include "proofs/vq/plugin_subject.hpp"
-
-#include <fmt/format.h>
-
-#include <bit>
-
 #include "proofs/vq/texts.hpp"
 #include "subjects/dock/codec.hpp"
 #include "subjects/sdk/mmverify_subject.h"

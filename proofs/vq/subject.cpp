@@ -1,7 +1,5 @@
 #include "proofs/vq/subject.hpp"
 
-#include <bit>
-
 #include "impl/vq/vq.hpp"
 
 namespace mmverify::proofs::vq {
@@ -10,9 +8,7 @@ namespace {
 namespace slow = mmverify::spec::vq;
 namespace fast = mmverify::impl::vq;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The specification
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The specification
 
 template <std::size_t side>
 Vectors<side> specified_vectors() {
@@ -47,9 +43,7 @@ Functions specified() {
           specified_codec<Vq4>()};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// impl/vq: states have the specification's numbers
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- impl/vq: states have the specification's numbers
 
 template <class Format>
 using FastMap = std::array<fast::State, std::tuple_size_v<Map<Format>>>;

@@ -1,14 +1,6 @@
 // A subject of topic vq: functions on vectors, blocks and maps, built in or in the dock.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "proofs/engine/topic.hpp"
 #include "spec/vq/block.hpp"
 
@@ -102,12 +94,11 @@ using VqSubjectPtr = std::shared_ptr<const VqSubject>;
 /// The specification vq-spec; this project's decoders, vq; and its encoders.
 const std::vector<VqSubjectPtr>& built_in_subjects();
 
-inline VqSubjectPtr built_in(const std::string& name) { return named(built_in_subjects(), name); }
+inline constexpr auto built_in = built_in_of<built_in_subjects>;
+inline constexpr auto mutant = mutant_of<built_in_subjects>;
 
-/// A subject with one deliberate error.
-inline Mutant mutant(const std::string& name, const std::string& base, Levels levels,
-                     const std::function<void(Functions&)>& change) {
-  return changed(*built_in(base), name, levels, change);
-}
+/// The subject that a library offers; null where it has no entry point of this topic.  It runs in worker
+/// processes; what goes wrong there comes out of the calls as SubjectBroken.
+VqSubjectPtr plugin_subject(const std::string& name, const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::vq

@@ -1,7 +1,5 @@
 #include "proofs/vq/texts.hpp"
 
-#include <fmt/format.h>
-
 namespace mmverify::proofs::vq {
 
 std::string letters(std::span<const State> states) {

@@ -1,13 +1,6 @@
 // How vectors, maps and blocks are written in a case.
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "proofs/engine/bytes.hpp"
 #include "proofs/vq/subject.hpp"
 
 namespace mmverify::proofs::vq {

@@ -1,12 +1,9 @@
 // Laws of the transforms of vectors (4.1, table 1); the oracle is signed coordinates.
-#include <algorithm>
-#include <array>
 #include <cstdio>
 
-#include "proofs/vq/law_groups.hpp"
 #include "proofs/vq/law_parts.hpp"
+#include "proofs/vq/laws.hpp"
 #include "proofs/vq/texts.hpp"
-#include "proofs/vq/vector_parts.hpp"
 
 namespace mmverify::proofs::vq {
 namespace {
@@ -94,7 +91,7 @@ Finding composes(const VqSubject& s, const Pair& pair) {
 
 Law transforms_law() {
   Cases<Pair> cases;
-  cases.count = [](Level, const Run&) { return std::uint64_t{64}; };
+  cases.count = 64;
   cases.number = [](Level n, std::uint64_t k, std::uint64_t) {
     return Pair{static_cast<std::uint32_t>(k / 8), static_cast<std::uint32_t>(k % 8), 1u << n};
   };
@@ -130,7 +127,7 @@ Law transforms_law() {
        .subjects = {"vq-spec"},
        .tiers = {.fast = both_sides, .seconds = 0.1},
        .domain =
-           [](const Subject&, Level n) {
+           [](Level n) {
              return fmt::format(
                  "all pairs of rows, on {} vectors of one state but for one region, each region, each two "
                  "states",

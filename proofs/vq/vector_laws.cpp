@@ -1,12 +1,9 @@
 // Which vectors there are (2, 4, 5.1): the oracle is neighbourhoods of sets.
-#include <algorithm>
-#include <array>
 #include <cstdio>
 
-#include "proofs/vq/law_groups.hpp"
 #include "proofs/vq/law_parts.hpp"
+#include "proofs/vq/laws.hpp"
 #include "proofs/vq/texts.hpp"
-#include "proofs/vq/vector_parts.hpp"
 
 namespace mmverify::proofs::vq {
 namespace {
@@ -135,7 +132,7 @@ Law vectors_law() {
        .subjects = {"vq-spec"},
        .tiers = {.fast = both_sides, .seconds = 1},
        .domain =
-           [](const Subject&, Level n) {
+           [](Level n) {
              return fmt::format("all {} vectors of {} regions, by their first row", n == 1 ? "3^4" : "3^16",
                                 n == 1 ? "2x2" : "4x4");
            },

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "proofs/induction/prover.hpp"
-#include "proofs/registry/statements.hpp"
+#include "proofs/registry/registry.hpp"
 #include "subjects/shaders/compile/sha256.hpp"
 
 int main() {

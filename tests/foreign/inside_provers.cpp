@@ -7,7 +7,7 @@
 
 #include "proofs/index/floats/published.hpp"
 #include "proofs/induction/discharge.hpp"
-#include "proofs/registry/statements.hpp"
+#include "proofs/registry/registry.hpp"
 #include "proofs/tree/subject.hpp"
 #include "tests/foreign/inside.hpp"
 #include "tests/foreign/inside_curve.hpp"

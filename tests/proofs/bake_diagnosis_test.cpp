@@ -5,11 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "proofs/bake/diagnosis/baked_order.hpp"
-#include "proofs/bake/diagnosis/case_properties.hpp"
 #include "proofs/bake/diagnosis/diagnosis.hpp"
-#include "proofs/bake/diagnosis/known_mistakes.hpp"
-#include "proofs/bake/truth/ties.hpp"
+#include "proofs/bake/truth/offender.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/registry/registry.hpp"
 #include "tests/sanitized.hpp"

@@ -1,9 +1,9 @@
-// [release] proofs/bake/domains/edge_samples.hpp: what each sample is said to turn on, it turns on.
+// [release] proofs/bake/domains/samples.hpp: what each sample is said to turn on, it turns on.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "proofs/bake/domains/edge_samples.hpp"
+#include "proofs/bake/domains/samples.hpp"
 #include "proofs/bake/truth/truth.hpp"
 
 namespace mmverify::proofs::bake {

@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "proofs/bake/cases/resize.hpp"
-#include "proofs/bake/domains/fitted_families.hpp"
+#include "proofs/bake/cases/case.hpp"
+#include "proofs/bake/domains/family.hpp"
 #include "proofs/bake/domains/samples.hpp"
 #include "proofs/bake/domains/strata.hpp"
 #include "proofs/bake/support.hpp"

@@ -8,9 +8,9 @@
 
 #include "proofs/index/diagnosis.hpp"
 #include "proofs/index/floats/published.hpp"
-#include "proofs/index/judges/corner_order.hpp"
-#include "proofs/index/judges/near.hpp"
-#include "proofs/index/laws/named_corner_order.hpp"
+#include "proofs/index/judges/judges.hpp"
+#include "proofs/index/judges/on_cells.hpp"
+#include "proofs/index/laws.hpp"
 #include "proofs/index/subject.hpp"
 #include "proofs/planning/plan.hpp"
 #include "proofs/points/hard_floats.hpp"

@@ -13,7 +13,6 @@
 #include "proofs/engine/law.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/index/floats/hard_doubles.hpp"
-#include "proofs/index/floats/hard_rows.hpp"
 #include "proofs/index/judges/on_cells.hpp"
 #include "proofs/points/exact_float.hpp"
 #include "proofs/points/hard_floats.hpp"

@@ -8,7 +8,6 @@
 
 #include "proofs/engine/runner.hpp"
 #include "proofs/registry/registry.hpp"
-#include "proofs/vq/least.hpp"
 #include "proofs/vq/maps.hpp"
 #include "proofs/vq/texts.hpp"
 

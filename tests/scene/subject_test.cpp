@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "proofs/scene/subject_laws.hpp"
+#include "proofs/scene/laws.hpp"
 #include "tests/sanitized.hpp"
 #include "tests/scene/made_scene.hpp"
 

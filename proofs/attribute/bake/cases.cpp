@@ -2,14 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
-#include <utility>
 
-#include "proofs/attribute/bake/names.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
 

@@ -1,12 +1,6 @@
 // Cases of baking: families that are enumerated whole, samples, and how they are named.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "proofs/attribute/bake/functions.hpp"
 
 namespace mmverify::proofs::attribute {
@@ -55,5 +49,9 @@ inline BakeCase read_bake_case(const std::string& text) { return read_bake_case_
 std::string text_of(const Rgba& codes);
 std::string text_of(const RgbaOf<std::uint16_t>& codes);
 std::string text_of(const RgbaOf<float>& numbers);  ///< hexadecimal
+
+inline constexpr std::array<const char*, 5> wrap_names{"repeat", "mirror", "clamp", "border", "mirror-once"};
+inline constexpr std::array<const char*, 2> filter_names{"bilinear", "nearest"};
+inline constexpr std::array<const char*, 4> meaning_names{"linear", "srgb", "normal", "normal+length"};
 
 }  // namespace mmverify::proofs::attribute

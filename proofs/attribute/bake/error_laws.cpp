@@ -1,11 +1,7 @@
 // The error of a map, and the curve of sRGB.
-#include <array>
-
 #include "proofs/attribute/bake/parts.hpp"
-#include "proofs/attribute/bake/truth.hpp"
 #include "proofs/engine/random.hpp"
 #include "spec/attribute/error.hpp"
-#include "spec/attribute/order.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {
@@ -14,10 +10,6 @@ namespace slow = spec::attribute;
 
 constexpr Entry bounds_errors{"error", [](const Functions& f) { return bool(f.baking.error); }};
 constexpr Entry knows_light{"light", [](const Functions& f) { return bool(f.baking.light); }};
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Errors
-// ---------------------------------------------------------------------------------------------------------------------
 
 struct ErrorCase {
   BakeCase one;
@@ -141,20 +133,13 @@ Law error_law() {
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 2}, .long_run = {0, 3}, .seconds = 1},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string("faces and vertices of sampled cases, 2x2 to 5x5 texels, each at 337 points");
-           },
+       .domain = "faces and vertices of sampled cases, 2x2 to 5x5 texels, each at 337 points",
        .mutants = {mutant("mirrored as repeated", "attribute", {0, 0}, errors_of_another([](BakeCase& one) {
                             if (one.picture.wrap_u == Wrap::mirrored_repeat)
                               one.picture.wrap_u = Wrap::repeat;
                           }))}},
       needing({bounds_errors}), cases);
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// sRGB
-// ---------------------------------------------------------------------------------------------------------------------
 
 Finding is_nearest(const AttributeSubject& s, Level, std::uint32_t m) {
   const std::uint32_t got = s.functions.baking.light(m);
@@ -170,7 +155,7 @@ Finding is_nearest(const AttributeSubject& s, Level, std::uint32_t m) {
 
 Law light_law() {
   Cases<std::uint32_t> cases;
-  cases.count = [](Level, const Run&) { return std::uint64_t{511}; };
+  cases.count = 511;
   cases.number = [](Level, std::uint64_t k, std::uint64_t) { return static_cast<std::uint32_t>(k); };
   cases.text = [](Level, const std::uint32_t& m) { return fmt::format("m={}", m); };
   cases.read = [](Level, const std::string& text) {
@@ -192,8 +177,8 @@ Law light_law() {
        .source = "IEC 61966-2-1; spec/attribute/colour.hpp",
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 0}, .long_run = {0, 0}, .seconds = 0.1},
-       .domain = [](const Subject&, Level) { return std::string("the 256 codes and the 255 middles"); },
-       .how = [](const Subject&, Level) { return std::string("exhaustive, whole numbers"); },
+       .domain = "the 256 codes and the 255 middles",
+       .how = "exhaustive, whole numbers",
        .mutants = {mutant(
            "the line ends one code later", "attribute", {0, 0}, light([](std::uint32_t m, std::uint32_t x) {
              return m == 22 ? static_cast<std::uint32_t>(std::floor(m / 510.0 / 12.92 * 0x1p24 + 0.5)) : x;

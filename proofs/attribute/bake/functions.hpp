@@ -1,13 +1,8 @@
 // The functions of a subject of topic attribute for baking from textures.
 #pragma once
 
-#include <array>
 #include <bit>
-#include <cstdint>
-#include <functional>
-#include <string>
 #include <type_traits>
-#include <vector>
 
 #include "proofs/engine/law.hpp"
 #include "proofs/engine/value_set.hpp"

@@ -1,14 +1,9 @@
 // Laws of maps from textures: all cases of a family, and samples with binary32 coordinates.
-#include <array>
+#include "proofs/attribute/laws.hpp"
+
 #include <boost/integer/common_factor.hpp>
-#include <memory>
-#include <mutex>
 
 #include "proofs/attribute/bake/parts.hpp"
-#include "proofs/attribute/bake/support.hpp"
-#include "proofs/attribute/bake/truth.hpp"
-#include "proofs/attribute/law_groups.hpp"
-#include "spec/attribute/order.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {
@@ -91,7 +86,7 @@ std::vector<Rgba> truth(MapForm form, Level n, const Case& c) {
 Cases<Case> family_of(MapForm form) {
   Cases<Case> cases;
   const std::uint64_t filters = form == MapForm::faces ? 1 : 2;
-  cases.count = [=](Level, const Run&) { return family_textures * filters * family_spots(); };
+  cases.count = family_textures * filters * family_spots();
   cases.number = [=](Level, std::uint64_t k, std::uint64_t) {
     const std::uint64_t texture = k % family_textures, rest = k / family_textures;
     const Filter filter =
@@ -122,18 +117,10 @@ Cases<Case> family_of(MapForm form) {
 const auto srgb_as_codes = [](BakeCase& one) {
   if (one.picture.meaning == Meaning::srgb) one.picture.meaning = Meaning::linear;
 };
-/// Texel -1 becomes texel 1, as with mirrored repeats: the remainder keeps its sign, and the mutant drops it.
-const auto negative_mirrored = [](BakeCase& one) {
-  if (one.uv[0] < 0 && one.picture.wrap_u == Wrap::repeat) one.picture.wrap_u = Wrap::mirrored_repeat;
-};
 const auto centres_at_corners = [](BakeCase& one) {
   if (one.picture.filter == Filter::nearest) return;
   for (std::size_t k = 0; k < 6; ++k)
     one.uv[k] += 0.5f / static_cast<float>(k % 2 == 0 ? one.picture.width : one.picture.height);
-};
-const auto without_border = [](BakeCase& one) { one.picture.border = {0, 0, 0, 0}; };
-const auto mirrors_once_as_clamp = [](BakeCase& one) {
-  if (one.picture.wrap_v == Wrap::mirror_once) one.picture.wrap_v = Wrap::clamp_to_edge;
 };
 const auto rows_from_below = [](BakeCase& one) {
   Picture& p = one.picture;
@@ -149,8 +136,8 @@ Law vertex_law() {
                    .source = cam_5,
                    .subjects = {"attribute"},
                    .tiers = {.fast = {0, 2}, .long_run = {0, 4}, .seconds = 1},
-                   .domain = [](const Subject&, Level) { return std::string(family_domain()); },
-                   .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
+                   .domain = family_domain(),
+                   .how = "exhaustive, rational",
                    .mutants = {mutant("what lies in the middle is rounded down", "attribute", {1, 1},
                                       rounds_half_down(MapForm::vertices))}},
                   needing({bakes_vertices}), family_of(MapForm::vertices));
@@ -163,16 +150,12 @@ Law face_law() {
                    .source = cam_5,
                    .subjects = {"attribute"},
                    .tiers = {.fast = {0, 2}, .long_run = {0, 4}, .seconds = 1},
-                   .domain = [](const Subject&, Level) { return std::string(family_domain()); },
-                   .how = [](const Subject&, Level) { return std::string("exhaustive, rational"); },
+                   .domain = family_domain(),
+                   .how = "exhaustive, rational",
                    .mutants = {mutant("the texels whose centres lie inside, each the same", "attribute",
                                       {2, 2}, averages_centres())}},
                   needing({bakes_faces}), family_of(MapForm::faces));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Samples
-// ---------------------------------------------------------------------------------------------------------------------
 
 Finding sampled(const AttributeSubject& s, Level n, const BakeCase& one) {
   const Baking& baking = s.functions.baking;
@@ -217,12 +200,8 @@ Law floats_law() {
        .method = Method::sample,
        .subjects = {"attribute"},
        .tiers = {.fast = {0, 7}, .long_run = {0, 9}, .seconds = 1},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "textures of up to 9x7 texels, to level 1 some of up to 320 in a row, all modes and "
-                 "meanings, means beside halves, micro-vertices beside lines; up to 8 values of each map");
-           },
+       .domain = "textures of up to 9x7 texels, to level 1 some of up to 320 in a row, all modes and "
+                 "meanings, means beside halves, micro-vertices beside lines; up to 8 values of each map",
        .mutants = {mutant("directions not made one unit long again", "attribute", {1, 3},
                           not_renormalised())}},
       needing({bakes_vertices, bakes_faces}), cases);

@@ -1,13 +1,6 @@
 // Common parts of the laws of baking: entry points, the comparison of a map with the true one, and mutants.
 #pragma once
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "proofs/attribute/bake/cases.hpp"
 #include "proofs/attribute/bake/truth.hpp"
 #include "proofs/attribute/law_parts.hpp"
@@ -102,5 +95,19 @@ std::vector<Law> bake_texel_laws();
 std::vector<Law> bake_relation_laws();
 std::vector<Law> bake_error_laws();
 std::vector<Law> plan_laws();
+
+/// Whether fitted() leaves the case as it is.
+bool covers(const BakingSupport& support, const BakeCase& one);
+
+/// The case with each unsupported setting replaced by a supported one, chosen by the case's coordinates.
+BakeCase fitted(const BakingSupport& support, BakeCase one);
+
+/// The case fitted to a subject's support.
+inline BakeCase fitted_case(const AttributeSubject& s, const BakeCase& one) {
+  return fitted(s.functions.baking.support, one);
+}
+
+/// The restrictions as text, "linear and srgb; clamp; within 1 code"; empty if there are none.
+std::string text_of(const BakingSupport& support);
 
 }  // namespace mmverify::proofs::attribute

@@ -1,6 +1,4 @@
 // Laws of plans: the level of each triangle of a mesh.
-#include <array>
-
 #include "proofs/attribute/bake/parts.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
@@ -45,9 +43,7 @@ const std::vector<NamedMesh>& meshes() {
   return all;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Graded
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Graded
 
 /// The wanted level of each triangle; no_map, if the triangle has a single value.
 struct GradedCase {
@@ -106,13 +102,8 @@ Finding is_graded(const AttributeSubject& s, Level n, const GradedCase& g) {
 /// A mutant that changes the subject's plan afterwards.
 std::function<void(Functions&)> replanned(
     std::function<void(const PlanCase&, std::vector<PlannedTriangle>&)> change) {
-  return [=](Functions& f) {
-    f.baking.plan = [=, real = f.baking.plan](const PlanCase& one) {
-      auto plan = real(one);
-      change(one, plan);
-      return plan;
-    };
-  };
+  return spoils(&Functions::baking, &Baking::plan,
+                [=](const PlanCase& one, auto& plan) { change(one, plan); });
 }
 
 Law graded_law() {
@@ -160,7 +151,7 @@ Law graded_law() {
        .subjects = {"attribute"},
        .tiers = {.fast = {0, 4}, .long_run = {0, 4}, .seconds = 1},
        .domain =
-           [](const Subject&, Level n) {
+           [](Level n) {
              return fmt::format(
                  "a strip of 6, a fan of 5, {}: every triangle wants 0..{} or no map, all ways",
                  n > 2 ? "in the long tier tetrahedron and octahedron" : "tetrahedron and octahedron", n);
@@ -172,9 +163,7 @@ Law graded_law() {
       needing({plans}), cases);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The error is kept
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The error is kept
 
 /// Random answers to whether a triangle keeps its error, by triangle, level and decimated edges.  Some triangles want
 /// level 4 in tables with odd numbers, none in the others.
@@ -227,9 +216,7 @@ Finding keeps_error(const AttributeSubject& s, Level n, const ErrorTable& e) {
 
 Law keeps_law() {
   Cases<ErrorTable> cases;
-  cases.count = [](Level, const Run& run) {
-    return std::uint64_t{run.tier == Tier::fast ? 4'000u : 400'000u};
-  };
+  cases.count = {4'000, 400'000};
   cases.number = [](Level, std::uint64_t k, std::uint64_t seed) {
     return ErrorTable{k % meshes().size(), seed, k / meshes().size()};
   };
@@ -255,7 +242,7 @@ Law keeps_law() {
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 4}, .long_run = {0, 4}, .seconds = 0.5},
        .domain =
-           [](const Subject&, Level n) {
+           [](Level n) {
              return fmt::format(
                  "a strip of 6, a fan of 5, tetrahedron and octahedron, levels up to {}, drawn tables of "
                  "what keeps the error",

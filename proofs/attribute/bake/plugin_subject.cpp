@@ -1,9 +1,7 @@
-#include "proofs/attribute/bake/plugin_subject.hpp"
-
-#include <algorithm>
 #include <cstring>
 
 #include "proofs/attribute/bake/cases.hpp"
+#include "proofs/attribute/subject_parts.hpp"
 #include "spec/attribute/order.hpp"
 #include "subjects/dock/codec.hpp"
 #include "subjects/sdk/mmverify_subject.h"

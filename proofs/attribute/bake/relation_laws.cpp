@@ -1,20 +1,13 @@
 // Baked maps beside each other: across an edge, from level to level, of one colour.
-#include <array>
-
 #include "proofs/attribute/bake/parts.hpp"
-#include "proofs/attribute/bake/support.hpp"
-#include "proofs/attribute/bake/truth.hpp"
 #include "proofs/engine/random.hpp"
-#include "spec/attribute/order.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {
 
 namespace slow = spec::attribute;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// An edge from both sides
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- An edge from both sides
 
 /// Two triangles that have the first one's edge 0-1, the other between its vertices `turn` and the next or before.
 struct EdgeCase {
@@ -98,7 +91,7 @@ bool clockwise(const BakeCase& one) {
 
 Law edge_law() {
   Cases<EdgeCase> cases;
-  cases.count = [](Level, const Run& run) { return std::uint64_t{run.tier == Tier::fast ? 240u : 20'000u}; };
+  cases.count = {240, 20'000};
   cases.number = edge_case;
   cases.text = [](Level, const EdgeCase& c) {
     return fmt::format("{}:{:a},{:a},{}", text_of(c.one), c.u, c.v, c.turn);
@@ -119,10 +112,7 @@ Law edge_law() {
        .method = Method::sample,
        .subjects = {"attribute"},
        .tiers = {.fast = {0, 5}, .long_run = {0, 9}, .seconds = 0.3},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string("edges of sampled triangles beside another, in all 6 places of the other");
-           },
+       .domain = "edges of sampled triangles beside another, in all 6 places of the other",
        .mutants = {mutant("a margin of 2^-10 taken off clockwise triangles at level 5", "attribute", {5, 5},
                           [](Functions& f) {
                             f.baking.vertices = [real = f.baking.vertices](const BakeCase& one, Level n) {
@@ -134,9 +124,7 @@ Law edge_law() {
       needing({bakes_vertices}), cases);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The mean of four children
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The mean of four children
 
 struct FaceCase {
   BakeCase one;
@@ -199,20 +187,14 @@ Law parent_law() {
                    .source = "Color and Attribute Micromaps, 4.4 and 5.1",
                    .subjects = {"attribute-spec"},
                    .tiers = {.fast = {0, 1}, .long_run = {0, 3}, .seconds = 1},
-                   .domain =
-                       [](const Subject&, Level) {
-                         return std::string(
-                             "each texel of 2x2 alone, nearest and bilinear, 8 pairs of addressing modes, 7 "
-                             "triangles, all faces");
-                       },
+                   .domain = "each texel of 2x2 alone, nearest and bilinear, 8 pairs of addressing modes, 7 "
+                             "triangles, all faces",
                    .mutants = {mutant("along a segment all parts weigh the same", "attribute-spec", {0, 0},
                                       spreads_evenly())}},
                   needing({means_faces}), cases);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// One colour
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- One colour
 
 Finding is_constant(const AttributeSubject& s, Level n, const BakeCase& one) {
   const Baking& baking = s.functions.baking;
@@ -231,7 +213,7 @@ Finding is_constant(const AttributeSubject& s, Level n, const BakeCase& one) {
 
 Law constant_law() {
   Cases<BakeCase> cases;
-  cases.count = [](Level, const Run&) { return 256 * family_spots(); };
+  cases.count = 256 * family_spots();
   cases.number = [](Level, std::uint64_t k, std::uint64_t) {
     const auto code = static_cast<std::uint8_t>(k % 256);
     BakeCase one = family_case(k / 256, 0, k % 3 == 0 ? Filter::nearest : Filter::bilinear);
@@ -266,12 +248,8 @@ Law constant_law() {
                    .source = "weights sum to 1, and each code is the one that its own number is rounded to",
                    .subjects = {"attribute"},
                    .tiers = {.fast = {0, 1}, .long_run = {0, 5}, .seconds = 0.5},
-                   .domain =
-                       [](const Subject&, Level) {
-                         return std::string(
-                             "256 colours with all codes in each channel, 8 pairs of addressing modes, "
-                             "linear and sRGB, 7 triangles");
-                       },
+                   .domain = "256 colours with all codes in each channel, 8 pairs of addressing modes, "
+                             "linear and sRGB, 7 triangles",
                    .mutants = {mutant("code 11, the first beyond the line, is 10", "attribute", {1, 1},
                                       spoilt(
                                           MapForm::vertices,

@@ -1,8 +1,4 @@
 // The baking of the built-in subjects.
-#include <algorithm>
-#include <bit>
-
-#include "impl/attribute/bake.hpp"
 #include "impl/attribute/bake/codes.hpp"
 #include "impl/attribute/error.hpp"
 #include "impl/attribute/plan.hpp"
@@ -10,7 +6,6 @@
 #include "proofs/attribute/subject_parts.hpp"
 #include "proofs/points/point.hpp"
 #include "spec/attribute/error.hpp"
-#include "spec/attribute/order.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {

@@ -1,7 +1,4 @@
 // Laws of maps from textures with more than 8 bits a channel.
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 
 #include "proofs/attribute/bake/parts.hpp"
@@ -17,7 +14,7 @@ template <class Channel>
 Cases<BakeCaseOf<Channel>> cases_of(BakeCaseOf<Channel> (*draw)(std::uint64_t, Level, std::uint64_t),
                                     Bakers<Channel> Baking::*bakers, std::uint64_t few) {
   Cases<BakeCaseOf<Channel>> cases;
-  cases.count = [=](Level, const Run& run) { return run.tier == Tier::fast ? few : 100 * few; };
+  cases.count = {few, 100 * few};
   cases.number = [=](Level n, std::uint64_t k, std::uint64_t seed) { return draw(seed, n, k); };
   cases.text = [](Level, const BakeCaseOf<Channel>& one) { return text_of(one); };
   cases.read = [](Level, const std::string& text) { return read_bake_case_of<Channel>(text); };
@@ -62,9 +59,7 @@ Rational value_at(MapForm form, const BakeCaseOf<Channel>& one, Level n, std::ui
              : slow::vertex_value(texture, uv, n, slow::vertex_at(slow::VertexOrder::w_minor, k, n));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// 16 bits
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- 16 bits
 
 using Picture16 = PictureOf<std::uint16_t>;
 
@@ -106,12 +101,8 @@ Law texels16_law() {
        .method = Method::sample,
        .subjects = {"attribute"},
        .tiers = {.fast = {0, 4}, .long_run = {0, 8}, .seconds = 0.5},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "textures of up to 9x7 texels of 16 bits, all modes, linear and normals, a quarter full of "
-                 "ties; up to 8 values of each map");
-           },
+       .domain = "textures of up to 9x7 texels of 16 bits, all modes, linear and normals, a quarter full of "
+                 "ties; up to 8 values of each map",
        .mutants = {mutant("codes averaged as bytes", "attribute", {0, 2},
                           baking_another(&Baking::wide,
                                          [](Level, Picture16& p) {
@@ -150,9 +141,7 @@ Law texels16_law() {
       needing({bakes_vertices_16, bakes_faces_16}), cases_of(wide_sample_case, &Baking::wide, 96));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Floats
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Floats
 
 using PictureFloat = PictureOf<float>;
 
@@ -209,13 +198,9 @@ Law texel_floats_law() {
        .method = Method::sample,
        .subjects = {"attribute"},
        .tiers = {.fast = {0, 4}, .long_run = {0, 8}, .seconds = 0.5},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "textures of up to 7x7 texels of binary32, all modes; ordinary numbers, 2^100 beside "
+       .domain = "textures of up to 7x7 texels of binary32, all modes; ordinary numbers, 2^100 beside "
                  "2^-100, some that cancel, subnormals, ties, zeros of both signs, lone bright ones, any; up "
-                 "to 8 values of each map");
-           },
+                 "to 8 values of each map",
        .mutants = {mutant("ties away from zero", "attribute", {0, 2}, rounds_ties_away()),
                    mutant("what is below 2^-126 is 0", "attribute", {0, 2}, changing_floats([](float x) {
                             return std::fabs(x) < 0x1p-126f ? std::copysign(0.0f, x) : x;

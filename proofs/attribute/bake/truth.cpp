@@ -1,9 +1,6 @@
 #include "proofs/attribute/bake/truth.hpp"
 
 #include <bit>
-#include <stdexcept>
-
-#include "spec/attribute/order.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {

@@ -1,11 +1,6 @@
 // The true maps of a case, by the specification of baking.
 #pragma once
 
-#include <array>
-#include <bit>
-#include <cstdint>
-#include <type_traits>
-
 #include "proofs/attribute/bake/functions.hpp"
 #include "proofs/points/narrow.hpp"
 #include "spec/attribute/normal.hpp"

@@ -1,9 +1,6 @@
 // The functions of a subject of topic attribute for edge decimation.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <functional>
 #include <span>
 
 #include "proofs/engine/law.hpp"

@@ -1,5 +1,4 @@
 // Laws of edges beside a neighbour of one level less: the micro-triangles after vertices have snapped.
-#include "proofs/attribute/decimation/law_parts.hpp"
 #include "proofs/attribute/decimation/mesh.hpp"
 
 namespace mmverify::proofs::attribute {
@@ -7,21 +6,14 @@ namespace {
 
 using spec::side;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Mutants
-// ---------------------------------------------------------------------------------------------------------------------
-
 /// A wrong rule for snapping: the new place of x, given the right one.
 using Rule = std::function<Vertex(Level n, EdgeFlags flags, const Vertex& x, const Vertex& right)>;
 
 std::function<void(Functions&)> snapping_by(Rule rule) {
-  return [rule](Functions& f) {
-    f.decimation.snapped = [rule, real = f.decimation.snapped](
-                               Level n, EdgeFlags flags, std::span<const Vertex> at, std::span<Vertex> out) {
-      real(n, flags, at, out);
-      for (std::size_t k = 0; k < at.size(); ++k) out[k] = rule(n, flags, at[k], out[k]);
-    };
-  };
+  return spoils(&Functions::decimation, &Decimation::snapped,
+                [rule](Level n, EdgeFlags flags, std::span<const Vertex> at, std::span<Vertex> out) {
+                  for (std::size_t k = 0; k < at.size(); ++k) out[k] = rule(n, flags, at[k], out[k]);
+                });
 }
 
 /// A rule that moves an odd vertex of a flagged edge to `to` steps from the edge's first end.
@@ -37,14 +29,6 @@ const Rule towards_the_middle =
 /// A rule that moves to w on the edges w-u and v-w, and to u on u-v: i or j is one less.
 const Rule indices_down =
     along_edges([](Level, std::uint32_t edge, std::uint32_t at) { return edge == 2 ? at + 1 : at - 1; });
-const Rule too_far = along_edges([](Level n, std::uint32_t, std::uint32_t at) {
-  const std::uint32_t N = side(n);
-  if (at <= N / 2) return at < 3 ? at - 1 : at - 3;
-  return at + 3 > N ? at + 1 : at + 3;
-});
-const Rule level_0_too = [](Level n, EdgeFlags flags, const Vertex& x, const Vertex& right) {
-  return n == 0 && (flags & 1) != 0 && x.i == 1 ? Vertex{0, 0} : right;
-};
 
 Rule only_at(Level level, EdgeFlags with, Vertex where, Vertex to) {
   return [=](Level n, EdgeFlags flags, const Vertex& x, const Vertex& right) {
@@ -56,14 +40,10 @@ Mutant wrong_rule(const char* name, Levels levels, const Rule& rule, const char*
   return mutant(name, base, levels, snapping_by(rule));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The laws
-// ---------------------------------------------------------------------------------------------------------------------
-
 /// A law whose cases are the 8 sets of flags.
 Law on_edge_flags(Law law, std::function<Finding(const AttributeSubject&, Level, EdgeFlags)> check) {
   Cases<EdgeFlags> cases;
-  cases.count = [](Level, const Run&) -> std::uint64_t { return spec::attribute::edge_flag_sets; };
+  cases.count = spec::attribute::edge_flag_sets;
   cases.number = [](Level, std::uint64_t k, std::uint64_t) { return static_cast<EdgeFlags>(k); };
   cases.text = [](Level, EdgeFlags flags) { return fmt::format("flags={}", flags); };
   cases.read = [](Level, const std::string& at) { return flags_of_text(at); };
@@ -159,9 +139,7 @@ Law lookup_fails_law() {
                              4 * spec::attribute::face_count(n));
         };
         if (got != expected) return wrong(share(expected), share(got));
-        Finding found;
-        found.answer = got;
-        return found;
+        return Finding{.answer = got};
       });
 }
 

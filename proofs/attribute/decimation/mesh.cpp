@@ -1,13 +1,6 @@
 #include "proofs/attribute/decimation/mesh.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <map>
-
 #include "proofs/attribute/elements.hpp"
-#include "proofs/engine/tally.hpp"
 #include "spec/rational.hpp"
 
 namespace mmverify::proofs::attribute {
@@ -71,9 +64,7 @@ class Edges {
 
 std::string times(std::int64_t k) { return k == 1 ? "once" : fmt::format("{} times", k); }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Areas of polygons
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Areas of polygons
 
 namespace clipping {
 
@@ -139,9 +130,7 @@ Number lost(const Shape& shape) {
 
 }  // namespace
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The mesh
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The mesh
 
 DecimatedMesh::DecimatedMesh(const AttributeSubject& subject, Level n, EdgeFlags flags, Asked asked)
     : n_(n), flags_(flags) {
@@ -209,10 +198,6 @@ bool DecimatedMesh::has_changed(const MicroTriangle& t) const {
   return std::any_of(c.begin(), c.end(), [&](const Vertex& x) { return !(after(x) == x); });
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// What holds of it
-// ---------------------------------------------------------------------------------------------------------------------
-
 Finding watertight(const DecimatedMesh& mesh) {
   if (mesh.complaint()) return wrong(mesh.complaint()->expected, mesh.complaint()->got);
   const Level n = mesh.level();
@@ -239,9 +224,7 @@ Finding watertight(const DecimatedMesh& mesh) {
         return wrong("base edge " + text_of_edge(e) + " once", times(there));
     }
   }
-  Finding found;
-  found.answer = mesh.digest();
-  return found;
+  return {.answer = mesh.digest()};
 }
 
 Finding areas_kept(const DecimatedMesh& mesh) {
@@ -255,9 +238,7 @@ Finding areas_kept(const DecimatedMesh& mesh) {
   const auto all = static_cast<std::int64_t>(spec::attribute::face_count(mesh.level()));
   if (gained != 0)
     return wrong(fmt::format("{} micro-triangles of area", all), fmt::format("{}", all + gained));
-  Finding found;
-  found.answer = static_cast<std::uint64_t>(all);
-  return found;
+  return {.answer = static_cast<std::uint64_t>(all)};
 }
 
 Finding counted(const DecimatedMesh& mesh) {
@@ -286,9 +267,7 @@ Finding counted(const DecimatedMesh& mesh) {
   if (degenerate != odd || unused != odd)
     return wrong(fmt::format("{} degenerate micro-triangles and {} unused vertices", odd, odd),
                  fmt::format("{} and {}", degenerate, unused));
-  Finding found;
-  found.answer = spec::attribute::face_count(mesh.level()) - degenerate;
-  return found;
+  return {.answer = spec::attribute::face_count(mesh.level()) - degenerate};
 }
 
 std::uint64_t lost_quarters(const DecimatedMesh& mesh) {

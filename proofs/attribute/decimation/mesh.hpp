@@ -1,12 +1,8 @@
 // The micro-triangles of a level that change once vertices have snapped, exactly.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "proofs/attribute/subject.hpp"
-#include "proofs/engine/cases.hpp"
+#include "proofs/attribute/law_parts.hpp"
+#include "proofs/attribute/laws.hpp"
 
 namespace mmverify::proofs::attribute {
 
@@ -74,5 +70,17 @@ Finding counted(const DecimatedMesh& mesh);
 /// The area of the points that are lost if only the table of vertices is adjusted, as 4 times the number of
 /// micro-triangles.  A point is lost if its micro-triangle is now degenerate or no longer holds it.
 std::uint64_t lost_quarters(const DecimatedMesh& mesh);
+
+extern const Entry snapped_entry, averaged_entry, place_entry;
+
+/// Reads "flags=5".  Throws BadCase.
+EdgeFlags flags_of_text(const std::string& text);
+
+/// Laws of values at points, and on edges beside a neighbour.
+std::vector<Law> decimated_value_laws();
+/// The law of single vertices at high levels.
+Law decimation_sample_law();
+/// The law of neighbours two levels apart.
+Law two_levels_law();
 
 }  // namespace mmverify::proofs::attribute

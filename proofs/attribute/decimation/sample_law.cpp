@@ -1,8 +1,5 @@
 // The places of single snapped vertices, at levels whose edges are too long for the fast tier.
-#include <array>
-#include <vector>
-
-#include "proofs/attribute/decimation/law_parts.hpp"
+#include "proofs/attribute/decimation/mesh.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
 
@@ -66,22 +63,19 @@ Finding goes_where_it_may(const AttributeSubject& s, Level n, const FlaggedVerte
 
 /// A mutant that snaps vertices at levels above 12 as `moves` says.
 Mutant wrong_above_12(const char* name, Vertex (*moves)(Level n, const Vertex& asked, const Vertex& right)) {
-  return mutant(name, "attribute-spec", {13, 16}, [moves](Functions& f) {
-    f.decimation.snapped = [moves, real = f.decimation.snapped](
-                               Level n, EdgeFlags flags, std::span<const Vertex> at, std::span<Vertex> out) {
-      real(n, flags, at, out);
-      for (std::size_t k = 0; n > 12 && k < at.size(); ++k) out[k] = moves(n, at[k], out[k]);
-    };
-  });
+  return mutant(name, "attribute-spec", {13, 16},
+                spoils(&Functions::decimation, &Decimation::snapped,
+                       [moves](Level n, EdgeFlags, std::span<const Vertex> at, std::span<Vertex> out) {
+                         for (std::size_t k = 0; n > 12 && k < at.size(); ++k)
+                           out[k] = moves(n, at[k], out[k]);
+                       }));
 }
 
 }  // namespace
 
 Law decimation_sample_law() {
   Cases<FlaggedVertex> cases;
-  cases.count = [](Level, const Run& run) -> std::uint64_t {
-    return run.tier == Tier::fast ? 2'048 : 262'144;
-  };
+  cases.count = {2'048, 262'144};
   cases.number = flagged_vertex;
   cases.text = [](Level, const FlaggedVertex& one) {
     return fmt::format("flags={},{}", one.flags, text_of_vertex(one.at));
@@ -95,12 +89,8 @@ Law decimation_sample_law() {
                    .method = Method::sample,
                    .subjects = {"attribute-spec", "attribute"},
                    .tiers = {.fast = {9, 16}, .long_run = {9, 16}, .seconds = 0.2},
-                   .domain =
-                       [](const Subject&, Level) {
-                         return std::string(
-                             "the 8 sets of flags; vertices about the ends and middles of base edges, a step "
-                             "from them, and anywhere");
-                       },
+                   .domain = "the 8 sets of flags; vertices about the ends and middles of base edges, a step "
+                             "from them, and anywhere",
                    .mutants = {wrong_above_12("a vertex beside the edge v-w goes there",
                                               [](Level, const Vertex&, const Vertex& right) {
                                                 return Vertex{right.i == 1 ? 0 : right.i, right.j};

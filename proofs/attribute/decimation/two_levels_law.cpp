@@ -1,7 +1,4 @@
 // Law of neighbours two levels apart, which shows with a picture why one level is the most.
-#include <cmath>
-
-#include "proofs/attribute/decimation/law_parts.hpp"
 #include "proofs/attribute/lookup/shared_edges.hpp"
 #include "proofs/drawing/canvas.hpp"
 
@@ -22,9 +19,7 @@ Finding cracks(const AttributeSubject& s, Level n, const SharedEdge& e) {
   const bool at_its_vertex = e.at % 16 == 0, agree = *finer == *lower;
   if (agree != at_its_vertex)
     return wrong(at_its_vertex ? "no crack at a vertex of level n-2" : "a crack", agree ? "none" : "a crack");
-  Finding found;
-  found.answer = agree ? 1 : 0;
-  return found;
+  return {.answer = agree ? 1u : 0u};
 }
 
 /// A picture of both maps and their common edge.  The value is 1 at the finer map's vertex that level n-2 lacks,
@@ -111,11 +106,7 @@ Law two_levels_law() {
           .source = cam_3,
           .subjects = {"attribute-spec", "attribute"},
           .tiers = {.fast = {2, 6}, .long_run = {2, 11}, .seconds = 0.3},
-          .domain =
-              [](const Subject&, Level) {
-                return std::string(
-                    "3 edges and 4 sets of other flags on either side, the points k/(4N) of the edge");
-              },
+          .domain = "3 edges and 4 sets of other flags on either side, the points k/(4N) of the edge",
           .mutants = {with_place("a flagged edge is that of level n-2", {2, 4},
                                  [](const Functions& right, Level n, EdgeFlags flags, const DyadicPoint& p) {
                                    if (n < 2 || (flags & 1) == 0 || !(p.v == spec::Fixed64(0)))

@@ -1,11 +1,7 @@
 // Edges beside a neighbour of one level less: what is interpolated there, under either meaning.
-#include <cmath>
-
 #include "proofs/attribute/batches.hpp"
-#include "proofs/attribute/decimation/law_parts.hpp"
 #include "proofs/attribute/lookup/shared_edges.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/points/cells.hpp"
 #include "proofs/points/hard_floats.hpp"
 #include "proofs/points/point.hpp"
 
@@ -48,9 +44,7 @@ WeightedVertices looked_up_as_printed(Level n, EdgeFlags flags, const DyadicPoin
   return found;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Neighbours
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Neighbours
 
 Law decimation_neighbours_law() {
   Cases<SharedEdge> cases;
@@ -66,9 +60,7 @@ Law decimation_neighbours_law() {
         return wrong(text_of_places(expected),
                      fmt::format("{}, on the side of level {}", or_nothing(got), finer ? n : n - 1));
     }
-    Finding found;
-    found.answer = digest_of_hats(expected);
-    return found;
+    return Finding{.answer = digest_of_hats(expected)};
   };
   Law law = on_cases(
       {.id = "attribute.decimation_neighbours",
@@ -78,11 +70,7 @@ Law decimation_neighbours_law() {
        .source = cam_3,
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {1, 12}, .long_run = {1, 12}, .seconds = 3},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "3 edges and 4 sets of other flags on either side, the points k/(4N) of the edge");
-           },
+       .domain = "3 edges and 4 sets of other flags on either side, the points k/(4N) of the edge",
        .mutants = {mutant(
            "one vertex of level 6 stays", "attribute-spec", {6, 6},
            placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
@@ -98,9 +86,7 @@ Law decimation_neighbours_law() {
   return law;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Lookup
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Lookup
 
 /// A point and the flags.
 template <class P>
@@ -117,9 +103,7 @@ Finding judged_place(const spec::Point<Q>& p, Level n, EdgeFlags flags, const We
   if (expected.empty()) return wrong("a live micro-triangle that holds the point", "none");
   for (const Hats& hats : expected)
     if (!same(hats, got, within)) return wrong(text_of(hats), text_of(got));
-  Finding found;
-  found.answer = digest_of_hats(expected.front());
-  return found;
+  return {.answer = digest_of_hats(expected.front())};
 }
 
 std::pair<EdgeFlags, std::string> flags_and_rest(const std::string& at) {
@@ -166,8 +150,7 @@ Law decimated_lookup_law() {
                  "lookup for it",
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 5}, .long_run = {0, 9}, .seconds = 0.6},
-       .domain = [](const Subject&,
-                    Level) { return std::string("the 3N^2+3N+1 representatives, 8 sets of flags"); },
+       .domain = "the 3N^2+3N+1 representatives, 8 sets of flags",
        .mutants = {mutant(
            "no second try beside the v-corner of level 5", "attribute-spec", {5, 5},
            placing([](const WeighedPoint& real, Level n, EdgeFlags flags, const DyadicPoint& p) {
@@ -225,7 +208,7 @@ Finding judged_floats(const AttributeSubject& s, Level n, const Lookedup<points:
 Law decimated_floats_law() {
   using Case = Lookedup<points::FloatPair>;
   Cases<Case> cases;
-  cases.count = [](Level, const Run& run) -> std::uint64_t { return run.tier == Tier::fast ? 800 : 200'000; };
+  cases.count = {800, 200'000};
   cases.number = [](Level n, std::uint64_t k, std::uint64_t seed) {
     return Case{static_cast<EdgeFlags>(Random(seed, 8, k).below(8)), floats_at_moved_edges(n, seed, k)};
   };
@@ -256,13 +239,9 @@ Law decimated_floats_law() {
        .method = Method::sample,
        .subjects = {"attribute"},
        .tiers = {.fast = {0, 8}, .long_run = {0, 12}, .seconds = 0.6},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "binary32 pairs in the triangle, few ulps from lines of the grid and from the edges that "
-                 "move");
-           },
-       .how = [](const Subject&, Level) { return std::string("sample, in fixed point of 150 bits"); },
+       .domain = "binary32 pairs in the triangle, few ulps from lines of the grid and from the edges that "
+                 "move",
+       .how = "sample, in fixed point of 150 bits",
        .mutants = {mutant("weights in 20 bits at level 7", "attribute", {7, 7},
                           on_floats([](const auto& real, Level n, EdgeFlags flags, float u, float v) {
                             WeightedVertices w = real(n, flags, u, v);
@@ -274,10 +253,6 @@ Law decimated_floats_law() {
                 [](const Functions& f) { return bool{f.decimation.place_f32}; }}}),
       std::move(cases));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The other meaning
-// ---------------------------------------------------------------------------------------------------------------------
 
 std::string text_of_pair(const std::array<Vertex, 2>& pair) {
   return text_of(pair[0]) + " and " + text_of(pair[1]);
@@ -321,14 +296,11 @@ Law decimation_means_law() {
                  text_of_pair(pair)};
   };
   const auto averaging = [](auto by) {
-    return [by](Functions& f) {
-      f.decimation.averaged = [by, real = f.decimation.averaged](Level n, EdgeFlags flags,
-                                                                 std::span<const Vertex> at,
-                                                                 std::span<std::array<Vertex, 2>> out) {
-        real(n, flags, at, out);
-        for (std::size_t k = 0; k < at.size(); ++k) by(n, flags, at[k], out[k]);
-      };
-    };
+    return spoils(
+        &Functions::decimation, &Decimation::averaged,
+        [by](Level n, EdgeFlags flags, std::span<const Vertex> at, std::span<std::array<Vertex, 2>> out) {
+          for (std::size_t k = 0; k < at.size(); ++k) by(n, flags, at[k], out[k]);
+        });
   };
   using Pair = std::array<Vertex, 2>;
   return on_batches(
@@ -339,7 +311,7 @@ Law decimation_means_law() {
        .source = "docs/ATTRIBUTE.md, \"Decimation\"",
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 9}, .long_run = {0, 14}, .seconds = 0.5},
-       .domain = [](const Subject&, Level) { return std::string("the 8 sets of flags, all V(n) vertices"); },
+       .domain = "the 8 sets of flags, all V(n) vertices",
        .mutants = {mutant("one even vertex of level 9 is averaged, too", "attribute", {9, 9},
                           averaging([](Level n, EdgeFlags flags, const Vertex& x, Pair& pair) {
                             if (n == 9 && flags == 5 && x == Vertex{0, 510})
@@ -350,7 +322,7 @@ Law decimation_means_law() {
 
 Law mean_codes_law() {
   Cases<std::uint32_t> cases;  // a code; beside all
-  cases.count = [](Level, const Run&) -> std::uint64_t { return 256; };
+  cases.count = 256;
   cases.number = [](Level, std::uint64_t k, std::uint64_t) { return static_cast<std::uint32_t>(k); };
   cases.text = [](Level, std::uint32_t x) { return fmt::format("code={}", x); };
   cases.read = [](Level, const std::string& at) {
@@ -387,7 +359,7 @@ Law mean_codes_law() {
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.seconds = 0.01},
        .at_once = "all levels",
-       .domain = [](const Subject&, Level) { return std::string("the 65,536 pairs of codes"); },
+       .domain = "the 65,536 pairs of codes",
        .mutants = {mutant("one pair", "attribute", {0, 0}, meaning([](std::uint32_t x, std::uint32_t y) {
                             return (x + y + 1) / 2 + (x == 200 && y == 13 ? 1 : 0);
                           }))}},

@@ -1,12 +1,10 @@
-#include "proofs/attribute/induction/bird_lemmas.hpp"
+#include "proofs/attribute/induction/lemmas.hpp"
 
 namespace mmverify::proofs::attribute::induction {
 
 using namespace proofs::induction;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Upright micro-triangles along the curve
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Upright micro-triangles along the curve
 
 namespace {
 
@@ -117,41 +115,6 @@ void add_upright_digit(std::vector<Statement>& all, const Parts<Counted>& by) {
                      both({less(1, m), same(found.digit, 2), less(0, found.number)})};
       });
 }
-
-}  // namespace
-
-void add_upright(std::vector<Statement>& all, const Parts<Counted>& by) {
-  add(all, "upright_base",
-      "Of a triangle of one micro-triangle: upright_within is 1 if it stands upright and 0 if it does not.",
-      [&](Script& script) {
-        suppose_triangular(script);
-        suppose_step(script, 0);
-        return Lemma{{same(upright_count(1, truth(true)), 1), same(upright_count(1, truth(false)), 0)},
-                     truth(true)};
-      });
-  add_upright_digit(all, by);
-  add(all, "upright_ordered",
-      "Of two upright ones the one with the smaller k comes first on the curve: it has the smaller digit, or "
-      "the same digit and the smaller number there.",
-      [&](Script& script) {
-        suppose_triangular(script);
-        const Counted m = whole(script, "m"), k = whole(script, "k"), later = whole(script, "later");
-        const Term upright = script.declare("upright", boolean);
-        script.require(at_most(1, m));
-        suppose_counts(script, m);
-        script.require(both({at_most(0, k), less(k, later), less(later, upright_count(2 * m, upright))}));
-        const ChildFound a = child_found(by, script, "first", k, m, upright);
-        const ChildFound b = child_found(by, script, "second", later, m, upright);
-        return Lemma{{at_most(a.digit, b.digit), implies(same(a.digit, b.digit), less(a.number, b.number))},
-                     both({less(1, m), less(a.digit, b.digit)})};
-      });
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Bird
-// ---------------------------------------------------------------------------------------------------------------------
-
-namespace {
 
 Counted corner_of(const Parts<Counted>& by, Script& script, const char* name, const VertexOf<Counted>& at,
                   const Counted& N) {
@@ -315,6 +278,35 @@ void add_bird_numbers(std::vector<Statement>& all, const Parts<Counted>& by) {
 }
 
 }  // namespace
+
+void add_upright(std::vector<Statement>& all, const Parts<Counted>& by) {
+  add(all, "upright_base",
+      "Of a triangle of one micro-triangle: upright_within is 1 if it stands upright and 0 if it does not.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        suppose_step(script, 0);
+        return Lemma{{same(upright_count(1, truth(true)), 1), same(upright_count(1, truth(false)), 0)},
+                     truth(true)};
+      });
+  add_upright_digit(all, by);
+  add(all, "upright_ordered",
+      "Of two upright ones the one with the smaller k comes first on the curve: it has the smaller digit, or "
+      "the same digit and the smaller number there.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        const Counted m = whole(script, "m"), k = whole(script, "k"), later = whole(script, "later");
+        const Term upright = script.declare("upright", boolean);
+        script.require(at_most(1, m));
+        suppose_counts(script, m);
+        script.require(both({at_most(0, k), less(k, later), less(later, upright_count(2 * m, upright))}));
+        const ChildFound a = child_found(by, script, "first", k, m, upright);
+        const ChildFound b = child_found(by, script, "second", later, m, upright);
+        return Lemma{{at_most(a.digit, b.digit), implies(same(a.digit, b.digit), less(a.number, b.number))},
+                     both({less(1, m), less(a.digit, b.digit)})};
+      });
+}
+
+// ---- Bird
 
 void add_bird(std::vector<Statement>& all, const Parts<Counted>& by) {
   add_bird_corners(all, by);

@@ -1,5 +1,4 @@
-#include "proofs/attribute/induction/curve_lemmas.hpp"
-
+#include "proofs/attribute/induction/lemmas.hpp"
 #include "proofs/index/induction/formula.hpp"
 
 namespace mmverify::proofs::attribute::induction {
@@ -171,26 +170,6 @@ void add_curve_digit(std::vector<Statement>& all) {
       });
 }
 
-}  // namespace
-
-void add_curve_words(std::vector<Statement>& all) {
-  add_curve_opening(all);
-  add_curve_digit(all);
-  add(all, "curve_base",
-      "One micro-triangle left: the words have no bit left, and it stands upright if the triangle is not "
-      "turned.",
-      [](Script& script) {
-        define_curve(script);
-        const Frame frame = declare_frame(script);
-        const Words w = declare_words(script);
-        const Term upright = script.declare("upright", boolean);
-        script.require(held(1, frame.mid, upright, w));
-        return Lemma{{same(w.iu, 0), same(w.iv, 0), same(w.iw, 0), equal(upright, no(frame.mid))}, frame.mid};
-      });
-}
-
-namespace {
-
 /// Corner 0, 1, 2 of the frame whose words begin at (a, b), M to a side.
 VertexOf<Counted> frame_corner(Script& script, const std::string& name, int corner, const Counted& a,
                                const Counted& b, const Counted& M, const Frame& frame) {
@@ -212,6 +191,22 @@ VertexOf<Counted> frame_corner(Script& script, const std::string& name, int corn
 }
 
 }  // namespace
+
+void add_curve_words(std::vector<Statement>& all) {
+  add_curve_opening(all);
+  add_curve_digit(all);
+  add(all, "curve_base",
+      "One micro-triangle left: the words have no bit left, and it stands upright if the triangle is not "
+      "turned.",
+      [](Script& script) {
+        define_curve(script);
+        const Frame frame = declare_frame(script);
+        const Words w = declare_words(script);
+        const Term upright = script.declare("upright", boolean);
+        script.require(held(1, frame.mid, upright, w));
+        return Lemma{{same(w.iu, 0), same(w.iv, 0), same(w.iw, 0), equal(upright, no(frame.mid))}, frame.mid};
+      });
+}
 
 void add_curve_corners(std::vector<Statement>& all, const Parts<Counted>& by) {
   add(all, "curve_corners_step",

@@ -1,7 +1,5 @@
 #include "proofs/attribute/induction/formula.hpp"
 
-#include <algorithm>
-
 namespace mmverify::proofs::attribute::induction {
 namespace {
 

@@ -1,13 +1,8 @@
 // attribute.w_minor_all_levels, u_major_all_levels, bird_all_levels and faces_all_levels.
-#include <fmt/format.h>
+#include "proofs/attribute/laws.hpp"
 
-#include <algorithm>
-#include <memory>
-#include <mutex>
-
+#include "proofs/attribute/induction/lemmas.hpp"
 #include "proofs/attribute/induction/provable.hpp"
-#include "proofs/attribute/induction/statements.hpp"
-#include "proofs/attribute/law_groups.hpp"
 #include "proofs/attribute/law_parts.hpp"
 #include "proofs/engine/interrupt.hpp"
 
@@ -58,52 +53,38 @@ struct Written {
   std::vector<std::string> beside;
 };
 
-/// How many statements there are.  Writing them takes half of a program's start, and most commands never ask.
-struct Count {
-  std::once_flag once;
-  std::uint64_t of = 0;
-};
-
 Law for_all_levels(const Written& w) {
-  Law law{.id = w.id,
-          .says = w.says,
-          .source = cam_2,
-          .method = Method::induction,
-          .subjects = {about},
-          .tiers = {.seconds = 1},
-          .at_once = "all levels"};
-  law.cases = [statements = w.statements, known = std::make_shared<Count>()](Level, const Run&) {
-    std::call_once(known->once, [&] { known->of = statements().size(); });
-    return known->of;
-  };
-  law.domain = [domain = w.domain](const Subject&, Level) { return domain; };
-  law.how = [](const Subject&, Level) { return "induction, " + proofs::induction::prover_name(); };
-  law.unfit = [](const Subject& s, Level) -> std::optional<std::string> {
-    if (dynamic_cast<const AttributeSubject*>(&s) == nullptr) return "not a subject of topic attribute";
-    if (dynamic_cast<const Provable*>(&s) != nullptr || s.name() == about) return std::nullopt;
-    return fmt::format("no statements about {}: there are some about {}", s.name(), about);
-  };
   const std::vector<Law> beside = level_by_level(w.beside);
-  law.judge = [statements = w.statements, beside](const Subject& s, Level, const Run& run) {
-    const auto* own = dynamic_cast<const Provable*>(&s);
-    return proofs::induction::discharge(own != nullptr ? own->statements() : statements(),
-                                        {[&] { return counterexamples(beside, s, run); },
-                                         fmt::format("the vertices and faces of levels 0..{}", search)},
-                                        run);
-  };
+  Law law = proofs::induction::on_statements(
+      {.id = w.id,
+       .says = w.says,
+       .source = cam_2,
+       .method = Method::induction,
+       .subjects = {about},
+       .tiers = {.seconds = 1},
+       .at_once = "all levels",
+       .domain = w.domain,
+       .mutants = w.mutants()},
+      {{about, w.statements}},
+      [beside](const std::vector<Statement>& statements, const Subject& s, const Run& run) {
+        return proofs::induction::discharge(statements,
+                                            {[&] { return counterexamples(beside, s, run); },
+                                             fmt::format("the vertices and faces of levels 0..{}", search)},
+                                            run);
+      });
+  law.unfit = unless_of_topic<AttributeSubject>(law.unfit);
   law.replay = [beside](const Subject& s, Level n, const std::string& at) {
     return replay(beside, s, n, at);
   };
-  law.mutants = w.mutants();
   return law;
 }
 
 }  // namespace
 
-std::vector<Statement> shipped_w_minor() { return w_minor_statements(parts_of<Specified, Counted>()); }
-std::vector<Statement> shipped_u_major() { return u_major_statements(parts_of<Specified, Counted>()); }
-std::vector<Statement> shipped_bird() { return bird_statements(parts_of<Specified, Counted>()); }
-std::vector<Statement> shipped_faces() { return faces_statements(parts_of<Specified, Counted>()); }
+std::vector<Statement> shipped_w_minor() { return w_minor_statements(specified_parts<Counted>()); }
+std::vector<Statement> shipped_u_major() { return u_major_statements(specified_parts<Counted>()); }
+std::vector<Statement> shipped_bird() { return bird_statements(specified_parts<Counted>()); }
+std::vector<Statement> shipped_faces() { return faces_statements(specified_parts<Counted>()); }
 
 std::vector<Law> laws() {
   return {for_all_levels(
@@ -142,6 +123,42 @@ std::vector<Law> laws() {
                shipped_faces,
                mutants_of_faces,
                {"attribute.face_orders", "attribute.triangle_vertices"}})};
+}
+
+std::vector<Statement> w_minor_statements(const Parts<Counted>& by) {
+  std::vector<Statement> all;
+  add_triangular(all);
+  add_triangular_root(all, by);
+  add_w_minor(all, by);
+  return all;
+}
+
+std::vector<Statement> u_major_statements(const Parts<Counted>& by) {
+  std::vector<Statement> all;
+  add_triangular(all);
+  add_triangular_root(all, by);
+  add_u_major(all, by);
+  return all;
+}
+
+std::vector<Statement> bird_statements(const Parts<Counted>& by) {
+  std::vector<Statement> all;
+  add_triangular(all);
+  add_curve_words(all);
+  add_curve_corners(all, by);
+  add_upright(all, by);
+  add_bird(all, by);
+  return all;
+}
+
+std::vector<Statement> faces_statements(const Parts<Counted>& by) {
+  std::vector<Statement> all;
+  add_square(all);
+  add_square_root(all, by);
+  add_faces(all, by);
+  add_curve_words(all);
+  add_curve_corners(all, by);
+  return all;
 }
 
 }  // namespace mmverify::proofs::attribute::induction

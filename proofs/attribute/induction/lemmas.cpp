@@ -126,103 +126,6 @@ void suppose_faces_reversed(Script& script, const Counted& x, const FaceOf<Count
       implies(is_face(t, N), same(x, square(N) - 1 - (square(row) + 2 * (row - t.iv - t.upper) + t.upper))));
 }
 
-}  // namespace
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Roots
-// ---------------------------------------------------------------------------------------------------------------------
-
-void add_triangular_root(std::vector<Statement>& all, const Parts<Counted>& by) {
-  add(all, "triangular_root",
-      "The loop of triangular_root: it begins with r = 0 and a bit b with x < T(2b); a turn keeps T(r) <= x "
-      "< T(r + 2b), with half the bit, and after the turn with b = 1 it is T(r) <= x < T(r + 1).",
-      [&](Script& script) {
-        suppose_triangular(script);
-        const Counted x = whole(script, "x"), r = whole(script, "r"), b = whole(script, "b");
-        script.require(both({at_most(0, r), at_most(1, b), at_most(0, x)}));
-        script.require(both({at_most(triangular(r), x), less(x, triangular(r + 2 * b))}));
-        const Counted next = index_outcome(script, "next", [&] { return by.triangular_root_turn(x, r, b); });
-        return Lemma{{at_most(r, next), at_most(triangular(next), x), less(x, triangular(next + b)),
-                      at_most(triangular(Counted(0)), x)},
-                     both({less(1, r), less(1, b)})};
-      });
-}
-
-void add_square_root(std::vector<Statement>& all, const Parts<Counted>& by) {
-  add(all, "square_root",
-      "The loop of w_minor_row: it begins with r = 0 and a bit b with x < S(2b); a turn keeps S(r) <= x < "
-      "S(r + 2b), with half the bit, and after the turn with b = 1 it is S(r) <= x < S(r + 1).",
-      [&](Script& script) {
-        suppose_square(script);
-        const Counted x = whole(script, "x"), r = whole(script, "r"), b = whole(script, "b");
-        script.require(both({at_most(0, r), at_most(1, b), at_most(0, x)}));
-        script.require(both({at_most(square(r), x), less(x, square(r + 2 * b))}));
-        const Counted next = index_outcome(script, "next", [&] { return by.square_root_turn(x, r, b); });
-        return Lemma{{at_most(r, next), at_most(square(next), x), less(x, square(next + b)),
-                      at_most(square(Counted(0)), x)},
-                     both({less(1, r), less(1, b)})};
-      });
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// W-minor
-// ---------------------------------------------------------------------------------------------------------------------
-
-void add_w_minor(std::vector<Statement>& all, const Parts<Counted>& by) {
-  add(all, "w_minor_back", "W-minor: from a vertex to its index and back is that vertex, whatever N is.",
-      [&](Script& script) {
-        suppose_triangular(script);
-        const VertexOf<Counted> at{whole(script, "i"), whole(script, "j")};
-        script.require(both({at_most(0, at.i), at_most(0, at.j)}));
-        const Counted x = index_outcome(script, "x", [&] { return by.w_minor(at.i, at.j); });
-        const Counted r = declare_triangular_root(script, x, at.i + at.j);
-        const auto back = vertex_outcome(script, "back", [&] { return by.w_minor_in_row(x, r); });
-        return Lemma{{same_vertex(back, at)}, both({less(0, at.i), less(at.i, at.j)})};
-      });
-  add(all, "w_minor_onto",
-      "W-minor: every x >= 0 is the index of the vertex that the way back gives; and x < T(N+1) says the "
-      "same as i+j <= N, for every N: the indices below T(N+1) are those of N micro-triangles to a side, and "
-      "a finer level begins with them, number by number.",
-      [&](Script& script) {
-        suppose_triangular(script);
-        const Counted x = whole(script, "x"), N = whole(script, "N");
-        script.require(both({at_most(0, x), at_most(0, N)}));
-        const Counted r = declare_triangular_root(script, x, N + 1);
-        const auto at = vertex_outcome(script, "at", [&] { return by.w_minor_in_row(x, r); });
-        const Counted index = index_outcome(script, "index", [&] { return by.w_minor(at.i, at.j); });
-        return Lemma{{at_most(0, at.i), at_most(0, at.j), same(index, x),
-                      equal(less(x, specified::vertices_of_side(N)), at_most(at.i + at.j, N))},
-                     both({less(0, at.i), less(0, at.j), less(2, N)})};
-      });
-  add(all, "w_minor_moves",
-      "W-minor: a vertex (i, j) is (2i, 2j) a level on, and its index there is greater, but for the "
-      "w-corner's, which is 0 on both.",
-      [&](Script& script) {
-        suppose_triangular(script);
-        const VertexOf<Counted> at{whole(script, "i"), whole(script, "j")};
-        script.require(both({at_most(0, at.i), at_most(0, at.j)}));
-        for (const Counted& r : {at.i + at.j, 2 * at.i + 2 * at.j}) {
-          suppose_twice(script, r);
-          suppose_ordered(script, 0, r);
-        }
-        suppose_ordered(script, at.i + at.j, 2 * at.i + 2 * at.j);
-        const auto index = [&](const char* name, const Counted& i, const Counted& j) {
-          return index_outcome(script, name, [&] { return by.w_minor(i, j); });
-        };
-        const Counted here = index("here", at.i, at.j), next = index("next", 2 * at.i, 2 * at.j);
-        const Term corner = both({same(at.i, 0), same(at.j, 0)});
-        return Lemma{
-            {implies(no(corner), less(here, next)), implies(corner, both({same(here, 0), same(next, 0)}))},
-            both({same(at.i, 1), same(at.j, 2)})};
-      });
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// U-major
-// ---------------------------------------------------------------------------------------------------------------------
-
-namespace {
-
 void add_u_major_places(std::vector<Statement>& all, const Parts<Counted>& by) {
   add(all, "u_major_back",
       "U-major: from a vertex to its index, which is below T(N+1), and back is that vertex.",
@@ -256,52 +159,6 @@ void add_u_major_places(std::vector<Statement>& all, const Parts<Counted>& by) {
                      both({less(0, at.i), less(0, at.j), less(at.i + at.j, N)})};
       });
 }
-
-}  // namespace
-
-void add_u_major(std::vector<Statement>& all, const Parts<Counted>& by) {
-  add(all, "u_major_reversed",
-      "U-major(i, j) = T(N+1) - 1 - W-minor(j, N-i-j): the rows from the u-corner, backwards.",
-      [&](Script& script) {
-        suppose_triangular(script);
-        const Counted N = whole(script, "N");
-        const auto at = declare_vertex(script, N);
-        for (const Counted& r : {at.i, N - at.i, N + 1}) suppose_twice(script, r);
-        const Counted x = index_outcome(script, "x", [&] { return by.u_major(at.i, at.j, N); });
-        const Counted turned = index_outcome(
-            script, "turned", [&] { return Specified::w_minor<Counted>(at.j, N - at.i - at.j); });
-        return Lemma{{same(x, specified::vertices_of_side(N) - 1 - turned)},
-                     both({less(0, at.i), less(at.i, at.j), less(at.i + at.j, N)})};
-      });
-  add_u_major_places(all, by);
-  add(all, "u_major_moves",
-      "U-major: a vertex's index is greater a level on, but for the w-corner's, which is 0 on both.",
-      [&](Script& script) {
-        suppose_triangular(script);
-        const Counted N = whole(script, "N");
-        const auto at = declare_vertex(script, N);
-        script.require(at_most(1, N));
-        suppose_twice(script, at.i);
-        suppose_twice(script, 2 * at.i);
-        suppose_ordered(script, 0, at.i);
-        script.comment("A product of two numbers that are not negative.");
-        script.require(at_most(0, at.i * (N - at.i)));
-        const auto index = [&](const char* name, const Counted& i, const Counted& j, const Counted& side) {
-          return index_outcome(script, name, [&] { return by.u_major(i, j, side); });
-        };
-        const Counted here = index("here", at.i, at.j, N), next = index("next", 2 * at.i, 2 * at.j, 2 * N);
-        const Term corner = both({same(at.i, 0), same(at.j, 0)});
-        return Lemma{
-            {implies(no(corner), less(here, next)), implies(corner, both({same(here, 0), same(next, 0)}))},
-            both({less(0, at.i), less(0, at.j), less(at.i + at.j, N)})};
-      });
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Faces in rows and in strips
-// ---------------------------------------------------------------------------------------------------------------------
-
-namespace {
 
 Counted row_of(const Parts<Counted>& by, Script& script, const char* name, const FaceOf<Counted>& t) {
   return index_outcome(script, name, [&] { return by.rows(t.iu, t.iv, is_upper(t)); });
@@ -352,7 +209,7 @@ void add_strips(std::vector<Statement>& all, const Parts<Counted>& by) {
         for (const Counted& r : {t.iu, row, N}) suppose_square_product(script, r);
         const Counted turned_iv = named(script, "turned_iv", row - t.iv - t.upper);
         const Counted turned = index_outcome(
-            script, "turned", [&] { return Specified::rows<Counted>(t.iv, turned_iv, is_upper(t)); });
+            script, "turned", [&] { return specified::row_index<Counted>(t.iv, turned_iv, is_upper(t)); });
         return Lemma{{same(x, square(N) - 1 - turned)},
                      both({less(0, t.iu), less(0, t.iv), same(t.upper, 1)})};
       });
@@ -389,6 +246,133 @@ void add_strips(std::vector<Statement>& all, const Parts<Counted>& by) {
 }
 
 }  // namespace
+
+// ---- Roots
+
+void add_triangular_root(std::vector<Statement>& all, const Parts<Counted>& by) {
+  add(all, "triangular_root",
+      "The loop of triangular_root: it begins with r = 0 and a bit b with x < T(2b); a turn keeps T(r) <= x "
+      "< T(r + 2b), with half the bit, and after the turn with b = 1 it is T(r) <= x < T(r + 1).",
+      [&](Script& script) {
+        suppose_triangular(script);
+        const Counted x = whole(script, "x"), r = whole(script, "r"), b = whole(script, "b");
+        script.require(both({at_most(0, r), at_most(1, b), at_most(0, x)}));
+        script.require(both({at_most(triangular(r), x), less(x, triangular(r + 2 * b))}));
+        const Counted next = index_outcome(script, "next", [&] { return by.triangular_root_turn(x, r, b); });
+        return Lemma{{at_most(r, next), at_most(triangular(next), x), less(x, triangular(next + b)),
+                      at_most(triangular(Counted(0)), x)},
+                     both({less(1, r), less(1, b)})};
+      });
+}
+
+void add_square_root(std::vector<Statement>& all, const Parts<Counted>& by) {
+  add(all, "square_root",
+      "The loop of w_minor_row: it begins with r = 0 and a bit b with x < S(2b); a turn keeps S(r) <= x < "
+      "S(r + 2b), with half the bit, and after the turn with b = 1 it is S(r) <= x < S(r + 1).",
+      [&](Script& script) {
+        suppose_square(script);
+        const Counted x = whole(script, "x"), r = whole(script, "r"), b = whole(script, "b");
+        script.require(both({at_most(0, r), at_most(1, b), at_most(0, x)}));
+        script.require(both({at_most(square(r), x), less(x, square(r + 2 * b))}));
+        const Counted next = index_outcome(script, "next", [&] { return by.square_root_turn(x, r, b); });
+        return Lemma{{at_most(r, next), at_most(square(next), x), less(x, square(next + b)),
+                      at_most(square(Counted(0)), x)},
+                     both({less(1, r), less(1, b)})};
+      });
+}
+
+// ---- W-minor
+
+void add_w_minor(std::vector<Statement>& all, const Parts<Counted>& by) {
+  add(all, "w_minor_back", "W-minor: from a vertex to its index and back is that vertex, whatever N is.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        const VertexOf<Counted> at{whole(script, "i"), whole(script, "j")};
+        script.require(both({at_most(0, at.i), at_most(0, at.j)}));
+        const Counted x = index_outcome(script, "x", [&] { return by.w_minor(at.i, at.j); });
+        const Counted r = declare_triangular_root(script, x, at.i + at.j);
+        const auto back = vertex_outcome(script, "back", [&] { return by.w_minor_in_row(x, r); });
+        return Lemma{{same_vertex(back, at)}, both({less(0, at.i), less(at.i, at.j)})};
+      });
+  add(all, "w_minor_onto",
+      "W-minor: every x >= 0 is the index of the vertex that the way back gives; and x < T(N+1) says the "
+      "same as i+j <= N, for every N: the indices below T(N+1) are those of N micro-triangles to a side, and "
+      "a finer level begins with them, number by number.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        const Counted x = whole(script, "x"), N = whole(script, "N");
+        script.require(both({at_most(0, x), at_most(0, N)}));
+        const Counted r = declare_triangular_root(script, x, N + 1);
+        const auto at = vertex_outcome(script, "at", [&] { return by.w_minor_in_row(x, r); });
+        const Counted index = index_outcome(script, "index", [&] { return by.w_minor(at.i, at.j); });
+        return Lemma{{at_most(0, at.i), at_most(0, at.j), same(index, x),
+                      equal(less(x, specified::vertices_of_side(N)), at_most(at.i + at.j, N))},
+                     both({less(0, at.i), less(0, at.j), less(2, N)})};
+      });
+  add(all, "w_minor_moves",
+      "W-minor: a vertex (i, j) is (2i, 2j) a level on, and its index there is greater, but for the "
+      "w-corner's, which is 0 on both.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        const VertexOf<Counted> at{whole(script, "i"), whole(script, "j")};
+        script.require(both({at_most(0, at.i), at_most(0, at.j)}));
+        for (const Counted& r : {at.i + at.j, 2 * at.i + 2 * at.j}) {
+          suppose_twice(script, r);
+          suppose_ordered(script, 0, r);
+        }
+        suppose_ordered(script, at.i + at.j, 2 * at.i + 2 * at.j);
+        const auto index = [&](const char* name, const Counted& i, const Counted& j) {
+          return index_outcome(script, name, [&] { return by.w_minor(i, j); });
+        };
+        const Counted here = index("here", at.i, at.j), next = index("next", 2 * at.i, 2 * at.j);
+        const Term corner = both({same(at.i, 0), same(at.j, 0)});
+        return Lemma{
+            {implies(no(corner), less(here, next)), implies(corner, both({same(here, 0), same(next, 0)}))},
+            both({same(at.i, 1), same(at.j, 2)})};
+      });
+}
+
+// ---- U-major
+
+void add_u_major(std::vector<Statement>& all, const Parts<Counted>& by) {
+  add(all, "u_major_reversed",
+      "U-major(i, j) = T(N+1) - 1 - W-minor(j, N-i-j): the rows from the u-corner, backwards.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        const Counted N = whole(script, "N");
+        const auto at = declare_vertex(script, N);
+        for (const Counted& r : {at.i, N - at.i, N + 1}) suppose_twice(script, r);
+        const Counted x = index_outcome(script, "x", [&] { return by.u_major(at.i, at.j, N); });
+        const Counted turned = index_outcome(
+            script, "turned", [&] { return specified::w_minor_index<Counted>(at.j, N - at.i - at.j); });
+        return Lemma{{same(x, specified::vertices_of_side(N) - 1 - turned)},
+                     both({less(0, at.i), less(at.i, at.j), less(at.i + at.j, N)})};
+      });
+  add_u_major_places(all, by);
+  add(all, "u_major_moves",
+      "U-major: a vertex's index is greater a level on, but for the w-corner's, which is 0 on both.",
+      [&](Script& script) {
+        suppose_triangular(script);
+        const Counted N = whole(script, "N");
+        const auto at = declare_vertex(script, N);
+        script.require(at_most(1, N));
+        suppose_twice(script, at.i);
+        suppose_twice(script, 2 * at.i);
+        suppose_ordered(script, 0, at.i);
+        script.comment("A product of two numbers that are not negative.");
+        script.require(at_most(0, at.i * (N - at.i)));
+        const auto index = [&](const char* name, const Counted& i, const Counted& j, const Counted& side) {
+          return index_outcome(script, name, [&] { return by.u_major(i, j, side); });
+        };
+        const Counted here = index("here", at.i, at.j, N), next = index("next", 2 * at.i, 2 * at.j, 2 * N);
+        const Term corner = both({same(at.i, 0), same(at.j, 0)});
+        return Lemma{
+            {implies(no(corner), less(here, next)), implies(corner, both({same(here, 0), same(next, 0)}))},
+            both({less(0, at.i), less(0, at.j), less(at.i + at.j, N)})};
+      });
+}
+
+// ---- Faces in rows and in strips
 
 void add_faces(std::vector<Statement>& all, const Parts<Counted>& by) {
   add_rows(all, by);

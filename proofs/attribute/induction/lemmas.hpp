@@ -59,4 +59,19 @@ void add_w_minor(std::vector<Statement>& all, const Parts<Counted>& by);
 void add_u_major(std::vector<Statement>& all, const Parts<Counted>& by);
 void add_faces(std::vector<Statement>& all, const Parts<Counted>& by);
 
+/// Upright micro-triangles along the curve, counted and found.
+void add_upright(std::vector<Statement>& all, const Parts<Counted>& by);
+/// Bird's order: corners, halvings, the middles of edges, numbers.
+void add_bird(std::vector<Statement>& all, const Parts<Counted>& by);
+
+/// The curve numbers the micro-triangles of every level: a bijection, digit by digit.
+void add_curve_words(std::vector<Statement>& all);
+/// From a number on the curve back to its micro-triangle, by spec::index::corners.
+void add_curve_corners(std::vector<Statement>& all, const Parts<Counted>& by);
+
+std::vector<Statement> w_minor_statements(const Parts<Counted>& by);
+std::vector<Statement> u_major_statements(const Parts<Counted>& by);
+std::vector<Statement> bird_statements(const Parts<Counted>& by);
+std::vector<Statement> faces_statements(const Parts<Counted>& by);
+
 }  // namespace mmverify::proofs::attribute::induction

@@ -1,15 +1,21 @@
-#include "proofs/attribute/induction/formula.hpp"
+#include "proofs/attribute/induction/lemmas.hpp"
 #include "proofs/attribute/induction/provable.hpp"
-#include "proofs/attribute/induction/statements.hpp"
 
 namespace mmverify::proofs::attribute::induction {
 namespace {
 
-template <class Formula>
-Functions functions_by() {
+Functions functions_by(const PartsOnNumbers& parts) {
   Functions f;
-  f.orders = orders_by(parts_of<Formula, std::uint64_t, std::int64_t>());
+  f.orders = orders_by(parts);
   return f;
+}
+
+/// The specification's parts with one altered, on numbers as on names.
+template <class Alteration, class Word, class Signed = Word>
+Parts<Word, Signed> altered() {
+  auto by = specified_parts<Word, Signed>();
+  Alteration::alter(by);
+  return by;
 }
 
 /// An altered part, run on numbers and in the statements where it takes the right one's place.
@@ -25,158 +31,176 @@ class Wrong : public AttributeSubject, public Provable {
   Statements statements_;
 };
 
-template <class Formula>
+template <class Alteration>
 Mutant wrong(const char* name, Wrong::Statements statements, Level at) {
   return {name,
-          std::make_shared<Wrong>(name, functions_by<Formula>(), parts_of<Formula, Counted>(), statements),
+          std::make_shared<Wrong>(name, functions_by(altered<Alteration, std::uint64_t, std::int64_t>()),
+                                  altered<Alteration, Counted>(), statements),
           {at, at}};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// W-minor
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- W-minor
 
-struct SixteenRows : Specified {
-  template <class Word>
-  static Word w_minor(const Word& i, const Word& j) {
-    const Word r = i + j < Word(16) ? i + j : Word(15);
-    return triangular_of(r) + j;
-  }
-
- private:
-  template <class Word>
-  static Word triangular_of(const Word& r) {
-    using spec::attribute::triangular;
-    return triangular(r);
+struct SixteenRows {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.w_minor = [](Word i, Word j) -> Word {
+      using spec::attribute::triangular;
+      const Word r = i + j < Word(16) ? i + j : Word(15);
+      return triangular(r) + j;
+    };
   }
 };
 
-struct RowsBeginOneLate : Specified {
-  template <class Word>
-  static Word triangular_root_turn(const Word& x, const Word& r, const Word& bit) {
-    // The first index of a row goes to the row before.
-    return specified::triangular_root_turn<Word>(x - 1, r, bit);
+struct RowsBeginOneLate {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.triangular_root_turn = [](const Word& x, const Word& r, const Word& bit) -> Word {
+      // The first index of a row goes to the row before.
+      return specified::triangular_root_turn<Word>(x - 1, r, bit);
+    };
   }
 };
 
-struct RowsFromTheOtherEnd : Specified {
-  template <class Word>
-  static VertexOf<Word> w_minor_in_row(const Word& x, const Word& r) {
-    const VertexOf<Word> at = specified::w_minor_in_row(x, r);
-    return {at.j, at.i};
+struct RowsFromTheOtherEnd {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.w_minor_in_row = [](const Word& x, const Word& r) -> VertexOf<Word> {
+      const VertexOf<Word> at = specified::w_minor_in_row(x, r);
+      return {at.j, at.i};
+    };
   }
 };
 
-// ---------------------------------------------------------------------------------------------------------------------
-// U-major
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- U-major
 
-struct ColumnsOfOneLength : Specified {
-  template <class Word>
-  static Word u_major(const Word& i, const Word& j, const Word& N) {
-    return i * (N + 1) + j;
+struct ColumnsOfOneLength {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.u_major = [](const Word& i, const Word& j, const Word& N) -> Word { return i * (N + 1) + j; };
   }
 };
 
-struct EightColumnsGetShorter : Specified {
-  template <class Word>
-  static Word u_major(const Word& i, const Word& j, const Word& N) {
-    if (!(Word(9) < i)) return specified::u_major_of_side(i, j, N);
-    return specified::u_major_of_side(Word(9), j, N) + (i - 9) * (N - 8);
+struct EightColumnsGetShorter {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.u_major = [](const Word& i, const Word& j, const Word& N) -> Word {
+      if (!(Word(9) < i)) return specified::u_major_of_side(i, j, N);
+      return specified::u_major_of_side(Word(9), j, N) + (i - 9) * (N - 8);
+    };
   }
 };
 
-struct ColumnsBackwards : Specified {
-  template <class Word>
-  static VertexOf<Word> u_major_in_row(const Word& y, const Word& r, const Word& N) {
-    const VertexOf<Word> at = specified::u_major_in_row(y, r, N);
-    return {at.i, r - at.j};
+struct ColumnsBackwards {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.u_major_in_row = [](const Word& y, const Word& r, const Word& N) -> VertexOf<Word> {
+      const VertexOf<Word> at = specified::u_major_in_row(y, r, N);
+      return {at.i, r - at.j};
+    };
   }
 };
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Faces
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Faces
 
-struct UpperOnesInTheRowBelow : Specified {
-  template <class Word>
-  static Word rows(const Word& iu, const Word& iv, bool upper) {
-    const Word lower = specified::row_index(iu, iv, false);
-    return upper ? lower + 1 : lower;
+struct UpperOnesInTheRowBelow {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.rows = [](Word iu, Word iv, bool upper) -> Word {
+      const Word lower = specified::row_index(iu, iv, false);
+      return upper ? lower + 1 : lower;
+    };
   }
 };
 
-struct EightStripsGetShorter : Specified {
-  template <class Word>
-  static Word u_major_face(const Word& iu, const Word& iv, bool upper, const Word& N) {
-    if (!(Word(8) < iu)) return specified::u_major_face_of_side(iu, iv, upper, N);
-    return specified::u_major_face_of_side(Word(8), iv, upper, N) + (iu - 8) * (2 * N - 17);
+struct EightStripsGetShorter {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.u_major_face = [](const Word& iu, const Word& iv, bool upper, const Word& N) -> Word {
+      if (!(Word(8) < iu)) return specified::u_major_face_of_side(iu, iv, upper, N);
+      return specified::u_major_face_of_side(Word(8), iv, upper, N) + (iu - 8) * (2 * N - 17);
+    };
   }
 };
 
-struct UpperOnesWindTheOtherWay : Specified {
-  template <class Word>
-  static std::array<VertexOf<Word>, 3> corners(const Word& iu, const Word& iv, bool upper) {
-    const auto c = specified::corners_of_square(iu, iv, upper);
-    if (!upper) return c;
-    return {c[0], c[2], c[1]};
+struct UpperOnesWindTheOtherWay {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.corners = [](const Word& iu, const Word& iv, bool upper) -> std::array<VertexOf<Word>, 3> {
+      const auto c = specified::corners_of_square(iu, iv, upper);
+      if (!upper) return c;
+      return {c[0], c[2], c[1]};
+    };
   }
 };
 
-struct ChildThreeIsNotTurned : Specified {
-  template <class At>
-  static std::array<At, 3> corners_turn(const std::array<At, 3>& P, std::uint32_t digit) {
-    const auto right = spec::index::corners_turn(P, digit);
-    if (digit != 3) return right;
-    return {right[1], right[0], right[2]};
+struct ChildThreeIsNotTurned {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.corners_turn = [](const std::array<VertexOf<Word>, 3>& P,
+                         std::uint32_t digit) -> std::array<VertexOf<Word>, 3> {
+      const auto right = spec::index::corners_turn(P, digit);
+      if (digit != 3) return right;
+      return {right[1], right[0], right[2]};
+    };
   }
 };
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Bird
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Bird
 
-struct TripletsBeginWithUV : Specified {
-  template <class Word>
-  static EdgeMiddle<Word> edge_middle(const VertexOf<Word>& at) {
-    const EdgeMiddle<Word> right = specified::edge_middle(at);
-    return {right.iu, right.iv, (right.edge + 2) % 3};
+struct TripletsBeginWithUV {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.edge_middle = [](const VertexOf<Word>& at) -> EdgeMiddle<Word> {
+      const EdgeMiddle<Word> right = specified::edge_middle(at);
+      return {right.iu, right.iv, (right.edge + 2) % 3};
+    };
   }
 };
 
-struct MiddlesKeepTheSign : Specified {
-  template <class Word>
-  static UprightExcess<Word> upright_turn(const UprightExcess<Word>& at, std::uint64_t digit, const Word& S) {
-    return {specified::upright_turn(at, digit, S).excess, at.upright};
+struct MiddlesKeepTheSign {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.upright_turn = [](const UprightExcess<Signed>& at, std::uint64_t digit,
+                         const Signed& S) -> UprightExcess<Signed> {
+      return {specified::upright_turn(at, digit, S).excess, at.upright};
+    };
   }
 };
 
-struct ChildrenOfFourHoldTwo : Specified {
-  template <class Word>
-  static UprightExcess<Word> upright_turn(const UprightExcess<Word>& at, std::uint64_t digit, const Word& S) {
-    return specified::upright_turn<Word>(at, digit, S < Word(4) ? S : Word(2));
+struct ChildrenOfFourHoldTwo {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.upright_turn = [](const UprightExcess<Signed>& at, std::uint64_t digit,
+                         const Signed& S) -> UprightExcess<Signed> {
+      return specified::upright_turn<Signed>(at, digit, S < Signed(4) ? S : Signed(2));
+    };
   }
 };
 
-struct BeginsAtTheRowBefore : Specified {
-  template <class Word>
-  static Word bird_number(const Word& before, const Word& edge, const Word& M) {
-    // Level m-1 has T(M+1) vertices; M more are left out.
-    return specified::bird_number<Word>(before, edge, M - 1);
+struct BeginsAtTheRowBefore {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.bird_number = [](const Word& before, const Word& edge, const Word& M) -> Word {
+      // Level m-1 has T(M+1) vertices; M more are left out.
+      return specified::bird_number<Word>(before, edge, M - 1);
+    };
   }
 };
 
-struct MiddleTakenForUpright : Specified {
-  template <class Word>
-  static std::uint64_t upright_child(Word& k, const Word& S, bool upright) {
-    // Child 1 is taken for one that stands as its parent does.
-    std::uint64_t digit = 0;
-    for (; digit < 3; ++digit) {
-      const Word inside = specified::upright_within(S, upright);
-      if (k < inside) break;
-      k = k - inside;
-    }
-    return digit;
+struct MiddleTakenForUpright {
+  template <class Word, class Signed>
+  static void alter(Parts<Word, Signed>& by) {
+    by.upright_child = [](Word& k, const Word& S, bool upright) -> std::uint64_t {
+      // Child 1 is taken for one that stands as its parent does.
+      std::uint64_t digit = 0;
+      for (; digit < 3; ++digit) {
+        const Word inside = specified::upright_within(S, upright);
+        if (k < inside) break;
+        k = k - inside;
+      }
+      return digit;
+    };
   }
 };
 
@@ -215,7 +239,7 @@ std::vector<Mutant> mutants_of_bird() {
 
 AttributeSubjectPtr specified_by_parts() {
   return std::make_shared<AttributeSubject>("attribute-spec-by-parts", "the specification's parts",
-                                            functions_by<Specified>());
+                                            functions_by(specified_parts<std::uint64_t, std::int64_t>()));
 }
 
 }  // namespace mmverify::proofs::attribute::induction

@@ -2,11 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "proofs/induction/paths.hpp"
 #include "proofs/induction/statement.hpp"
 #include "proofs/induction/symbolic.hpp"
 
@@ -96,9 +92,7 @@ struct Lemma {
 void add(std::vector<Statement>& all, const std::string& name, const std::string& says,
          const std::function<Lemma(Script&)>& write);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// T(r) = r(r+1)/2: the facts that triangular_step and triangular_ordered prove, as premises on single numbers
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- T(r) = r(r+1)/2: the facts that triangular_step and triangular_ordered prove, as premises on single numbers
 
 /// Declares T, T(0) = 0.
 void suppose_triangular(Script& script);
@@ -109,9 +103,7 @@ void suppose_twice(Script& script, const Counted& r);
 /// 0 <= r < q: T(q) >= T(r) + r + 1, which is T(r+1).
 void suppose_ordered(Script& script, const Counted& r, const Counted& q);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// S(r) = r^2: square_step, square_ordered
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- S(r) = r^2: square_step, square_ordered
 
 /// Declares S, S(0) = 0.
 void suppose_square(Script& script);

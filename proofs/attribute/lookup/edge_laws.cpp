@@ -1,7 +1,5 @@
 // Lookups on the base triangle's edges: what makes values continuous from one triangle to the next.
-#include <algorithm>
-
-#include "proofs/attribute/law_groups.hpp"
+#include "proofs/attribute/laws.hpp"
 #include "proofs/attribute/lookup/grid_cases.hpp"
 
 namespace mmverify::proofs::attribute {
@@ -12,8 +10,6 @@ struct EdgePoint {
 };
 
 namespace {
-
-using spec::times;
 
 constexpr std::array edge_names{"w-u", "u-v", "v-w"};
 
@@ -84,14 +80,11 @@ std::vector<Law> edge_lookup_laws() {
                  text_of(looked_up(s, vertex_orders[order], n, {&at, 1})[0])};
   };
   const auto on_weights_at = [](Level level, std::int64_t ku, std::int64_t kv, auto change) {
-    return [=](Functions& f) {
-      f.lookup.weights = [=, real = f.lookup.weights](Level n, Points p, std::span<FixedWeights> out) {
-        real(n, p, out);
-        for (std::size_t k = 0; k < out.size(); ++k)
-          if (n == level && p[k].u == points::coordinate(ku, n) && p[k].v == points::coordinate(kv, n))
-            change(out[k]);
-      };
-    };
+    return spoils(&Functions::lookup, &Lookup::weights, [=](Level n, Points p, std::span<FixedWeights> out) {
+      for (std::size_t k = 0; k < out.size(); ++k)
+        if (n == level && p[k].u == points::coordinate(ku, n) && p[k].v == points::coordinate(kv, n))
+          change(out[k]);
+    });
   };
   return {on_batches(
       {.id = "attribute.on_edge",
@@ -100,11 +93,7 @@ std::vector<Law> edge_lookup_laws() {
        .source = "Color and Attribute Micromaps, 3.2 and 4.1",
        .subjects = {"attribute-spec", "attribute", "attribute-single"},
        .tiers = {.fast = {0, 12}, .long_run = {0, 16}, .seconds = 0.5},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "the base edges' micro-vertices, and three points between each two, in 3 orders");
-           },
+       .domain = "the base edges' micro-vertices, and three points between each two, in 3 orders",
        .mutants = {mutant("on the hypotenuse of level 11 one point keeps weight at the base", "attribute",
                           {11, 11},
                           on_weights_at(11, 4 * 1000 + 3, 4 * 1047 + 1,

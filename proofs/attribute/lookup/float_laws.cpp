@@ -1,11 +1,7 @@
 // Lookups of binary32 numbers: the triplet exactly, weights within 2^-24, RGBA8 values within rounding.
-#include <algorithm>
-#include <bit>
 #include <cmath>
-#include <map>
-#include <mutex>
 
-#include "proofs/attribute/law_groups.hpp"
+#include "proofs/attribute/laws.hpp"
 #include "proofs/attribute/lookup/grid_cases.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/points/exact_float.hpp"
@@ -103,10 +99,6 @@ std::string float_points(const Subject&, Level) {
   return "binary32 pairs near grid lines, diagonals and corners";
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.triplets_on_floats
-// ---------------------------------------------------------------------------------------------------------------------
-
 Law triplets_law() {
   Cases<FloatCase> cases = on_floats(10'000, 1'000'000);
   cases.check = [](const AttributeSubject& s, Level n, const FloatCase& p) {
@@ -123,13 +115,11 @@ Law triplets_law() {
     return finding;
   };
   const auto on_triplet_of_floats = [](auto change) {
-    return [change](Functions& f) {
-      f.lookup.triplet_of_floats = [change, real = f.lookup.triplet_of_floats](
-                                       VertexOrder order, Level n, FloatPoints p, std::span<Triplet> out) {
-        real(order, n, p, out);
-        for (std::size_t k = 0; k < out.size(); ++k) change(order, n, FloatCase{p.u[k], p.v[k]}, out[k]);
-      };
-    };
+    return spoils(&Functions::lookup, &Lookup::triplet_of_floats,
+                  [change](VertexOrder order, Level n, FloatPoints p, std::span<Triplet> out) {
+                    for (std::size_t k = 0; k < out.size(); ++k)
+                      change(order, n, FloatCase{p.u[k], p.v[k]}, out[k]);
+                  });
   };
   return on_cases<FloatCase>(
       {.id = "attribute.triplets_on_floats",
@@ -148,10 +138,6 @@ Law triplets_law() {
            }))}},
       needing({entry::float_triplet}), cases);
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.weights_on_floats
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// 2^24 times the greatest error of a weight.
 double greatest_error(const RationalWeights& exact, const FloatWeights& got) {
@@ -180,13 +166,10 @@ Law weights_law() {
                  fmt::format("{:.9g} {:.9g} {:.9g}, {:.3g} times 2^-24 off", got[0], got[1], got[2], error));
   };
   const auto on_weights_of_floats = [](auto change) {
-    return [change](Functions& f) {
-      f.lookup.weights_of_floats = [change, real = f.lookup.weights_of_floats](Level n, FloatPoints p,
-                                                                               std::span<FloatWeights> out) {
-        real(n, p, out);
-        for (std::size_t k = 0; k < out.size(); ++k) change(n, FloatCase{p.u[k], p.v[k]}, out[k]);
-      };
-    };
+    return spoils(&Functions::lookup, &Lookup::weights_of_floats,
+                  [change](Level n, FloatPoints p, std::span<FloatWeights> out) {
+                    for (std::size_t k = 0; k < out.size(); ++k) change(n, FloatCase{p.u[k], p.v[k]}, out[k]);
+                  });
   };
   return on_cases<FloatCase>(
       {.id = "attribute.weights_on_floats",
@@ -206,10 +189,6 @@ Law weights_law() {
                           }))}},
       needing({entry::float_weights}), cases);
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.interpolates_rgba8
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// The value of a vertex in the map of the law; neighbours differ much in every channel.
 std::uint32_t colour(const Vertex& at) {
@@ -259,15 +238,12 @@ Law rgba8_law() {
     return finding;
   };
   const auto on_rgba8 = [](auto change) {
-    return [change](Functions& f) {
-      f.lookup.rgba8 = [change, real = f.lookup.rgba8](VertexOrder order, Level n,
-                                                       std::span<const std::uint32_t> map, FloatPoints p,
-                                                       std::span<std::uint32_t> out) {
-        real(order, n, map, p, out);
-        for (std::size_t k = 0; k < out.size(); ++k)
-          out[k] = change(order, n, FloatCase{p.u[k], p.v[k]}, out[k]);
-      };
-    };
+    return spoils(&Functions::lookup, &Lookup::rgba8,
+                  [change](VertexOrder order, Level n, std::span<const std::uint32_t>, FloatPoints p,
+                           std::span<std::uint32_t> out) {
+                    for (std::size_t k = 0; k < out.size(); ++k)
+                      out[k] = change(order, n, FloatCase{p.u[k], p.v[k]}, out[k]);
+                  });
   };
   return on_cases<FloatCase>(
       {.id = "attribute.interpolates_rgba8",

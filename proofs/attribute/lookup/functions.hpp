@@ -2,13 +2,7 @@
 // values between vertices.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <functional>
-#include <span>
-
 #include "proofs/attribute/orders/functions.hpp"
-#include "proofs/points/cells.hpp"
 #include "proofs/points/point.hpp"
 #include "spec/attribute/lookup.hpp"
 

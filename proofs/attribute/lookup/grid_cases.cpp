@@ -1,7 +1,5 @@
 #include "proofs/attribute/lookup/grid_cases.hpp"
 
-#include <algorithm>
-
 namespace mmverify::proofs::attribute {
 
 using spec::times;

@@ -1,9 +1,6 @@
 // Points on the cells of a level's grid as cases, and the lookup of such a point.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "proofs/attribute/orders/parts.hpp"
 #include "proofs/points/cells.hpp"
 
@@ -73,5 +70,14 @@ Blend blend_on(const MicroTriangle& t, VertexOrder order, Level n, const GridPoi
 
 /// The closed micro-triangles that hold a point, up to six, found by trying all around it.
 std::vector<MicroTriangle> all_holders(Level n, const GridPoint& at);
+
+/// A mutant that changes weights: `change(n, point, weights)`.
+template <class Change>
+auto on_weights(Change change) {
+  return spoils(&Functions::lookup, &Lookup::weights,
+                [change](Level n, Points p, std::span<FixedWeights> out) {
+                  for (std::size_t k = 0; k < out.size(); ++k) change(n, p[k], out[k]);
+                });
+}
 
 }  // namespace mmverify::proofs::attribute

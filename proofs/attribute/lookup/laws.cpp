@@ -1,5 +1,6 @@
 // A point's triplet and weights, and the values between vertices: on every cell of a level's grid.
-#include "proofs/attribute/law_groups.hpp"
+#include "proofs/attribute/laws.hpp"
+
 #include "proofs/attribute/lookup/grid_cases.hpp"
 
 namespace mmverify::proofs::attribute {
@@ -52,36 +53,17 @@ std::optional<MicroTriangle> triangle_of_indices(VertexOrder order, Level n, con
   return t;
 }
 
-// Wrong lookups: changed weights and changed triplets.
-
-template <class Change>
-auto on_weights(Change change) {
-  return [change](Functions& f) {
-    f.lookup.weights = [change, real = f.lookup.weights](Level n, Points p, std::span<FixedWeights> out) {
-      real(n, p, out);
-      for (std::size_t k = 0; k < out.size(); ++k) change(n, p[k], out[k]);
-    };
-  };
-}
-
 template <class Change>
 auto on_point_triplet(Change change) {
-  return [change](Functions& f) {
-    f.lookup.triplet = [change, real = f.lookup.triplet](VertexOrder order, Level n, Points p,
-                                                         std::span<Triplet> out) {
-      real(order, n, p, out);
-      for (std::size_t k = 0; k < out.size(); ++k) change(order, n, p[k], out[k]);
-    };
-  };
+  return spoils(&Functions::lookup, &Lookup::triplet,
+                [change](VertexOrder order, Level n, Points p, std::span<Triplet> out) {
+                  for (std::size_t k = 0; k < out.size(); ++k) change(order, n, p[k], out[k]);
+                });
 }
 
 bool is_at(const GridPoint& p, Level n, std::int64_t ku, std::int64_t kv) {
   return p.u == points::coordinate(ku, n) && p.v == points::coordinate(kv, n);
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.holds_point
-// ---------------------------------------------------------------------------------------------------------------------
 
 bool holds_point(VertexOrder order, Level n, const GridCase& point, const Looked& found) {
   const auto& [x, w] = found;
@@ -114,10 +96,6 @@ Law holds_point_law() {
       on_lookups("a micro-triangle's triplet, weights of 0 or more that add up to 1 and give the point",
                  holds_point));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.reproduces
-// ---------------------------------------------------------------------------------------------------------------------
 
 bool reproduces(VertexOrder order, Level n, const GridCase& point, const Looked& found) {
   const std::uint32_t N = spec::side(n);
@@ -154,10 +132,6 @@ Law reproduces_law() {
                     on_lookups("the value 7 + 3i + 5j, of one vertex alone where there is one", reproduces));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.tie_free
-// ---------------------------------------------------------------------------------------------------------------------
-
 bool tie_free(VertexOrder order, Level n, const GridCase& point, const Looked& found) {
   const Blend blend = blend_of(found);
   for (const MicroTriangle& t : all_holders(n, point.at))
@@ -183,10 +157,6 @@ Law tie_free_law() {
       needing({entry::point_triplet, entry::point_weights}),
       on_lookups("the same weights in each micro-triangle that holds the point", tie_free));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.face_ties
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// Whether the two rules choose different micro-triangles: on u = i/N, 1 <= i <= N-1, but not on the hypotenuse.
 bool rules_differ(Level n, const GridPoint& p) {
@@ -224,14 +194,11 @@ Law face_ties_law() {
         text_of(found[0][0]) + " and " + text_of(found[1][0])};
   };
   const auto on_holder = [](Ties of, auto change) {
-    return [of, change](Functions& f) {
-      f.lookup.holder = [of, change, real = f.lookup.holder](Ties ties, Level n, Points p,
-                                                             std::span<MicroTriangle> out) {
-        real(ties, n, p, out);
-        for (std::size_t k = 0; k < out.size(); ++k)
-          if (ties == of) change(n, p[k], out[k]);
-      };
-    };
+    return spoils(&Functions::lookup, &Lookup::holder,
+                  [of, change](Ties ties, Level n, Points p, std::span<MicroTriangle> out) {
+                    for (std::size_t k = 0; k < out.size(); ++k)
+                      if (ties == of) change(n, p[k], out[k]);
+                  });
   };
   return on_batches(
       {.id = "attribute.face_ties",

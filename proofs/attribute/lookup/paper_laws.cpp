@@ -1,16 +1,12 @@
 // Laws that refute the paper's claims on lookups.
 #include <cmath>
 
-#include "proofs/attribute/law_groups.hpp"
+#include "proofs/attribute/laws.hpp"
 #include "proofs/attribute/lookup/grid_cases.hpp"
 #include "proofs/points/exact_float.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {
-
-// ---------------------------------------------------------------------------------------------------------------------
-// paper.cramer_in_binary32
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// A point of binary32 numbers.
 struct Witness {
@@ -52,7 +48,7 @@ Finding cramer_loses(const AttributeSubject& s, Level n, const Witness& p) {
 
 Law cramer_law() {
   Cases<Witness> cases;
-  cases.count = [](Level, const Run&) { return std::uint64_t{1}; };
+  cases.count = 1;
   cases.number = [](Level n, std::uint64_t, std::uint64_t) { return cramer_witness(n); };
   cases.text = [](Level, const Witness& p) { return fmt::format("u={:a},v={:a}", p.u, p.v); };
   cases.read = [](Level n, const std::string& at) {
@@ -81,7 +77,7 @@ Law cramer_law() {
        .method = Method::witness,
        .subjects = {"attribute-cramer-f32"},
        .tiers = {.fast = {4, 14}, .long_run = {4, 14}, .seconds = 0.1},
-       .domain = [](const Subject&, Level) { return std::string("one point"); },
+       .domain = "one point",
        .mutants = {mutant("two of the equations", "attribute-cramer-f32", {4, 6},
                           other([](Level n, float u, float v, const MicroTriangle& t) {
                             return spec::attribute::weights_by_two(spec::Point<float>{u, v},
@@ -101,10 +97,6 @@ Law cramer_law() {
        .general = false},
       needing({entry::float_weights}), cases);
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// paper.triplet_is_not_closest
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// Nine times the squared distance of a micro-vertex from a face's centroid, in units of 1/N, in the base triangle with
 /// corners w (0, 0), u (1, 0), v (2, 1).
@@ -143,15 +135,12 @@ std::optional<Vertex> nearer_than_triplet(const AttributeSubject& s, Level n, co
 bool is_exception(Level n, const MicroTriangle& t) { return t == MicroTriangle{0, spec::side(n) - 1, false}; }
 
 std::function<void(Functions&)> on_triplet_of(Level level, std::uint32_t of_face, Triplet instead) {
-  return [=](Functions& f) {
-    f.orders.triplet = [=, real = f.orders.triplet](FaceOrder faces, VertexOrder vertices, Level n,
-                                                    std::span<const std::uint32_t> face,
-                                                    std::span<Triplet> out) {
-      real(faces, vertices, n, face, out);
-      for (std::size_t k = 0; k < out.size(); ++k)
-        if (n == level && face[k] == of_face) out[k] = instead;
-    };
-  };
+  return spoils(
+      &Functions::orders, &Orders::triplet,
+      [=](FaceOrder, VertexOrder, Level n, std::span<const std::uint32_t> face, std::span<Triplet> out) {
+        for (std::size_t k = 0; k < out.size(); ++k)
+          if (n == level && face[k] == of_face) out[k] = instead;
+      });
 }
 
 Law not_closest_law() {
@@ -181,7 +170,7 @@ Law not_closest_law() {
        .source = "Color and Attribute Micromaps, 4.1: \"the closest triplet of micro-vertices\"",
        .subjects = {"attribute-spec"},
        .tiers = {.fast = {0, 4}, .long_run = {0, 6}, .seconds = 0.2},
-       .domain = [](const Subject&, Level) { return std::string("the centroids of the 4^n faces"); },
+       .domain = "the centroids of the 4^n faces",
        // The nearest vertices of face 0 of level 1, at the w-corner, are (0,0), (1,0) and (2,0), W-minor's 0, 1 and
        // 3.
        .mutants = {mutant("the nearest three at the w-corner of level 1", "attribute-spec", {1, 1},

@@ -1,18 +1,13 @@
 // Laws of the three exact remaps, of remapping in steps, and of lookups that cannot be made of steps.
-#include "proofs/attribute/law_groups.hpp"
+#include "proofs/attribute/laws.hpp"
 #include "proofs/attribute/lookup/grid_cases.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {
 
-using spec::times;
 using spec::attribute::vulkan_triangle;
 using spec::attribute::weights_by_pattern;
 using spec::attribute::within;
-
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.remaps_agree
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// The weights by the pattern and by another remap, on the micro-triangle that holds the point or on another one.
 struct TwoRemaps {
@@ -56,14 +51,11 @@ Law remaps_agree_law() {
     return Words{words_of(w.pattern), words_of(w.other)};
   };
   const auto on_remap = [](Remap of, auto change) {
-    return [of, change](Functions& f) {
-      f.lookup.remap = [of, change, real = f.lookup.remap](Remap way, Level n, const MicroTriangle& t,
-                                                           const RationalPoint& p) {
-        RationalWeights w = real(way, n, t, p);
-        if (way == of) change(n, t, p, w);
-        return w;
-      };
-    };
+    return spoils(
+        &Functions::lookup, &Lookup::remap,
+        [of, change](Remap way, Level n, const MicroTriangle& t, const RationalPoint& p, RationalWeights& w) {
+          if (way == of) change(n, t, p, w);
+        });
   };
   return on_batches(
       {.id = "attribute.remaps_agree",
@@ -73,30 +65,15 @@ Law remaps_agree_law() {
        .subjects = {"attribute-spec"},
        .tiers = {.fast = {0, 4}, .long_run = {0, 8}, .seconds = 0.5},
        .domain = every_point,
-       .mutants =
-           {mutant("Cramer's columns u and v change places in upper ones", "attribute-spec", {1, 3},
-                   on_remap(Remap::cramer,
-                            [](Level, const MicroTriangle& t, const RationalPoint&, RationalWeights& w) {
-                              if (t.upper) std::swap(w[1], w[2]);
-                            })),
-            mutant("the determinant of two equations is -1 in upper ones", "attribute-spec", {1, 3},
-                   on_remap(Remap::two,
-                            [](Level, const MicroTriangle& t, const RationalPoint&, RationalWeights& w) {
-                              if (t.upper) w = {spec::Rational(spec::Integer(1)) + w[1] + w[2], -w[1], -w[2]};
-                            })),
-            mutant("Cramer's determinant is 4^-(n-1) at the last micro-triangle of level 4", "attribute-spec",
-                   {4, 4},
-                   on_remap(Remap::cramer,
-                            [](Level n, const MicroTriangle& t, const RationalPoint&, RationalWeights& w) {
-                              if (n == 4 && t == MicroTriangle{0, 15, false})
-                                for (spec::Rational& q : w) q /= spec::Integer(4);
-                            }))}},
+       .mutants = {mutant(
+           "Cramer's determinant is 4^-(n-1) at the last micro-triangle of level 4", "attribute-spec", {4, 4},
+           on_remap(Remap::cramer,
+                    [](Level n, const MicroTriangle& t, const RationalPoint&, RationalWeights& w) {
+                      if (n == 4 && t == MicroTriangle{0, 15, false})
+                        for (spec::Rational& q : w) q /= spec::Integer(4);
+                    }))}},
       needing({entry::remap}), cases);
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.remap_composes
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// The level a of the first step: 1, half of n, or n - 1.
 Level split_of(std::size_t setting, Level n) {
@@ -143,14 +120,6 @@ Law remap_composes_law() {
     return Words{text_of(looked_up(s, VertexOrder::u_major, n, {&point.at, 1})[0]),
                  text_of(in_two_steps(s, a, n - a, point.at))};
   };
-  const auto on_weights_of = [](auto change) {
-    return [change](Functions& f) {
-      f.lookup.weights = [change, real = f.lookup.weights](Level n, Points p, std::span<FixedWeights> out) {
-        real(n, p, out);
-        for (std::size_t k = 0; k < out.size(); ++k) change(n, p[k], out[k]);
-      };
-    };
-  };
   return on_batches(
       {.id = "attribute.remap_composes",
        .says =
@@ -161,16 +130,12 @@ Law remap_composes_law() {
        .domain = every_point,
        .mutants = {mutant(
            "level 2 is a 2^-28 off in one micro-triangle", "attribute-spec", {5, 5},
-           on_weights_of([](Level n, const GridPoint& p, FixedWeights& w) {
+           on_weights([](Level n, const GridPoint& p, FixedWeights& w) {
              if (n == 2 && vulkan_triangle(p, n) == MicroTriangle{1, 1, true} && Fixed64::from_raw(4) < w[1])
                w = {w[0] + Fixed64::from_raw(4), w[1] - Fixed64::from_raw(4), w[2]};
            }))}},
       needing({entry::point_triplet, entry::point_weights}), cases);
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.tie_recursion_false
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// Points at which the steps go wrong, from level 2 on.  These are ties inside the middle triangle of level 1, which
 /// is turned so that ties go the other way, and the vertices of its edge u+v = 1/2 that are no corners.
@@ -216,13 +181,10 @@ Law tie_recursion_law() {
     return Words{(turned_tie(point) && n >= 2 ? "another than " : "") + text_of(once), text_of(steps)};
   };
   const auto on_holder_at = [](auto change) {
-    return [change](Functions& f) {
-      f.lookup.holder = [change, real = f.lookup.holder](Ties ties, Level n, Points p,
-                                                         std::span<MicroTriangle> out) {
-        real(ties, n, p, out);
-        for (std::size_t k = 0; k < out.size(); ++k) change(n, p[k], out[k]);
-      };
-    };
+    return spoils(&Functions::lookup, &Lookup::holder,
+                  [change](Ties, Level n, Points p, std::span<MicroTriangle> out) {
+                    for (std::size_t k = 0; k < out.size(); ++k) change(n, p[k], out[k]);
+                  });
   };
   return on_batches(
       {.id = "attribute.tie_recursion_false",

@@ -1,9 +1,8 @@
 #include "proofs/attribute/lookup/shared_edges.hpp"
 
-#include <fmt/format.h>
-
 #include <charconv>
 
+#include "proofs/attribute/elements.hpp"
 #include "proofs/engine/shape.hpp"
 
 namespace mmverify::proofs::attribute {
@@ -92,6 +91,26 @@ Hats along_edge(Level n, std::uint64_t at, std::uint32_t steps) {
   const std::uint64_t apart = side(n) / steps, whole = at / (4 * apart), rest = at % (4 * apart);
   const double next = static_cast<double>(rest) / static_cast<double>(4 * apart);
   return tidy({{apart * whole, 1 - next}, {apart * (whole + 1), next}});
+}
+
+namespace {
+
+template <class Name>
+std::string joined(const Hats& hats, Name name) {
+  std::string text;
+  for (const auto& [place, weight] : hats)
+    text += fmt::format("{}{} of {}", text.empty() ? "" : " + ", weight, name(place));
+  return text.empty() ? "nothing" : text;
+}
+
+}  // namespace
+
+std::string text_of(const Hats& hats) {
+  return joined(hats, [](std::uint64_t place) { return text_of(spec::attribute::w_minor_vertex(place)); });
+}
+
+std::string text_of_places(const Hats& hats) {
+  return joined(hats, [](std::uint64_t place) { return fmt::format("vertex {}", place); });
 }
 
 }  // namespace mmverify::proofs::attribute

@@ -1,10 +1,6 @@
 // The functions of a subject of topic attribute for mip chains and levels of detail.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <span>
-
 #include "proofs/engine/law.hpp"
 #include "spec/attribute/mip.hpp"
 

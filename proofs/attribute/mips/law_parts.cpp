@@ -41,21 +41,19 @@ bool is_rounded(Rounding r, const Codes& x, std::uint32_t m) {
 }
 
 std::function<void(Functions&)> meaning(Mean mean) {
-  return [mean](Functions& f) {
-    f.mips.face_mip = [mean, real = f.mips.face_mip](Rounding r, std::span<const std::uint32_t> children,
-                                                     std::span<std::uint32_t> parents) {
-      real(r, children, parents);
-      for (std::size_t k = 0; k < parents.size(); ++k) {
-        std::uint32_t word = 0;
-        for (unsigned which = 0; which < 4; ++which) {
-          Codes four;
-          for (std::size_t c = 0; c < 4; ++c) four[c] = children[4 * k + c] >> 8 * which & 255;
-          word |= mean(r, four, parents[k] >> 8 * which & 255, which) << 8 * which;
+  return spoils(
+      &Functions::mips, &Mips::face_mip,
+      [mean](Rounding r, std::span<const std::uint32_t> children, std::span<std::uint32_t> parents) {
+        for (std::size_t k = 0; k < parents.size(); ++k) {
+          std::uint32_t word = 0;
+          for (unsigned which = 0; which < 4; ++which) {
+            Codes four;
+            for (std::size_t c = 0; c < 4; ++c) four[c] = children[4 * k + c] >> 8 * which & 255;
+            word |= mean(r, four, parents[k] >> 8 * which & 255, which) << 8 * which;
+          }
+          parents[k] = word;
         }
-        parents[k] = word;
-      }
-    };
-  };
+      });
 }
 
 std::function<void(Functions&)> chaining(

@@ -1,14 +1,8 @@
 // Common parts of the laws of mips and of levels of detail.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <functional>
-#include <span>
-#include <string>
-
-#include "proofs/attribute/law_groups.hpp"
 #include "proofs/attribute/law_parts.hpp"
+#include "proofs/attribute/laws.hpp"
 
 namespace mmverify::proofs::attribute {
 

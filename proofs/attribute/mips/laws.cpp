@@ -22,9 +22,7 @@ std::string codes_of(std::uint32_t word) {
   return fmt::format("{} {} {} {}", word & 255, word >> 8 & 255, word >> 16 & 255, word >> 24);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Means
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Means
 
 /// The number on the curve, at level m, of the micro-triangle that holds the whole of number x of level n: found by
 /// where the middle of x lies, not by its digits.
@@ -99,11 +97,7 @@ Law face_mean_law() {
        .source = cam_44,
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 4}, .long_run = {0, 6}, .seconds = 0.3},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "the maps that are lit on one micro-triangle of a level up to n; every level below");
-           },
+       .domain = "the maps that are lit on one micro-triangle of a level up to n; every level below",
        .mutants = {wrong_chain("one mip of level 4's chain is its neighbour's", {4, 4},
                                [](const Chain& real, Level n, Rounding r, ChainOf of, auto base, auto chain) {
                                  real(n, r, of, base, chain);
@@ -112,14 +106,12 @@ Law face_mean_law() {
       needing({face_chain_entry}), std::move(cases));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Counts
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Counts
 
 /// A law with one case a level.
 Law once_a_level(Law law, Lacks lacks, std::function<Finding(const AttributeSubject&, Level)> check) {
   Cases<Level> cases;
-  cases.count = [](Level, const Run&) -> std::uint64_t { return 1; };
+  cases.count = 1;
   cases.number = [](Level n, std::uint64_t, std::uint64_t) { return n; };
   cases.text = [](Level n, Level) { return fmt::format("level={}", n); };
   cases.read = [](Level n, const std::string& at) {
@@ -127,7 +119,7 @@ Law once_a_level(Law law, Lacks lacks, std::function<Finding(const AttributeSubj
     return n;
   };
   cases.check = [check](const AttributeSubject& s, Level n, Level) { return check(s, n); };
-  law.domain = [](const Subject&, Level) { return std::string("the level"); };
+  law.domain = "the level";
   return on_cases(std::move(law), std::move(lacks), std::move(cases));
 }
 
@@ -153,15 +145,9 @@ Law mip_counts_law() {
        .source = cam_44,
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 0.01},
-       .mutants =
-           {mutant("4^n / 3", "attribute-spec", {0, 16},
-                   sizing(true,
-                          [](Level m, std::uint64_t) { return face_count(m) / 3 + (m == 0 ? 0 : m % 2); })),
-            mutant("products in 32 bits", "attribute", {16, 16},
-                   sizing(true, [](Level m,
-                                   std::uint64_t) { return std::uint64_t{(1u << (2 * m & 31)) - 1} / 3; })),
-            mutant("vertices without the corner's one", "attribute", {1, 16},
-                   sizing(false, [](Level m, std::uint64_t right) { return m == 12 ? right - 1 : right; }))}},
+       .mutants = {mutant(
+           "vertices without the corner's one", "attribute", {1, 16},
+           sizing(false, [](Level m, std::uint64_t right) { return m == 12 ? right - 1 : right; }))}},
       needing({sizes_entry}), [](const AttributeSubject& s, Level n) {
         const std::uint64_t faces = s.functions.mips.face_chain_size(n),
                             vertices = s.functions.mips.vertex_chain_size(n);
@@ -169,9 +155,7 @@ Law mip_counts_law() {
         if (faces != of_faces || vertices != of_vertices || 3 * faces >= face_count(n))
           return wrong(fmt::format("{} faces and {} vertices", of_faces, of_vertices),
                        fmt::format("{} and {}", faces, vertices));
-        Finding found;
-        found.answer = faces ^ vertices << 1;
-        return found;
+        return Finding{.answer = faces ^ vertices << 1};
       });
 }
 
@@ -203,9 +187,7 @@ Law mip_third_law() {
           return wrong("more than a third of the vertices",
                        fmt::format("{} of {}", vertices, vertex_count(n)));
         if (n == 2 && vertices != 9) return wrong("9 of 15 vertices", fmt::format("{}", vertices));
-        Finding found;
-        found.answer = faces ^ vertices << 1;
-        return found;
+        return Finding{.answer = faces ^ vertices << 1};
       });
 }
 
@@ -225,9 +207,7 @@ Finding is_same_place(const AttributeSubject& s, Level n, const LowerVertex& x) 
   const Vertex scaled{there.i << (n - x.level), there.j << (n - x.level)};
   if (got >= vertex_count(n) || !(spec::attribute::vertex_at(x.order, got, n) == scaled))
     return wrong("the index of " + text_of(scaled), fmt::format("{}", got));
-  Finding found;
-  found.answer = got;
-  return found;
+  return {.answer = got};
 }
 
 LowerVertex read_lower_vertex(Level n, const std::string& at) {
@@ -272,8 +252,7 @@ Law vertex_mip_law() {
        .source = cam_441,
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 7}, .long_run = {0, 11}, .seconds = 0.3},
-       .domain = [](const Subject&,
-                    Level) { return std::string("the vertices of levels 0..n, in 3 orders"); },
+       .domain = "the vertices of levels 0..n, in 3 orders",
        .mutants = {sourcing("one vertex of Bird's level 7", {7, 7},
                             [](VertexOrder order, std::uint32_t k, Level m, Level n, std::uint32_t right) {
                               return order == VertexOrder::bird && n == 7 && m == 6 && k == 1000 ? right + 1

@@ -1,5 +1,4 @@
 // Laws of the level of detail for a ray cone.
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -87,13 +86,11 @@ Level level_of(const AttributeSubject& s, Level n, const Areas& a) {
 
 using Wrong = std::function<Level(Level n, float cone, float triangle, Level right)>;
 std::function<void(Functions&)> levelling(Wrong by) {
-  return [by](Functions& f) {
-    f.mips.lod_level = [by, real = f.mips.lod_level](Level n, std::span<const float> cone,
-                                                     std::span<const float> triangle, std::span<Level> out) {
-      real(n, cone, triangle, out);
-      for (std::size_t k = 0; k < out.size(); ++k) out[k] = by(n, cone[k], triangle[k], out[k]);
-    };
-  };
+  return spoils(
+      &Functions::mips, &Mips::lod_level,
+      [by](Level n, std::span<const float> cone, std::span<const float> triangle, std::span<Level> out) {
+        for (std::size_t k = 0; k < out.size(); ++k) out[k] = by(n, cone[k], triangle[k], out[k]);
+      });
 }
 
 Level clamped_level(float l, Level n) {
@@ -104,9 +101,6 @@ Mutant wrong_level(const char* name, Levels levels, Wrong by, const char* base =
   return mutant(name, base, levels, levelling(std::move(by)));
 }
 
-const Wrong by_log2_in_binary32 = [](Level n, float cone, float triangle, Level) {
-  return clamped_level(std::floor(0.5f * std::log2(triangle / cone)), n);
-};
 const Wrong first_covered = [](Level n, float cone, float triangle, Level right) {
   const bool exactly =
       std::ldexp(static_cast<double>(cone), static_cast<int>(2 * right)) >= static_cast<double>(triangle);
@@ -118,9 +112,7 @@ const Wrong first_exceeded = [](Level n, float cone, float triangle, Level right
 
 Law lod_level_law() {
   Cases<Areas> cases;
-  cases.count = [](Level, const Run& run) -> std::uint64_t {
-    return run.tier == Tier::fast ? 1500 : 4'000'000;
-  };
+  cases.count = {1500, 4'000'000};
   cases.number = hard_areas;
   cases.text = [](Level, const Areas& a) { return text_of_areas(a); };
   cases.read = [](Level, const std::string& at) { return areas_of_text(at); };
@@ -128,9 +120,7 @@ Law lod_level_law() {
     const Level expected = exact_level(n, a), got = level_of(s, n, a);
     // Every level is right if both areas are 0.
     if (got != expected) return wrong(fmt::format("level {}", expected), fmt::format("level {}", got));
-    Finding found;
-    found.answer = got;
-    return found;
+    return Finding{.answer = got};
   };
   return on_cases(
       {.id = "attribute.lod_level",
@@ -140,22 +130,16 @@ Law lod_level_law() {
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 12}, .long_run = {0, 16}, .seconds = 0.7},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "pairs of binary32 areas: 0 to 2 ulps from A_t = 4^m A_c, of any size, 0, subnormals, the "
-                 "largest");
-           },
-       .how = [](const Subject&, Level) { return std::string("sample, products exact in binary64"); },
+       .domain = "pairs of binary32 areas: 0 to 2 ulps from A_t = 4^m A_c, of any size, 0, subnormals, the "
+                 "largest",
+       .how = "sample, products exact in binary64",
        .mutants = {wrong_level(
            "kept below n", {0, 5},
            [](Level n, float, float, Level right) { return n == 5 && right == 5 ? 4 : right; })}},
       needing({level_entry}), std::move(cases));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Blending
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Blending
 
 constexpr double blend_bound = 0x1p-24;
 
@@ -183,20 +167,16 @@ Finding blends(const AttributeSubject& s, Level n, const Areas& a) {
 
 Law lod_blend_law() {
   Cases<Areas> cases;
-  cases.count = [](Level, const Run& run) -> std::uint64_t { return run.tier == Tier::fast ? 400 : 100'000; };
+  cases.count = {400, 100'000};
   cases.number = hard_areas;
   cases.text = [](Level, const Areas& a) { return text_of_areas(a); };
   cases.read = [](Level, const std::string& at) { return areas_of_text(at); };
   cases.check = blends;
   cases.chunk = 32;
   const auto blending = [](auto by) {
-    return [by](Functions& f) {
-      f.mips.lod = [by, real = f.mips.lod](Level n, float cone, float triangle) {
-        LevelOfDetail lod = real(n, cone, triangle);
-        by(n, cone, triangle, lod);
-        return lod;
-      };
-    };
+    return spoils(
+        &Functions::mips, &Mips::lod,
+        [by](Level n, float cone, float triangle, LevelOfDetail& lod) { by(n, cone, triangle, lod); });
   };
   return on_cases(
       {.id = "attribute.lod_blend",
@@ -206,10 +186,8 @@ Law lod_blend_law() {
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 8}, .long_run = {0, 16}, .seconds = 0.6},
-       .domain = [](const Subject&,
-                    Level) { return std::string("pairs of binary32 areas, as attribute.lod_level's"); },
-       .how = [](const Subject&,
-                 Level) { return std::string("sample, log2 between two whole numbers of 2^-60"); },
+       .domain = "pairs of binary32 areas, as attribute.lod_level's",
+       .how = "sample, log2 between two whole numbers of 2^-60",
        .mutants = {mutant("blends beyond the last level", "attribute", {0, 3},
                           blending([](Level n, float cone, float triangle, LevelOfDetail& lod) {
                             if (lod.level == n && cone > 0 && cone < triangle) lod.blend = 0x1p-20;
@@ -217,16 +195,14 @@ Law lod_blend_law() {
       needing({lod_entry}), std::move(cases));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The paper
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The paper
 
 /// The bound of areas in small whole numbers: one cone, all triangles up to it.
 constexpr std::uint32_t whole_areas = 130;
 
 Law lod_words_law() {
   Cases<Areas> cases;
-  cases.count = [](Level, const Run&) -> std::uint64_t { return std::uint64_t{whole_areas} * 32; };
+  cases.count = std::uint64_t{whole_areas} * 32;
   cases.number = [](Level, std::uint64_t k, std::uint64_t) {
     return Areas{static_cast<float>(k / whole_areas + 1), static_cast<float>(k % whole_areas + 1)};
   };
@@ -265,8 +241,7 @@ Law lod_words_law() {
                    .subjects = {"attribute-spec", "attribute"},
                    .tiers = {.seconds = 0.4},
                    .at_once = "all levels",
-                   .domain = [](const Subject&,
-                                Level) { return std::string("cones of area 1..32, triangles of 1..130"); },
+                   .domain = "cones of area 1..32, triangles of 1..130",
                    .mutants = {wrong_level("the formula's level", {0, 0}, first_covered),
                                wrong_level("the words' level", {0, 0}, first_exceeded, "attribute-spec"),
                                wrong_level("log2 of the quotient, rounded", {0, 0},
@@ -295,9 +270,7 @@ Finding edge_jumps(const AttributeSubject& s, Level n, const TwoAreas& t) {
   if (middle(t.a) != expected(t.a) || middle(t.b) != expected(t.b))
     return wrong(fmt::format("{} and {}", expected(t.a), expected(t.b)),
                  fmt::format("{} and {}", middle(t.a), middle(t.b)));
-  Finding found;
-  found.answer = static_cast<std::uint64_t>(2 * std::abs(expected(t.a) - expected(t.b)));
-  return found;
+  return {.answer = static_cast<std::uint64_t>(2 * std::abs(expected(t.a) - expected(t.b)))};
 }
 
 TwoAreas read_two_areas(Level n, const std::string& at) {
@@ -337,10 +310,7 @@ Law lod_jumps_law() {
        .source = "Color and Attribute Micromaps, 4.4.2, which does not say it",
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 6}, .long_run = {0, 16}, .seconds = 0.1},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string("areas 2^0 to 2^(2n+2) times the cone's, the middle of the edge");
-           },
+       .domain = "areas 2^0 to 2^(2n+2) times the cone's, the middle of the edge",
        .mutants = {blending(
                        "the nearest level alone", {1, 2},
                        [](Level n, float, LevelOfDetail lod) {

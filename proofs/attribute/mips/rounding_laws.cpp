@@ -1,7 +1,4 @@
 // Laws of rounded means, and of the error of chains.
-#include <array>
-#include <vector>
-
 #include "proofs/attribute/mips/law_parts.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
@@ -79,7 +76,7 @@ std::vector<TwoMore> other_pairs(bool all) {
 
 Law mip_rounding_law(const char* id, bool all) {
   Cases<TwoCodes> cases;
-  cases.count = [](Level, const Run&) -> std::uint64_t { return 4 * 65536; };
+  cases.count = 4 * 65536;
   cases.number = [](Level, std::uint64_t k, std::uint64_t) {
     return TwoCodes{static_cast<Rounding>(k >> 16), static_cast<std::uint32_t>(k >> 8 & 255),
                     static_cast<std::uint32_t>(k & 255)};
@@ -101,13 +98,9 @@ Law mip_rounding_law(const char* id, bool all) {
       .subjects = {"attribute-spec", "attribute"},
       .tiers = {.seconds = 0.4},
       .at_once = "all levels",
-      .domain =
-          [all](const Subject&, Level) {
-            return all ? std::string("4 roundings; in each of the four codes the 2^32 quadruples")
-                       : std::string(
-                             "4 roundings; in each of the four codes all pairs for two children, 8 pairs for "
-                             "the others");
-          },
+      .domain = all ? "4 roundings; in each of the four codes the 2^32 quadruples"
+                    : "4 roundings; in each of the four codes all pairs for two children, 8 pairs for "
+                      "the others",
       .mutants =
           {mutant("half to even is half up", "attribute", {0, 0},
                   meaning([](Rounding r, const Codes& x, std::uint32_t right, unsigned) {
@@ -154,14 +147,12 @@ Finding drifts(const AttributeSubject& s, Rounding r) {
   if (off != expected)
     return wrong(fmt::format("{} codes on average", static_cast<double>(expected) / 16384),
                  fmt::format("{}", static_cast<double>(off) / 16384));
-  Finding found;
-  found.answer = static_cast<std::uint64_t>(off + (1 << 20));
-  return found;
+  return {.answer = static_cast<std::uint64_t>(off + (1 << 20))};
 }
 
 Law mip_drift_law() {
   Cases<Rounding> cases;
-  cases.count = [](Level, const Run&) -> std::uint64_t { return 4; };
+  cases.count = 4;
   cases.number = [](Level, std::uint64_t k, std::uint64_t) { return static_cast<Rounding>(k); };
   cases.text = [](Level, Rounding r) { return std::string(rounding_name(r)); };
   cases.read = [](Level, const std::string& at) { return rounding_of(at, at); };
@@ -181,21 +172,15 @@ Law mip_drift_law() {
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.seconds = 0.01},
        .at_once = "all levels",
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "4 roundings, the 4096 quadruples of codes 0..7; adding 8 to a code adds 2 to mean and mip "
-                 "(attribute.mip_rounding)");
-           },
+       .domain = "4 roundings, the 4096 quadruples of codes 0..7; adding 8 to a code adds 2 to mean and mip "
+                 "(attribute.mip_rounding)",
        .mutants = {on_average(
            "truncated is 0 where all but one are 0", Rounding::truncate,
            [](const Codes& x, std::uint32_t right) { return x[0] + x[1] + x[2] == 0 ? 0 : right; })}},
       needing({face_mip_entry}), std::move(cases));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Chains
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Chains
 
 /// A chain of one rounding from a random base; number 0 has the base that every step rounds worst.
 struct ChainCase {
@@ -331,24 +316,13 @@ Law mip_chain_law() {
        .method = Method::sample,
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 5}, .long_run = {0, 8}, .seconds = 0.3},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string("random bases, and for each rounding the one that is worst");
-           },
-       .mutants =
-           {mutant("exact sums are not kept", "attribute", {2, 4},
-                   chaining([](const Chain& real, Level n, Rounding r, ChainOf, auto base, auto chain) {
-                     real(n, r, ChainOf::level_above, base, chain);
-                   })),
-            mutant("every level is truncated from level 5 on", "attribute", {5, 5},
-                   chaining([](const Chain& real, Level n, Rounding r, ChainOf of, auto base, auto chain) {
-                     real(n, n >= 5 && r == Rounding::half_up ? Rounding::truncate : r, of, base, chain);
-                   })),
-            mutant("one of level 4's is one more", "attribute-spec", {5, 5},
-                   chaining([](const Chain& real, Level n, Rounding r, ChainOf of, auto base, auto chain) {
-                     real(n, r, of, base, chain);
-                     if (n == 5 && of == ChainOf::exact_sums && chain[100] % 256 < 255) ++chain[100];
-                   }))}},
+       .domain = "random bases, and for each rounding the one that is worst",
+       .mutants = {mutant(
+           "one of level 4's is one more", "attribute-spec", {5, 5},
+           chaining([](const Chain& real, Level n, Rounding r, ChainOf of, auto base, auto chain) {
+             real(n, r, of, base, chain);
+             if (n == 5 && of == ChainOf::exact_sums && chain[100] % 256 < 255) ++chain[100];
+           }))}},
       needing({face_chain_entry}), std::move(cases));
 }
 

@@ -1,7 +1,4 @@
 // Mips of whole random pictures: what codes in a fixed order leave out, a byte that is read in another one's place.
-#include <algorithm>
-#include <vector>
-
 #include "proofs/attribute/mips/law_parts.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
@@ -61,9 +58,7 @@ std::function<void(Functions&)> reading_other_children(void (*change)(std::vecto
 
 Law mip_sample_law() {
   Cases<FacePicture> cases;
-  cases.count = [](Level, const Run& run) {
-    return run.tier == Tier::fast ? fast_face_pictures : long_face_pictures;
-  };
+  cases.count = {fast_face_pictures, long_face_pictures};
   cases.number = [](Level, std::uint64_t k, std::uint64_t seed) {
     return FacePicture{static_cast<Rounding>(k % 4), seed, k};
   };
@@ -86,12 +81,8 @@ Law mip_sample_law() {
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.seconds = 0.2},
        .at_once = "all levels",
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "4 roundings; pictures of 1 to 70 parents, each byte of each child drawn on its own, half "
-                 "of them 0, 1, 127, 128, 254 or 255");
-           },
+       .domain = "4 roundings; pictures of 1 to 70 parents, each byte of each child drawn on its own, half "
+                 "of them 0, 1, 127, 128, 254 or 255",
        .mutants = {mutant("A of child 3 is child 0's in the last face of odd pictures", "attribute-spec",
                           {0, 0}, reading_other_children([](std::vector<std::uint32_t>& children) {
                             if (children.size() % 8 == 0) return;

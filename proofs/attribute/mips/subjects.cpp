@@ -1,7 +1,5 @@
 // Mip chains and levels of detail of the built-in subjects.
-#include <array>
 #include <cmath>
-#include <vector>
 
 #include "impl/attribute/mip.hpp"
 #include "proofs/attribute/subject_parts.hpp"

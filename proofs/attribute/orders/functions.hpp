@@ -1,9 +1,6 @@
 // The functions of a subject of topic attribute for orders: index <-> place, of vertices and of faces.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <functional>
 #include <span>
 
 #include "proofs/engine/law.hpp"

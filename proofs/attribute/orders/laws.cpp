@@ -1,8 +1,6 @@
 // Laws of the places of vertices and faces in a map: each has its own, it is the walk's, and it can be inverted.
-#include <atomic>
-#include <vector>
+#include "proofs/attribute/laws.hpp"
 
-#include "proofs/attribute/law_groups.hpp"
 #include "proofs/attribute/orders/parts.hpp"
 #include "proofs/attribute/orders/walks.hpp"
 #include "proofs/engine/interrupt.hpp"
@@ -12,10 +10,6 @@ namespace mmverify::proofs::attribute {
 namespace {
 
 const std::vector<std::string> all_subjects{"attribute-spec", "attribute", "attribute-single"};
-
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.order_bijective
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// One bit for each index of the three orders.
 class Seen {
@@ -142,10 +136,6 @@ Law bijective_law() {
   return law;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.order_inverse
-// ---------------------------------------------------------------------------------------------------------------------
-
 Law inverse_law() {
   Batches<Vertex> cases;
   cases.settings = settings_of(vertex_orders);
@@ -174,15 +164,12 @@ Law inverse_law() {
     return Words{text_of(at), fmt::format("index {}, which is {}", index[0], text_of(found[0]))};
   };
   const auto on_way_back = [](VertexOrder of, auto change) {
-    return [of, change](Functions& f) {
-      f.orders.vertex_at = [of, change, real = f.orders.vertex_at](VertexOrder order, Level n,
-                                                                   std::span<const std::uint32_t> index,
-                                                                   std::span<Vertex> out) {
-        real(order, n, index, out);
-        if (order != of) return;
-        for (std::size_t k = 0; k < index.size(); ++k) out[k] = change(n, index[k], out[k]);
-      };
-    };
+    return spoils(&Functions::orders, &Orders::vertex_at,
+                  [of, change](VertexOrder order, Level n, std::span<const std::uint32_t> index,
+                               std::span<Vertex> out) {
+                    if (order != of) return;
+                    for (std::size_t k = 0; k < index.size(); ++k) out[k] = change(n, index[k], out[k]);
+                  });
   };
   return on_batches({.id = "attribute.order_inverse",
                      .says = "the vertex of a vertex's index is that vertex, in each of the three orders",
@@ -197,32 +184,6 @@ Law inverse_law() {
                                        return n == 8 && x == vertex_count(8) - 2 ? Vertex{v.i + 1, 0} : v;
                                      }))}},
                     needing({entry::vertex_index, entry::vertex_at}), std::move(cases));
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.order_is_walk
-// ---------------------------------------------------------------------------------------------------------------------
-
-// Bird's formula with a wrong part.
-
-std::uint64_t index_from_edge_uv(Level n, const Vertex& v) {
-  const std::uint64_t right = spec::attribute::bird_index(v.i, v.j, n),
-                      base = spec::attribute::vertex_count(n - 1);
-  return base + (right - base) / 3 * 3 + (right - base + 2) % 3;
-}
-
-std::uint64_t index_on_mirrored_curve(Level n, const Vertex& v) {
-  const std::uint64_t right = spec::attribute::bird_index(v.i, v.j, n),
-                      base = spec::attribute::vertex_count(n - 1);
-  const std::uint64_t rank =
-      spec::attribute::upright_before(spec::attribute::curve_index({v.j / 2, v.i / 2, false}, n - 1), n - 1);
-  return base + rank * 3 + (right - base) % 3;
-}
-
-std::uint64_t index_counting_all(Level n, const Vertex& v) {
-  const std::uint64_t right = spec::attribute::bird_index(v.i, v.j, n),
-                      base = spec::attribute::vertex_count(n - 1);
-  return base + 3 * spec::attribute::curve_index({v.i / 2, v.j / 2, false}, n - 1) + (right - base) % 3;
 }
 
 Law walk_law() {
@@ -241,12 +202,6 @@ Law walk_law() {
     return Words{fmt::format("{}", vertex_walks(n)->index(vertex_orders[order], at)),
                  fmt::format("{}", indices_of(s, vertex_orders[order], n, {&at, 1})[0])};
   };
-  // One of these on the vertices that a level adds.
-  const auto wrong_bird = [](auto index_of) {
-    return on_vertex_index(VertexOrder::bird, [index_of](Level n, const Vertex& v, std::uint32_t x) {
-      return new_at(n, v) ? static_cast<std::uint32_t>(index_of(n, v)) : x;
-    });
-  };
   return on_batches(
       {.id = "attribute.order_is_walk",
        .says = "an index is the number of vertices that the order's walk meets before: rows, columns, or "
@@ -255,29 +210,14 @@ Law walk_law() {
        .subjects = all_subjects,
        .tiers = {.fast = {0, 10}, .long_run = {0, 13}, .seconds = 1},
        .domain = vertices_in_orders,
-       .mutants = {mutant("triplets begin with the edge u-v", "attribute-spec", {1, 4},
-                          wrong_bird(index_from_edge_uv)),
-                   mutant("the curve is mirrored: v comes before u", "attribute-spec", {1, 4},
-                          wrong_bird(index_on_mirrored_curve)),
-                   mutant("all micro-triangles are counted, upright or not", "attribute-spec", {1, 4},
-                          wrong_bird(index_counting_all)),
-                   mutant("U-major's columns are read from the u-corner", "attribute-spec", {1, 4},
-                          on_vertex_index(VertexOrder::u_major,
-                                          [](Level n, const Vertex&, std::uint32_t x) {
-                                            return static_cast<std::uint32_t>(vertex_count(n) - 1 - x);
-                                          })),
-                   mutant("two vertices of W-minor's row 200 change places", "attribute", {8, 8},
-                          on_vertex_index(
-                              VertexOrder::w_minor,
-                              [](Level, const Vertex& v, std::uint32_t x) {
-                                return v == Vertex{50, 150} ? x + 1 : v == Vertex{49, 151} ? x - 1 : x;
-                              }))}},
+       .mutants = {mutant(
+           "two vertices of W-minor's row 200 change places", "attribute", {8, 8},
+           on_vertex_index(VertexOrder::w_minor,
+                           [](Level, const Vertex& v, std::uint32_t x) {
+                             return v == Vertex{50, 150} ? x + 1 : v == Vertex{49, 151} ? x - 1 : x;
+                           }))}},
       needing({entry::vertex_index}), std::move(cases));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.face_orders
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// The index of a face, from a point inside it: by the index algorithms, and for U-major from the area of the strips
 /// before it.

@@ -1,13 +1,9 @@
 // Laws of the orders that figure 4 prints, in the words and roots of shaders.
-#include "proofs/attribute/law_groups.hpp"
+#include "proofs/attribute/laws.hpp"
 #include "proofs/attribute/orders/parts.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {
-
-// ---------------------------------------------------------------------------------------------------------------------
-// paper.vertex_products_overflow
-// ---------------------------------------------------------------------------------------------------------------------
 
 struct OnLastDiagonals {
   VertexOrder order;
@@ -68,10 +64,7 @@ Law products_law() {
        .source = cam_4,
        .subjects = {"attribute-32-bit"},
        .tiers = {.fast = {12, 16}, .long_run = {0, 16}, .seconds = 0.2},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string("the 2N+1 vertices of the last two diagonals, in 2 orders");
-           },
+       .domain = "the 2N+1 vertices of the last two diagonals, in 2 orders",
        .mutants = {mutant("U-major's products in 64 bits", "attribute-32-bit", {16, 16},
                           wide(VertexOrder::u_major)),
                    mutant("one vertex of W-minor's hypotenuse is right", "attribute-32-bit", {16, 16},
@@ -82,9 +75,7 @@ Law products_law() {
       needing({entry::vertex_index}), cases);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Figure 4's triplets
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Figure 4's triplets
 
 std::uint32_t to_index(std::uint32_t row, std::uint32_t column) {
   return static_cast<std::uint32_t>(std::uint64_t{row} * (row + 1) / 2 + column);
@@ -130,14 +121,11 @@ Batches<MicroTriangle> triplets_of_rows(Wanted wanted) {
 /// A mutant that changes the triplets of rows.
 template <class Change>
 auto on_rows(Change change) {
-  return [change](Functions& f) {
-    f.orders.triplet = [change, real = f.orders.triplet](FaceOrder faces, VertexOrder vertices, Level n,
-                                                         std::span<const std::uint32_t> face,
-                                                         std::span<Triplet> out) {
-      real(faces, vertices, n, face, out);
-      for (std::size_t k = 0; k < out.size(); ++k) change(face[k], out[k]);
-    };
-  };
+  return spoils(
+      &Functions::orders, &Orders::triplet,
+      [change](FaceOrder, VertexOrder, Level, std::span<const std::uint32_t> face, std::span<Triplet> out) {
+        for (std::size_t k = 0; k < out.size(); ++k) change(face[k], out[k]);
+      });
 }
 
 Law printed_triplets_law() {
@@ -147,7 +135,7 @@ Law printed_triplets_law() {
                      .source = cam_4,
                      .subjects = {"attribute-figure-4"},
                      .tiers = {.fast = {0, 9}, .long_run = {0, 12}, .seconds = 0.5},
-                     .domain = [](const Subject&, Level) { return std::string("the 4^n faces"); },
+                     .domain = "the 4^n faces",
                      .mutants = {mutant("odd triplets begin where ours do", "attribute-figure-4", {1, 3},
                                         on_rows([](std::uint32_t face, Triplet& t) {
                                           const std::uint32_t row = spec::index::w_minor_row(face);
@@ -181,7 +169,7 @@ Law short_root_law() {
                  "sqrt inherits from 1.0 / inversesqrt()",
        .subjects = {"attribute-short-root"},
        .tiers = {.fast = {0, 9}, .long_run = {0, 11}, .seconds = 0.5},
-       .domain = [](const Subject&, Level) { return std::string("the 4^n faces"); },
+       .domain = "the 4^n faces",
        .mutants = {mutant("row 1 is right", "attribute-short-root", {1, 1},
                           on_rows([](std::uint32_t face, Triplet& t) {
                             if (face == 1) t = printed(1, 0);

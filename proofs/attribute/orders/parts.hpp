@@ -1,9 +1,6 @@
 // Common parts of the laws of orders: settings, entry points, wrong orders.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "proofs/attribute/batches.hpp"
 
 namespace mmverify::proofs::attribute {
@@ -72,35 +69,26 @@ inline std::vector<std::uint32_t> indices_of(const AttributeSubject& s, FaceOrde
 /// A mutant that changes an element's index in one order: `change(n, element, index)` gives the new index.
 template <class Change>
 auto on_vertex_index(VertexOrder of, Change change) {
-  return [of, change](Functions& f) {
-    f.orders.vertex_index = [of, change, real = f.orders.vertex_index](VertexOrder order, Level n,
-                                                                       std::span<const Vertex> at,
-                                                                       std::span<std::uint32_t> out) {
-      real(order, n, at, out);
-      if (order != of) return;
-      for (std::size_t k = 0; k < at.size(); ++k) out[k] = change(n, at[k], out[k]);
-    };
-  };
+  return spoils(
+      &Functions::orders, &Orders::vertex_index,
+      [of, change](VertexOrder order, Level n, std::span<const Vertex> at, std::span<std::uint32_t> out) {
+        if (order != of) return;
+        for (std::size_t k = 0; k < at.size(); ++k) out[k] = change(n, at[k], out[k]);
+      });
 }
 template <class Change>
 auto on_face_index(FaceOrder of, Change change) {
-  return [of, change](Functions& f) {
-    f.orders.face_index = [of, change, real = f.orders.face_index](FaceOrder order, Level n,
-                                                                   std::span<const MicroTriangle> at,
-                                                                   std::span<std::uint32_t> out) {
-      real(order, n, at, out);
-      if (order != of) return;
-      for (std::size_t k = 0; k < at.size(); ++k) out[k] = change(n, at[k], out[k]);
-    };
-  };
+  return spoils(&Functions::orders, &Orders::face_index,
+                [of, change](FaceOrder order, Level n, std::span<const MicroTriangle> at,
+                             std::span<std::uint32_t> out) {
+                  if (order != of) return;
+                  for (std::size_t k = 0; k < at.size(); ++k) out[k] = change(n, at[k], out[k]);
+                });
 }
 
 inline std::string vertices_in_orders(const Subject&, Level) { return "the V(n) vertices, in 3 orders"; }
 inline std::string faces_in_orders(const Subject&, Level) { return "the 4^n faces, in 3 orders"; }
 
 inline std::string text_of(const Triplet& x) { return fmt::format("{} {} {}", x[0], x[1], x[2]); }
-
-/// Whether a vertex in Bird's order is new at level n.
-inline bool new_at(Level n, const Vertex& at) { return n != 0 && (at.i % 2 != 0 || at.j % 2 != 0); }
 
 }  // namespace mmverify::proofs::attribute

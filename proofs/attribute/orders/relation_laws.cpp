@@ -1,5 +1,5 @@
 // Relations of orders: to the next level, to each other, and to faces.
-#include "proofs/attribute/law_groups.hpp"
+#include "proofs/attribute/laws.hpp"
 #include "proofs/attribute/orders/parts.hpp"
 
 namespace mmverify::proofs::attribute {
@@ -86,8 +86,7 @@ Law nested_law() {
        .source = "Color and Attribute Micromaps, 3.1 and 4.4.1, which leave it open",
        .subjects = related_subjects,
        .tiers = {.fast = {0, 10}, .long_run = {0, 15}, .seconds = 1},
-       .domain = [](const Subject&,
-                    Level) { return std::string("the V(n) vertices, in 3 orders and by W-minor's rows"); },
+       .domain = "the V(n) vertices, in 3 orders and by W-minor's rows",
        .mutants = {mutant("one vertex of Bird's level 8 is another", "attribute-spec", {7, 7},
                           at_level(VertexOrder::bird, 8, {60, 128}, 3))}},
       needing({entry::vertex_index}), on_two(settings, two));
@@ -121,8 +120,7 @@ Law prefix_law() {
        .source = "Color and Attribute Micromaps, 3.1 and 4.4.1",
        .subjects = related_subjects,
        .tiers = {.fast = {0, 8}, .long_run = {0, 14}, .seconds = 1},
-       .domain = [](const Subject&,
-                    Level) { return std::string("the V(n) vertices, 1 to 16 levels on, to level 16"); },
+       .domain = "the V(n) vertices, 1 to 16 levels on, to level 16",
        .mutants = {mutant("5 levels on from level 7 one number is another", "attribute-spec", {7, 7},
                           on_vertex_index(VertexOrder::bird,
                                           [](Level n, const Vertex&, std::uint32_t x) {
@@ -151,7 +149,7 @@ Law reversed_law() {
        .source = cam_2,
        .subjects = related_subjects,
        .tiers = {.fast = {0, 10}, .long_run = {0, 16}, .seconds = 1},
-       .domain = [](const Subject&, Level) { return std::string("the V(n) vertices"); },
+       .domain = "the V(n) vertices",
        .mutants = {mutant("the last two of level 4 change places", "attribute-spec", {4, 4},
                           on_vertex_index(VertexOrder::u_major,
                                           [](Level n, const Vertex& v, std::uint32_t x) {
@@ -210,10 +208,7 @@ Law convert_law() {
        .source = cam_2,
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 9}, .long_run = {0, 16}, .seconds = 2},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string("the V(n) vertices, from each order to each, itself as well");
-           },
+       .domain = "the V(n) vertices, from each order to each, itself as well",
        .mutants = {mutant("one vertex of level 8 from Bird", "attribute-spec", {8, 8},
                           on_conversion<in>([](auto from, auto, Level n, std::uint32_t x, std::uint32_t y) {
                             return n == 8 && from == bird && x == 12'345 ? y + 1 : y;
@@ -232,8 +227,7 @@ Law convert_faces_law() {
        .source = cam_2,
        .subjects = {"attribute-spec", "attribute"},
        .tiers = {.fast = {0, 8}, .long_run = {0, 16}, .seconds = 2},
-       .domain = [](const Subject&,
-                    Level) { return std::string("the 4^n faces, from each order to each, itself as well"); },
+       .domain = "the 4^n faces, from each order to each, itself as well",
        .mutants = {mutant("to the curve of level 7 the last one is the one before", "attribute", {7, 7},
                           on_conversion<in>([](auto, auto to, Level n, std::uint32_t, std::uint32_t y) {
                             return n == 7 && to == curve && y == face_count(7) - 1 ? y - 1 : y;
@@ -242,10 +236,6 @@ Law convert_faces_law() {
       conversions<MicroTriangle>(pairs(face_orders, face_orders), face_count, Kind::interior,
                                  [](const Functions& f) { return f.orders.convert_faces; }));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// attribute.triangle_vertices
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// Triplets of a batch and the faces of the right ones, beside what they must be.
 struct FoundTriplets {
@@ -272,24 +262,9 @@ FoundTriplets found_triplets(const AttributeSubject& s, Level n, const Pair<Face
   return found;
 }
 
-void turn_odd_of_rows(FaceOrder faces, VertexOrder, Level, std::uint32_t face, Triplet& t) {
-  const std::uint32_t row = spec::index::w_minor_row(face);
-  if (faces == FaceOrder::rows && (face - row * row) % 2 != 0) t = {t[2], t[0], t[1]};
-}
-
 void swap_corners_of_one(FaceOrder faces, VertexOrder vertices, Level n, std::uint32_t face, Triplet& t) {
   if (n == 6 && face == 3000 && faces == FaceOrder::curve && vertices == VertexOrder::bird)
     std::swap(t[1], t[2]);
-}
-
-void take_upper_for_lower(Functions& f) {
-  f.orders.face_of = [real = f.orders.face_of](FaceOrder faces, VertexOrder vertices, Level n,
-                                               std::span<const Triplet> of_these,
-                                               std::span<std::uint32_t> out) {
-    real(faces, vertices, n, of_these, out);
-    for (std::uint32_t& x : out)
-      if (n == 5 && faces == FaceOrder::u_major && x == face_count(5) - 3) --x;
-  };
 }
 
 Law triangle_vertices_law() {
@@ -311,14 +286,11 @@ Law triangle_vertices_law() {
                  fmt::format("{}, of face {}", text_of(found.got[0]), found.back[0])};
   };
   const auto on_triplet = [](auto change) {
-    return [change](Functions& f) {
-      f.orders.triplet = [change, real = f.orders.triplet](FaceOrder faces, VertexOrder vertices, Level n,
-                                                           std::span<const std::uint32_t> face,
-                                                           std::span<Triplet> out) {
-        real(faces, vertices, n, face, out);
-        for (std::size_t k = 0; k < out.size(); ++k) change(faces, vertices, n, face[k], out[k]);
-      };
-    };
+    return spoils(&Functions::orders, &Orders::triplet,
+                  [change](FaceOrder faces, VertexOrder vertices, Level n,
+                           std::span<const std::uint32_t> face, std::span<Triplet> out) {
+                    for (std::size_t k = 0; k < out.size(); ++k) change(faces, vertices, n, face[k], out[k]);
+                  });
   };
   return on_batches(
       {.id = "attribute.triangle_vertices",
@@ -327,14 +299,9 @@ Law triangle_vertices_law() {
        .source = cam_4,
        .subjects = related_subjects,
        .tiers = {.fast = {0, 7}, .long_run = {0, 16}, .seconds = 3},
-       .domain = [](const Subject&,
-                    Level) { return std::string("the 4^n faces, 3 orders of faces by 3 of vertices"); },
-       .mutants = {mutant("figure 4's cycle: odd triplets of rows begin one corner earlier", "attribute-spec",
-                          {1, 4}, on_triplet(turn_odd_of_rows)),
-                   mutant("the last two corners of one face of level 6 change places", "attribute-spec",
-                          {6, 6}, on_triplet(swap_corners_of_one)),
-                   mutant("the way back takes an upper face of the last strip for a lower one", "attribute",
-                          {5, 5}, take_upper_for_lower)}},
+       .domain = "the 4^n faces, 3 orders of faces by 3 of vertices",
+       .mutants = {mutant("the last two corners of one face of level 6 change places", "attribute-spec",
+                          {6, 6}, on_triplet(swap_corners_of_one))}},
       needing({entry::face_index, entry::vertex_index, entry::triplet, entry::face_of}), std::move(cases));
 }
 

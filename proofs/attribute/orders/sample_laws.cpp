@@ -1,10 +1,9 @@
 // Laws of orders on samples of the levels that are too high for the sweeps of the fast tier.
-#include <algorithm>
 #include <cmath>
 
-#include "proofs/attribute/law_groups.hpp"
+#include "proofs/attribute/laws.hpp"
 #include "proofs/attribute/orders/parts.hpp"
-#include "proofs/attribute/orders/places.hpp"
+#include "proofs/attribute/orders/walks.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {
@@ -80,14 +79,6 @@ Batches<Element> drawn_cases(
   return cases;
 }
 
-/// A mutant that changes an order's indices at levels above 12.
-template <class Change>
-auto above_12(VertexOrder of, Change change) {
-  return on_vertex_index(of, [change](Level n, const Vertex& v, std::uint32_t x) {
-    return n > 12 ? static_cast<std::uint32_t>(change(n, v, x)) : x;
-  });
-}
-
 Found found_of_vertices(const AttributeSubject& s, Level n, std::size_t setting, std::span<const Vertex> at) {
   const VertexOrder order = vertex_orders[setting];
   const Orders& f = s.functions.orders;
@@ -116,21 +107,6 @@ Found found_of_vertices(const AttributeSubject& s, Level n, std::size_t setting,
   return all;
 }
 
-void take_root_in_binary32(Functions& f) {
-  f.orders.vertex_at = [real = f.orders.vertex_at](VertexOrder order, Level n,
-                                                   std::span<const std::uint32_t> index,
-                                                   std::span<Vertex> out) {
-    real(order, n, index, out);
-    if (order != VertexOrder::w_minor || n < 13) return;
-    for (std::size_t k = 0; k < out.size(); ++k) {
-      const float root = std::sqrt(8.0f * static_cast<float>(index[k]) + 1.0f);
-      const auto row = static_cast<std::uint32_t>((root - 1.0f) / 2.0f);
-      const auto j = index[k] - row * (row + 1) / 2;
-      out[k] = {row - j, j};
-    }
-  };
-}
-
 void lessen_converted_bird(Functions& f) {
   f.orders.convert_vertices = [real = f.orders.convert_vertices](VertexOrder from, VertexOrder to, Level n,
                                                                  std::span<const std::uint32_t> index,
@@ -149,32 +125,9 @@ Law sampled_vertices_law() {
        .method = Method::sample,
        .subjects = sampled_subjects,
        .tiers = {.fast = {8, 16}, .long_run = {1, 16}, .seconds = 1},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string(
-                 "a sample of the V(n) vertices in 3 orders: corners, edges, ends of rows, powers of two");
-           },
-       .mutants = {mutant("a row of W-minor is a root in binary32 from level 13 on", "attribute-spec",
-                          {12, 13}, take_root_in_binary32),
-                   mutant("where U-major's columns begin is a signed number of 32 bits", "attribute",
-                          {15, 16},
-                          above_12(VertexOrder::u_major,
-                                   [](Level, const Vertex&, std::uint32_t x) {
-                                     return x >> 31 != 0 ? 0x7fffffffu : x;
-                                   })),
-                   mutant("Bird's places have 15 bits: the corner u is lost at level 15", "attribute-spec",
-                          {14, 15},
-                          above_12(VertexOrder::bird,
-                                   [](Level n, const Vertex& v, std::uint32_t x) {
-                                     return n >= 15 && (v.i >> 15 != 0 || v.j >> 15 != 0) ? 0u : x;
-                                   })),
-                   mutant("Bird's indices above 2^26 are one less when they come from another order",
-                          "attribute", {13, 14}, lessen_converted_bird),
-                   mutant("W-minor's rows beyond 2^12 begin at the end of v", "attribute-single", {12, 13},
-                          above_12(VertexOrder::w_minor,
-                                   [](Level, const Vertex& v, std::uint32_t x) {
-                                     return v.i + v.j > 4096 ? x - v.j + v.i : x;
-                                   }))}},
+       .domain = "a sample of the V(n) vertices in 3 orders: corners, edges, ends of rows, powers of two",
+       .mutants = {mutant("Bird's indices above 2^26 are one less when they come from another order",
+                          "attribute", {13, 14}, lessen_converted_bird)}},
       needing({entry::vertex_index}),
       drawn_cases<Vertex>(settings_of(vertex_orders), Kind::vertex, drawn_vertex, found_of_vertices));
 }
@@ -254,10 +207,7 @@ Law sampled_faces_law() {
        .method = Method::sample,
        .subjects = sampled_subjects,
        .tiers = {.fast = {8, 16}, .long_run = {1, 16}, .seconds = 1},
-       .domain =
-           [](const Subject&, Level) {
-             return std::string("a sample of the 4^n faces, 3 orders of faces by 3 of vertices");
-           },
+       .domain = "a sample of the 4^n faces, 3 orders of faces by 3 of vertices",
        .mutants = {mutant("faces of rows are one further in U-major, from level 13 on", "attribute", {12, 13},
                           move_converted_rows)}},
       needing({entry::face_index}),

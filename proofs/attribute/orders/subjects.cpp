@@ -1,6 +1,4 @@
 // The orders of the built-in subjects.
-#include <cmath>
-
 #include "impl/attribute/order.hpp"
 #include "proofs/attribute/subject_parts.hpp"
 

@@ -1,9 +1,6 @@
 // The orders by walking them: counted, in the place of closed forms.
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "proofs/attribute/subject.hpp"
 
 namespace mmverify::proofs::attribute {
@@ -26,5 +23,13 @@ class VertexWalks {
 
 /// That of a level, made once.
 std::shared_ptr<const VertexWalks> vertex_walks(Level n);
+
+/// Number k of a sample of the level's vertices.  Of each eight in turn: any; near a corner; near an edge; beside a row's
+/// or a column's first; beside powers of two; two that have, in one of the orders, an index beside a power of two; one
+/// that has, in one of them, an index beside a multiple of 2^16.
+Vertex drawn_vertex(Level n, std::uint64_t k, std::uint64_t seed);
+/// The face that has the vertex for its base, an upper one as often as a lower one; of a vertex on the hypotenuse one
+/// that it is a corner of.
+MicroTriangle drawn_face(Level n, std::uint64_t k, std::uint64_t seed);
 
 }  // namespace mmverify::proofs::attribute

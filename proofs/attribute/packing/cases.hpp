@@ -1,8 +1,6 @@
 // Maps for the laws of packed maps: a shape, and a pattern that fills it.
 #pragma once
 
-#include <string>
-
 #include "proofs/attribute/law_parts.hpp"
 
 namespace mmverify::proofs::attribute {

@@ -1,13 +1,6 @@
 // The functions of a subject of topic attribute for packed maps.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "proofs/engine/law.hpp"
 #include "spec/attribute/compress.hpp"
 

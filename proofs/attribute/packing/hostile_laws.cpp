@@ -1,7 +1,5 @@
 // Laws of bytes that are no packed maps, or other packed maps.
-#include <algorithm>
-
-#include "proofs/attribute/law_groups.hpp"
+#include "proofs/attribute/laws.hpp"
 #include "proofs/attribute/packing/cases.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/shape.hpp"
@@ -112,7 +110,7 @@ Finding takes_no_other(const AttributeSubject& s, Level, const HarmedCase& one) 
 
 Law canonical_law() {
   Cases<HarmedCase> cases;
-  cases.count = [](Level, const Run& run) { return std::uint64_t{run.tier == Tier::fast ? 192u : 3'840u}; };
+  cases.count = {192, 3'840};
   cases.number = [](Level n, std::uint64_t k, std::uint64_t seed) {
     return HarmedCase{pack_case(n, k / harm_names.size(), seed, true),
                       static_cast<Harm>(k % harm_names.size())};
@@ -137,12 +135,8 @@ Law canonical_law() {
                    .method = Method::sample,
                    .subjects = {"attribute-spec", "attribute"},
                    .tiers = {.fast = {0, 4}, .long_run = {0, 6}, .seconds = 2},
-                   .domain =
-                       [](const Subject&, Level) {
-                         return std::string(
-                             "packed maps with a bit or a byte changed, cut, longer, with unused bits set, a "
-                             "start or a width changed, a block wider than it is");
-                       },
+                   .domain = "packed maps with a bit or a byte changed, cut, longer, with unused bits set, a "
+                             "start or a width changed, a block wider than it is",
                    .mutants = {mutant("the second start is not looked at", "attribute", {4, 4},
                                       [](Functions& f) {
                                         f.compression.unpack = [real = f.compression.unpack](

@@ -1,7 +1,6 @@
 // Packed maps: what comes back, value by value as well, how far off it may be, and how large they are.
-#include <algorithm>
+#include "proofs/attribute/laws.hpp"
 
-#include "proofs/attribute/law_groups.hpp"
 #include "proofs/attribute/packing/cases.hpp"
 
 namespace mmverify::proofs::attribute {
@@ -24,10 +23,6 @@ std::function<void(Functions&)> altering(std::function<void(const PackedShape&, 
     return real(shape, other);
   });
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// What comes back
-// ---------------------------------------------------------------------------------------------------------------------
 
 Finding comes_back(const AttributeSubject& s, Level, const PackCase& one) {
   const Bytes codes = codes_of(one), expected = slow::pack(one.shape, codes);
@@ -56,10 +51,6 @@ Law round_trip_law() {
                           }))}},
       needing({pack_entry, unpack_entry}), pack_cases(false, comes_back));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// One value without the rest
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// All values of all levels.
 Finding reads_alike(const AttributeSubject& s, Level n, const PackCase& one) {
@@ -123,10 +114,6 @@ Law random_access_law() {
       needing({unpack_entry, reader_entry}), pack_cases(true, reads_alike));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Bounded error
-// ---------------------------------------------------------------------------------------------------------------------
-
 Finding within_error(const AttributeSubject& s, Level, const PackCase& one) {
   const PackedShape& shape = one.shape;
   const Bytes codes = codes_of(one), bytes = s.functions.compression.pack(shape, codes);
@@ -165,10 +152,6 @@ Law within_error_law() {
                           }))}},
       needing({pack_entry, unpack_entry}), pack_cases(true, within_error));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Size
-// ---------------------------------------------------------------------------------------------------------------------
 
 Finding is_sized(const AttributeSubject& s, Level, const PackCase& one) {
   const Bytes codes = codes_of(one);

@@ -1,6 +1,4 @@
 // Packed maps of the built-in subjects.
-#include <memory>
-
 #include "impl/attribute/compress.hpp"
 #include "proofs/attribute/subject_parts.hpp"
 

@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <map>
-#include <optional>
-#include <string_view>
 
 #include "proofs/bake/cases/lone_texel.hpp"
-#include "proofs/bake/cases/resize.hpp"
 #include "proofs/bake/domains/strata.hpp"
 
 namespace mmverify::proofs::bake {
@@ -117,6 +112,8 @@ void read_cutoff(Case& one, std::string_view value) {
   if (one.cutoff.denominator == 0) bad(value, "a cutoff over 0");
 }
 
+double largest(Texel texel) { return texel == Texel::unorm8 ? 255 : 65535; }
+
 }  // namespace
 
 std::uint64_t texels_of(std::uint32_t width, std::uint32_t height, std::uint32_t mips) {
@@ -206,6 +203,35 @@ Case case_from(const std::string& text) {
   if (uv.size() != 6) bad(text, "write uv=U:V:U:V:U:V");
   for (std::size_t k = 0; k < 6; ++k) one.uv[k] = finite(uv[k]);
   if (!items.empty()) bad(items.begin()->first, "no such item of a case");
+  return one;
+}
+
+std::uint32_t converted(Texel from, Texel to, std::uint32_t bits) {
+  if (from == to) return bits;
+  const double value = from == Texel::float32 ? std::bit_cast<float>(bits) : bits / largest(from);
+  if (to == Texel::float32) return std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0, 1.0) * largest(to)));
+}
+
+std::optional<Case> resized(Case one, std::uint32_t width, std::uint32_t height, std::uint32_t mips,
+                            Texel texel) {
+  if (width > one.width || height > one.height || mips > one.mips) return std::nullopt;
+  if (width == one.width && height == one.height && mips == one.mips && texel == one.texel) return one;
+  std::vector<std::uint32_t> alpha;
+  std::size_t from = 0;
+  for (std::uint32_t k = 0; k < mips; ++k) {
+    const std::uint32_t columns = std::max(1u, one.width >> k), rows = std::max(1u, one.height >> k);
+    for (std::uint32_t j = 0; j < std::max(1u, height >> k); ++j)
+      for (std::uint32_t i = 0; i < std::max(1u, width >> k); ++i)
+        alpha.push_back(converted(one.texel, texel, one.alpha[from + i + std::size_t{j} * columns]));
+    from += std::size_t{columns} * rows;
+  }
+  one.alpha = std::move(alpha);
+  one.border = converted(one.texel, texel, one.border);
+  one.width = width;
+  one.height = height;
+  one.mips = mips;
+  one.texel = texel;
   return one;
 }
 

@@ -1,11 +1,6 @@
 // A case of a baker: a texture, its sampling, the alpha mode, and a base triangle on it.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "proofs/engine/law.hpp"
 #include "spec/bake/state.hpp"
 
@@ -62,5 +57,13 @@ std::string text_of(const Case& one);
 /// The case of a text.  Throws BadCase, also for a side of 0 or above 16384, a number that is not finite, a cutoff
 /// over 0, or a factor or margin below 0: no baker takes such a case.
 Case case_from(const std::string& text);
+
+/// The number that is stored as `bits`, in another type: of what it cannot hold the nearest that it can.
+std::uint32_t converted(Texel from, Texel to, std::uint32_t bits);
+
+/// The case with the first columns and rows of each mip alone, its texels and its border converted.
+/// None where it has fewer columns, rows or mips.
+std::optional<Case> resized(Case one, std::uint32_t width, std::uint32_t height, std::uint32_t mips,
+                            Texel texel);
 
 }  // namespace mmverify::proofs::bake

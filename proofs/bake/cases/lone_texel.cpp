@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <tuple>
-#include <utility>
 
 #include "proofs/engine/random.hpp"
 

@@ -1,10 +1,6 @@
 // Textures of one alpha, but for one texel at most: as large as a texture may be, and yet it is plain what is in them.
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "proofs/bake/support.hpp"
 
 namespace mmverify::proofs::bake {

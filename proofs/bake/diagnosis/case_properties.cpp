@@ -1,10 +1,4 @@
-#include "proofs/bake/diagnosis/case_properties.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
+#include "proofs/bake/diagnosis/diagnosis.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

@@ -1,8 +1,4 @@
-#include "proofs/bake/diagnosis/known_mistakes.hpp"
-
-#include <algorithm>
-#include <utility>
-
+#include "proofs/bake/diagnosis/diagnosis.hpp"
 #include "proofs/bake/mutants/states.hpp"
 
 namespace mmverify::proofs::bake {

@@ -1,10 +1,6 @@
-#include "proofs/bake/diagnosis/picture.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 
+#include "proofs/bake/diagnosis/diagnosis.hpp"
 #include "proofs/bake/truth/exact_texture.hpp"
 #include "proofs/drawing/canvas.hpp"
 #include "proofs/points/narrow.hpp"

@@ -2,13 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <atomic>
-#include <mutex>
-#include <tuple>
-
-#include "proofs/bake/cases/resize.hpp"
 #include "proofs/bake/truth/exact_texture.hpp"
 #include "proofs/points/narrow.hpp"
 

@@ -2,14 +2,7 @@
 // every addressing and some triangles, with the true states of each case.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "proofs/bake/cases/case.hpp"
+#include "proofs/bake/support.hpp"
 
 namespace mmverify::proofs::bake {
 
@@ -95,5 +88,10 @@ const Families& nearest_families();
 const Families& blend_families();
 /// The families of the long tier: every triangle on nine points.
 const Families& grid_families();
+
+/// The families with as many cases, all of them supported.  An unsupported addressing mode is replaced by each
+/// triangle turned over, mirrored and with its vertices in other orders.  Made once. Domain: families that last as
+/// long as the program; their filter and their alpha mode are supported.
+const Families& fitted(const Families& families, const Support& support);
 
 }  // namespace mmverify::proofs::bake

@@ -1,10 +1,4 @@
-#include "proofs/bake/domains/fitted_families.hpp"
-
-#include <array>
-#include <map>
-#include <memory>
-#include <mutex>
-#include <utility>
+#include "proofs/bake/domains/family.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

@@ -1,14 +1,8 @@
 #include "proofs/bake/domains/samples.hpp"
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
-
-#include "proofs/bake/domains/edge_samples.hpp"
-#include "proofs/engine/random.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {
@@ -145,6 +139,16 @@ void repeat_often(Random& random, Case& one) {
   for (float& x : one.uv) x = dyadic(random, 12, 3);
 }
 
+std::uint32_t in_texels_of(Texel texel, std::uint32_t byte, Random& random) {
+  if (texel == Texel::unorm8) return byte;
+  const auto word = static_cast<std::uint32_t>(
+      std::clamp<std::int64_t>(257 * std::int64_t{byte} + random.between(-1, 1), 0, 65535));
+  if (texel == Texel::unorm16) return word;
+  const float steps[] = {0, 1, -0.25f, 1.5f};
+  return std::bit_cast<std::uint32_t>(random.below(4) == 0 ? steps[random.below(4)]
+                                                           : static_cast<float>(byte) / 255);
+}
+
 }  // namespace
 
 Case sample(std::uint64_t seed, std::uint64_t k) {
@@ -167,20 +171,6 @@ Case sample(std::uint64_t seed, std::uint64_t k) {
     place_a_hair_beside_lines(random, one);
   return one;
 }
-
-namespace {
-
-std::uint32_t in_texels_of(Texel texel, std::uint32_t byte, Random& random) {
-  if (texel == Texel::unorm8) return byte;
-  const auto word = static_cast<std::uint32_t>(
-      std::clamp<std::int64_t>(257 * std::int64_t{byte} + random.between(-1, 1), 0, 65535));
-  if (texel == Texel::unorm16) return word;
-  const float steps[] = {0, 1, -0.25f, 1.5f};
-  return std::bit_cast<std::uint32_t>(random.below(4) == 0 ? steps[random.below(4)]
-                                                           : static_cast<float>(byte) / 255);
-}
-
-}  // namespace
 
 Case featured_sample(std::uint64_t seed, std::uint64_t k) {
   Case one = sample(seed, k);

@@ -1,14 +1,11 @@
 #include "proofs/bake/domains/strata.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <memory>
 
 #include "proofs/bake/domains/threshold.hpp"
-#include "proofs/engine/random.hpp"
 #include "spec/index/index.hpp"
 
 namespace mmverify::proofs::bake {
@@ -17,9 +14,7 @@ namespace {
 constexpr std::uint64_t strata_stream = 0x73747261;
 constexpr Level large_level = 7;  ///< maps have 16,384 states or more from here on
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The design
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The design
 
 /// The pairs of values that rows of the design contain.
 class Pairs {
@@ -65,9 +60,7 @@ std::vector<Row> designed() {
   return rows;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Texels
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Texels
 
 std::uint64_t scattered(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
   std::uint64_t x =
@@ -170,9 +163,7 @@ void fill_by(std::vector<std::uint32_t>& alpha, std::uint32_t width, std::uint32
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The triangle
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The triangle
 
 /// The unit of lengths: so many functions make a texel, and all sums of them are exact.
 constexpr std::int64_t functions = 4096;
@@ -310,10 +301,6 @@ void move_away(Case& one, Random& random) {
     for (std::size_t k = axis; k < 6; k += 2) one.uv[k] += away;
   }
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Together
-// ---------------------------------------------------------------------------------------------------------------------
 
 constexpr std::uint8_t whole_chain = 4, one_of_them = 1;  // of mips_of and of deciding_mip
 

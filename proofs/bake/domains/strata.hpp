@@ -4,11 +4,6 @@
 // the others are chosen, row after row, so that as many pairs that no row has yet come together.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "proofs/bake/cases/case.hpp"
 
 namespace mmverify::proofs::bake {

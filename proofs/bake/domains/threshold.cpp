@@ -1,11 +1,7 @@
 #include "proofs/bake/domains/threshold.hpp"
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "proofs/bake/truth/exact_texture.hpp"
 #include "proofs/points/point.hpp"
@@ -89,6 +85,44 @@ std::optional<Cutoff> over(std::uint32_t denominator, const Rational& alpha) {
   return Cutoff{static_cast<std::uint32_t>(numerator), denominator};
 }
 
+/// The cutoff that lies, by its kind, on the alpha of texel t or a hair beside it.
+Cutoff cutoff_at(const Case& one, std::uint8_t kind, std::uint32_t t, Random& random) {
+  const Rational value = exact_texel(one.texel, t),
+                 alpha = value * points::rational(one.factor) * points::rational(one.vertex_factor);
+  // The cutoff falls back to a texel's value; of binary32 to one at most 2^-31 below.
+  std::optional<Cutoff> cutoff;
+  switch (kind) {
+    case 2:
+      cutoff = as_cutoff(alpha);
+      break;
+    case 3:
+    case 4: {
+      const Rational other = kind == 3 ? points::rational(rounded<float>(one, t, random))
+                                       : points::rational(rounded<double>(one, t, random));
+      if (other != alpha && alpha > 0)
+        cutoff = as_cutoff(simplest_between(std::min(alpha, other), std::max(alpha, other)));
+      if (!cutoff) cutoff = as_cutoff(alpha);
+      break;
+    }
+    case 8: {
+      cutoff = over(0xfffffffb, alpha);
+      if (cutoff && cutoff->numerator < 0xffffffff && random.below(2) != 0) ++cutoff->numerator;
+      break;
+    }
+    case 9: {
+      const Rational beside =
+          value + (random.below(2) != 0 ? 1 : -1) * Rational(Integer(1), Integer(255) << 16);
+      cutoff = as_cutoff(beside);
+      break;
+    }
+    default:
+      break;
+  }
+  if (!cutoff) cutoff = as_cutoff(value);
+  if (!cutoff) cutoff = over(0x80000000, value);
+  return cutoff.value_or(Cutoff{1, 2});
+}
+
 }  // namespace
 
 std::uint32_t lowest(Texel texel) {
@@ -141,48 +175,6 @@ void set_factors(Case& one, std::uint8_t factor, std::uint8_t vertex, Random& ra
       std::ldexp(static_cast<float>(1 + random.below(7)), factor == 6 ? 98 : 20)};
   one.vertex_factor = vertices[vertex];
 }
-
-namespace {
-
-/// The cutoff that lies, by its kind, on the alpha of texel t or a hair beside it.
-Cutoff cutoff_at(const Case& one, std::uint8_t kind, std::uint32_t t, Random& random) {
-  const Rational value = exact_texel(one.texel, t),
-                 alpha = value * points::rational(one.factor) * points::rational(one.vertex_factor);
-  // The cutoff falls back to a texel's value; of binary32 to one at most 2^-31 below.
-  std::optional<Cutoff> cutoff;
-  switch (kind) {
-    case 2:
-      cutoff = as_cutoff(alpha);
-      break;
-    case 3:
-    case 4: {
-      const Rational other = kind == 3 ? points::rational(rounded<float>(one, t, random))
-                                       : points::rational(rounded<double>(one, t, random));
-      if (other != alpha && alpha > 0)
-        cutoff = as_cutoff(simplest_between(std::min(alpha, other), std::max(alpha, other)));
-      if (!cutoff) cutoff = as_cutoff(alpha);
-      break;
-    }
-    case 8: {
-      cutoff = over(0xfffffffb, alpha);
-      if (cutoff && cutoff->numerator < 0xffffffff && random.below(2) != 0) ++cutoff->numerator;
-      break;
-    }
-    case 9: {
-      const Rational beside =
-          value + (random.below(2) != 0 ? 1 : -1) * Rational(Integer(1), Integer(255) << 16);
-      cutoff = as_cutoff(beside);
-      break;
-    }
-    default:
-      break;
-  }
-  if (!cutoff) cutoff = as_cutoff(value);
-  if (!cutoff) cutoff = over(0x80000000, value);
-  return cutoff.value_or(Cutoff{1, 2});
-}
-
-}  // namespace
 
 std::uint32_t set_cutoff(Case& one, std::uint8_t kind, Random& random) {
   one.blend = false;

@@ -2,8 +2,6 @@
 // rounded arithmetic.
 #pragma once
 
-#include <cstdint>
-
 #include "proofs/bake/cases/case.hpp"
 #include "proofs/engine/random.hpp"
 

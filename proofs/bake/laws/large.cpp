@@ -1,13 +1,8 @@
 // Laws of large textures: points refute states, since the specification cannot visit all texels.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-
 #include "proofs/bake/cases/lone_texel.hpp"
 #include "proofs/bake/domains/threshold.hpp"
-#include "proofs/bake/law_groups.hpp"
 #include "proofs/bake/law_parts.hpp"
+#include "proofs/bake/laws.hpp"
 #include "proofs/bake/mutants/states.hpp"
 #include "spec/index/index.hpp"
 
@@ -177,13 +172,10 @@ Law large_law() {
           .subjects = {"bake"},
           .tiers = {.fast = {0, 12}, .long_run = {0, 12}, .seconds = 0.5},
           .domain =
-              [](const Subject&, Level) {
-                return std::string(
-                    "large ones: 13 shapes from 2^16 to 2^20 texels, among them 16384x4, and at level 3 one "
-                    "of more than 2^24; 8 and 16 bits and binary32, both filters, all addressing; the border "
-                    "is as the other texels; half of the texture, all of it, or a triangle somewhere on it; "
-                    "of sides of 4,096 texels and more also half a million repeats away, clamped");
-              },
+              "large ones: 13 shapes from 2^16 to 2^20 texels, among them 16384x4, and at level 3 one "
+              "of more than 2^24; 8 and 16 bits and binary32, both filters, all addressing; the border "
+              "is as the other texels; half of the texture, all of it, or a triangle somewhere on it; "
+              "of sides of 4,096 texels and more also half a million repeats away, clamped",
           .mutants = {spoiled("an unknown of 1,024 rows and more is transparent from level 5 on", "bake",
                               {5, 5}, transparent_from_level_5_on)}};
   Cases cases;

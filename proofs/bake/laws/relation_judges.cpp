@@ -1,11 +1,5 @@
 #include "proofs/bake/laws/relation_judges.hpp"
 
-#include <algorithm>
-#include <array>
-#include <map>
-#include <mutex>
-#include <utility>
-
 namespace mmverify::proofs::bake {
 std::vector<State> map_of(const BakeSubject& s, const Case& one, Level n, Format format) {
   std::optional<Baked> baked = s.functions.bake(one, n, format);
@@ -38,41 +32,12 @@ std::optional<Finding> differ(const BakeSubject& s, const char* of, const std::v
   return std::nullopt;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Shifts
-// ---------------------------------------------------------------------------------------------------------------------
-
 Case shifted(Case one, float u, float v) {
   for (std::size_t k = 0; k < 6; k += 2) one.uv[k] += u, one.uv[k + 1] += v;
   return one;
 }
 
 bool same_coordinates(const Case& a, const Case& b) { return a.uv == b.uv; }
-
-}  // namespace
-
-Finding keeps_shifts(const BakeSubject& s, const Case& one, Level n) {
-  const auto period = [](Wrap w) {
-    return w == Wrap::repeat ? 1.0f : w == Wrap::mirrored_repeat ? 2.0f : 0.0f;
-  };
-  const float u = period(one.wrap_u), v = period(one.wrap_v);
-  const std::vector<State> map = map_of(s, one, n);
-  for (const auto& [x, y] : {std::pair{u, 0.0f}, {0.0f, -v}, {-3 * u, 5 * v}, {40 * u, -70 * v}}) {
-    const Case other = shifted(one, x, y);
-    if (!same_coordinates(shifted(other, -x, -y), one)) continue;        // rounded, and so another triangle
-    if (fitted(s.functions.support, other, 0).uv != other.uv) continue;  // outside the subject's support
-    if (const auto wrong =
-            differ(s, fmt::format("shifted by {:g}, {:g}:", x, y).c_str(), map, map_of(s, other, n)))
-      return *wrong;
-  }
-  return {hash_of(map)};
-}
-
-namespace {
-
-// ---------------------------------------------------------------------------------------------------------------------
-// The order of the vertices
-// ---------------------------------------------------------------------------------------------------------------------
 
 using Order = std::array<std::size_t, 3>;
 constexpr std::array<Order, 5> orders{{{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
@@ -113,7 +78,36 @@ const std::vector<std::uint32_t>& known_places(std::size_t order, Level n) {
   return found;
 }
 
+/// One mip as a texture.
+Case mip_of(const Case& one, std::uint32_t mip) {
+  Case other = one;
+  other.width = std::max(1u, one.width >> mip);
+  other.height = std::max(1u, one.height >> mip);
+  other.mips = 1;
+  const auto from = one.alpha.begin() + static_cast<std::ptrdiff_t>(texels_of(one.width, one.height, mip));
+  other.alpha.assign(from, from + std::ptrdiff_t{other.width} * other.height);
+  other.drawn.clear();
+  return other;
+}
+
 }  // namespace
+
+Finding keeps_shifts(const BakeSubject& s, const Case& one, Level n) {
+  const auto period = [](Wrap w) {
+    return w == Wrap::repeat ? 1.0f : w == Wrap::mirrored_repeat ? 2.0f : 0.0f;
+  };
+  const float u = period(one.wrap_u), v = period(one.wrap_v);
+  const std::vector<State> map = map_of(s, one, n);
+  for (const auto& [x, y] : {std::pair{u, 0.0f}, {0.0f, -v}, {-3 * u, 5 * v}, {40 * u, -70 * v}}) {
+    const Case other = shifted(one, x, y);
+    if (!same_coordinates(shifted(other, -x, -y), one)) continue;        // rounded, and so another triangle
+    if (fitted(s.functions.support, other, 0).uv != other.uv) continue;  // outside the subject's support
+    if (const auto wrong =
+            differ(s, fmt::format("shifted by {:g}, {:g}:", x, y).c_str(), map, map_of(s, other, n)))
+      return *wrong;
+  }
+  return {hash_of(map)};
+}
 
 Finding keeps_orders(const BakeSubject& s, const Case& one, Level n) {
   const std::vector<State> map = map_of(s, one, n);
@@ -133,14 +127,6 @@ Finding keeps_orders(const BakeSubject& s, const Case& one, Level n) {
   }
   return {hash_of(map)};
 }
-
-namespace {
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Formats, levels, cutoffs
-// ---------------------------------------------------------------------------------------------------------------------
-
-}  // namespace
 
 Finding keeps_formats(const BakeSubject& s, const Case& one, Level n) {
   std::vector<State> forced = map_of(s, one, n);
@@ -205,26 +191,6 @@ Finding keeps_margins(const BakeSubject& s, const Case& one, Level n) {
   }
   return {hash};
 }
-
-namespace {
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Mips
-// ---------------------------------------------------------------------------------------------------------------------
-
-/// One mip as a texture.
-Case mip_of(const Case& one, std::uint32_t mip) {
-  Case other = one;
-  other.width = std::max(1u, one.width >> mip);
-  other.height = std::max(1u, one.height >> mip);
-  other.mips = 1;
-  const auto from = one.alpha.begin() + static_cast<std::ptrdiff_t>(texels_of(one.width, one.height, mip));
-  other.alpha.assign(from, from + std::ptrdiff_t{other.width} * other.height);
-  other.drawn.clear();
-  return other;
-}
-
-}  // namespace
 
 Finding keeps_mips(const BakeSubject& s, const Case& one, Level n) {
   const std::vector<State> map = map_of(s, one, n);

@@ -23,4 +23,7 @@ Finding keeps_margins(const BakeSubject&, const Case&, Level);   ///< wider ones
 Finding keeps_no_other(const BakeSubject&, const Case&, Level);  ///< question in mind, one thing apart
 Finding keeps_mips(const BakeSubject&, const Case&, Level);      ///< all together beside each alone
 
+/// One for each thing that a question has besides its texels.
+std::vector<Mutant> forgetful_mutants();
+
 }  // namespace mmverify::proofs::bake

@@ -1,27 +1,14 @@
 // Laws between the maps of one texture: nothing has to be known of them but that they fit together, so that
 // textures and levels may be larger than the specification's pace allows.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
-#include <mutex>
-#include <numeric>
-#include <optional>
-
 #include "proofs/bake/domains/samples.hpp"
 #include "proofs/bake/domains/strata.hpp"
-#include "proofs/bake/law_groups.hpp"
-#include "proofs/bake/law_parts.hpp"
+#include "proofs/bake/laws.hpp"
 #include "proofs/bake/laws/relation_judges.hpp"
-#include "proofs/bake/mutants/forgetful.hpp"
 #include "proofs/bake/mutants/states.hpp"
+#include "proofs/engine/spoils.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Cases
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// Every fourth case is one of the strata, above level 6 every second; the others are textures of up to 24x24 texels.
 constexpr std::uint64_t every(Level n) { return n > 6 ? 2 : 4; }
@@ -58,10 +45,8 @@ Law relation(Law law, Case (*number)(std::uint64_t seed, Level n, std::uint64_t 
   law.tiers.long_run = {0, 11};
   law.tiers.seconds = 0.5;
   if (!law.domain)
-    law.domain = [](const Subject&, Level) {
-      return fmt::format("{}; every fourth case, above level 6 every second, of {}", large_samples_text(),
-                         strata_text());
-    };
+    law.domain = fmt::format("{}; every fourth case, above level 6 every second, of {}", large_samples_text(),
+                             strata_text());
   Cases cases;
   cases.count = [count](Level n, const Run& run) { return count(n, run.tier); };
   cases.number = [number](const Support& support, Level n, std::uint64_t k, std::uint64_t seed) {
@@ -123,10 +108,6 @@ Case sample_in_turn(std::uint64_t seed, Level n, std::uint64_t k) {
   return k % 2 != 0 ? sample_with_mips(seed, n, k / 2) : any_sample(seed, n, k / 2);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Mutants
-// ---------------------------------------------------------------------------------------------------------------------
-
 /// The last of one state in a map of that level becomes another.
 Spoil changes(Level level, bool (*meant)(const Case&), State from, State to) {
   return [=](const Case& one, Level n, std::vector<State>& states) {
@@ -143,29 +124,21 @@ Mutant changed(const char* name, Levels levels, bool (*meant)(const Case&), Stat
 bool same_sides(const Case& a, const Case& b) {
   return a.width == b.width && a.height == b.height && a.texel == b.texel && a.mips == b.mips;
 }
-bool same_first_row(const Case& a, const Case& b) {
-  return same_sides(a, b) && std::equal(a.alpha.begin(), a.alpha.begin() + a.width, b.alpha.begin());
-}
 bool same_first_mip(const Case& a, const Case& b) {
   const auto texels = static_cast<std::ptrdiff_t>(texels_of(a.width, a.height, 1));
   return same_sides(a, b) && std::equal(a.alpha.begin(), a.alpha.begin() + texels, b.alpha.begin());
 }
-bool same_sum(const Case& a, const Case& b) {
-  return same_sides(a, b) && std::accumulate(a.alpha.begin(), a.alpha.end(), std::uint64_t{0}) ==
-                                 std::accumulate(b.alpha.begin(), b.alpha.end(), std::uint64_t{0});
-}
-
-/// The last texture is kept, and taken for each that is as good as it, from a level on.
-std::function<void(Functions&)> keeping(bool (*same)(const Case&, const Case&), Level from = 0) {
-  return [same, from](Functions& functions) {
+/// The last texture is kept, and taken for each that is as good as it.
+std::function<void(Functions&)> keeping(bool (*same)(const Case&, const Case&)) {
+  return [same](Functions& functions) {
     struct Kept {
       std::mutex lock;
       std::optional<Case> last;
     };
-    functions.bake = [same, from, kept = std::make_shared<Kept>(), real = functions.bake](
-                         const Case& one, Level n, Format format) {
+    functions.bake = [same, kept = std::make_shared<Kept>(), real = functions.bake](const Case& one, Level n,
+                                                                                    Format format) {
       Case now = one;
-      if (n >= from) {
+      {
         const std::lock_guard hold(kept->lock);
         if (kept->last && same(*kept->last, one)) now.alpha = kept->last->alpha;
         kept->last = now;
@@ -177,26 +150,16 @@ std::function<void(Functions&)> keeping(bool (*same)(const Case&, const Case&), 
 
 std::vector<Mutant> in_turn_mutants() {
   std::vector<Mutant> mutants = forgetful_mutants();
-  mutants.push_back(
-      mutant("a texture is known by its sides and its first row", "bake", {3, 3}, keeping(same_first_row)));
-  mutants.push_back(
-      mutant("a texture is known by its sides and the sum of its texels", "bake", {4, 4}, keeping(same_sum)));
-  mutants.push_back(
-      mutant("a texture is known by its sides, from level 5 on", "bake", {5, 5}, keeping(same_sides, 5)));
   mutants.push_back(mutant("a texture is known by its largest mip", "bake", {4, 4}, keeping(same_first_mip)));
   return mutants;
 }
 
 /// The last state of a map in 2-state is the other one.
 std::function<void(Functions&)> in_two_state(bool (*meant)(const Case&)) {
-  return [meant](Functions& functions) {
-    functions.bake = [meant, real = functions.bake](const Case& one, Level n, Format format) {
-      auto baked = real(one, n, format);
-      if (baked && format == Format::two_state && meant(one))
-        baked->states.back() = baked->states.back() == State::O ? State::T : State::O;
-      return baked;
-    };
-  };
+  return spoils(&Functions::bake, [meant](const Case& one, Level, Format format, auto& baked) {
+    if (baked && format == Format::two_state && meant(one))
+      baked->states.back() = baked->states.back() == State::O ? State::T : State::O;
+  });
 }
 
 Law mips_law() {
@@ -206,12 +169,9 @@ Law mips_law() {
        .source = "a mean of two mips' alpha lies between them; spec/bake/state.hpp",
        .subjects = {"bake"},
        .domain =
-           [](const Subject&, Level) {
-             return fmt::format(
-                 "those with two mips or more of {}; every second one a whole chain, of which any mip "
-                 "decides alone",
-                 strata_text());
-           },
+           fmt::format("those with two mips or more of {}; every second one a whole chain, of which any mip "
+                       "decides alone",
+                       strata_text()),
        .mutants = {asked_for_another("the last mip is left out", {5, 8}, without_last_mip)}},
       sample_with_mips, keeps_mips,
       [](const BakeSubject& s, Level) {

@@ -2,19 +2,14 @@
 // side.
 #include "proofs/bake/mutants/states.hpp"
 
-#include <array>
 #include <numeric>
 
 #include "proofs/bake/diagnosis/diagnosis.hpp"
-#include "proofs/bake/diagnosis/picture.hpp"
-#include "proofs/bake/domains/fitted_families.hpp"
+#include "proofs/bake/domains/family.hpp"
 #include "proofs/bake/domains/samples.hpp"
-#include "proofs/bake/domains/side_samples.hpp"
 #include "proofs/bake/domains/strata.hpp"
-#include "proofs/bake/law_groups.hpp"
 #include "proofs/bake/law_parts.hpp"
-#include "proofs/bake/truth/offender.hpp"
-#include "proofs/bake/truth/ties.hpp"
+#include "proofs/bake/laws.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {

@@ -1,7 +1,6 @@
 // Deliberately wrong bakers: a state changed in one particular case, or the case mistaken for another.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,10 +10,6 @@
 namespace mmverify::proofs::bake {
 
 using Mistake = std::function<void(Case&)>;
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Mistakes
-// ---------------------------------------------------------------------------------------------------------------------
 
 inline void mirror_once_as_clamp(Case& one) {
   for (Wrap* const wrap : {&one.wrap_u, &one.wrap_v})
@@ -86,10 +81,6 @@ inline Mutant side_of_another(const char* name, Levels levels, const Mistake& mi
     return spec::micromap::unknown(is) ? spec::micromap::as_unknown(other) : is;
   });
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// One state of one map
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// Changes the last state that `meant` accepts.
 template <class Meant, class Becomes>

@@ -1,10 +1,8 @@
 // A case in the specification's words, over any of its exact numbers.
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <span>
-#include <vector>
 
 #include "proofs/bake/cases/case.hpp"
 

@@ -1,9 +1,6 @@
 // The micro-triangle that contradicts its state most, and where.
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "proofs/bake/truth/truth.hpp"
 
 namespace mmverify::proofs::bake {
@@ -26,5 +23,12 @@ const Extreme& contradiction(const Offender& offender);
 
 /// "1/3", of long ones the nearest decimal.
 std::string text_of(const Rational& q);
+
+/// Whether a state O or T is wrong on an area of 0 only: it would be right for open micro-triangles.
+bool is_tie(const Case& one, Level n, std::uint32_t index, State got);
+
+/// The approximate share of a micro-triangle's area that contradicts its state O or T in one mip, by 256 evenly
+/// spread places.  Domain: mip below the case's.
+double wrong_share(const Case& one, Level n, std::uint32_t index, State got, std::uint32_t mip);
 
 }  // namespace mmverify::proofs::bake

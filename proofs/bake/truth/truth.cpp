@@ -1,11 +1,6 @@
 #include "proofs/bake/truth/truth.hpp"
 
-#include <algorithm>
-#include <map>
-#include <mutex>
 #include <numeric>
-#include <stdexcept>
-#include <utility>
 
 #include "proofs/bake/truth/exact_texture.hpp"
 #include "proofs/engine/random.hpp"

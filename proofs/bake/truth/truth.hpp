@@ -1,9 +1,6 @@
 // The true states of a case by the specification, and a point that shows each.
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "proofs/bake/cases/case.hpp"
 
 namespace mmverify::proofs::bake {

@@ -1,6 +1,4 @@
 // dag.all_levels.
-#include <fmt/format.h>
-
 #include "proofs/dag/induction/provable.hpp"
 #include "proofs/dag/law_parts.hpp"
 #include "proofs/engine/interrupt.hpp"
@@ -30,12 +28,6 @@ std::vector<Counterexample> counterexamples(const DagSubject& subject, const Run
   return found;
 }
 
-std::optional<std::vector<Statement>> statements_about(const Subject& subject) {
-  if (const auto* own = dynamic_cast<const Provable*>(&subject)) return own->statements();
-  if (subject.name() == about) return shipped_all_levels();
-  return std::nullopt;
-}
-
 }  // namespace
 
 Tally discharge(const std::vector<Statement>& statements, const DagSubject& subject, const Run& run,
@@ -49,32 +41,28 @@ Tally discharge(const std::vector<Statement>& statements, const DagSubject& subj
 }
 
 Law all_levels_law() {
-  Law law{.id = "dag.all_levels",
-          .says =
-              "of every map of every level n >= 3: the graph means the map, equal subtrees are one part, a "
-              "lookup finds each state, what is added changes nothing that was meant, and the whole takes no "
-              "more than flat",
-          .source = form,
-          .method = Method::induction,
-          .subjects = {about},
-          .tiers = {.seconds = 2.7},
-          .at_once = "all levels"};
-  law.cases = [count = shipped_all_levels().size()](Level, const Run&) { return count; };
-  law.domain = [](const Subject&, Level) { return "every map of every level n >= 3"; };
-  law.how = [](const Subject&, Level) { return "induction, " + proofs::induction::prover_name(); };
-  law.unfit = [](const Subject& s, Level) -> std::optional<std::string> {
-    if (dynamic_cast<const Provable*>(&s) != nullptr || s.name() == about) return std::nullopt;
-    return fmt::format("no statements about {}: there are some about {}", s.name(), about);
-  };
-  law.judge = [](const Subject& s, Level, const Run& run) {
-    return discharge(statements_about(s).value(), dynamic_cast<const DagSubject&>(s), run);
-  };
+  Law law = proofs::induction::on_statements(
+      {.id = "dag.all_levels",
+       .says =
+           "of every map of every level n >= 3: the graph means the map, equal subtrees are one part, a "
+           "lookup finds each state, what is added changes nothing that was meant, and the whole takes no "
+           "more than flat",
+       .source = form,
+       .method = Method::induction,
+       .subjects = {about},
+       .tiers = {.seconds = 2.7},
+       .at_once = "all levels",
+       .domain = "every map of every level n >= 3",
+       .mutants = mutants_of_all_levels()},
+      {{about, shipped_all_levels}},
+      [](const std::vector<Statement>& statements, const Subject& s, const Run& run) {
+        return discharge(statements, dynamic_cast<const DagSubject&>(s), run);
+      });
   law.replay = [](const Subject& s, Level n, const std::string& at) {
     if (n > search.last) throw BadCase("its scenes are those of levels 0..7");
     return replayed(
         as_specified(dynamic_cast<const DagSubject&>(s), scene(n, number_from_text(at, scenes(n)))));
   };
-  law.mutants = mutants_of_all_levels();
   return law;
 }
 

@@ -1,5 +1,3 @@
-#include <stdexcept>
-
 #include "proofs/dag/induction/lemmas.hpp"
 #include "proofs/dag/induction/provable.hpp"
 #include "proofs/dag/induction/rules.hpp"

@@ -2,10 +2,6 @@
 // templates take.
 #pragma once
 
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "proofs/induction/statement.hpp"
 #include "proofs/induction/symbolic.hpp"
 #include "spec/dag/dag.hpp"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "proofs/index/subject.hpp"
+#include "proofs/induction/discharge.hpp"
 #include "proofs/induction/statement.hpp"
 
 namespace mmverify::proofs::index::binary32 {
@@ -20,5 +21,16 @@ Law published_law();
 
 /// Mutants of law(): codes with one wrong step, each plausible in some arithmetic.
 std::vector<Mutant> mutants();
+
+class WithStatements : public IndexSubject, public proofs::induction::Provable {
+ public:
+  using Statements = std::vector<proofs::induction::Statement> (*)();
+  WithStatements(const char* name, Functions functions, Statements statements)
+      : IndexSubject(name, "broken on purpose", std::move(functions)), statements_(statements) {}
+  std::vector<proofs::induction::Statement> statements() const override { return statements_(); }
+
+ private:
+  Statements statements_;
+};
 
 }  // namespace mmverify::proofs::index::binary32

@@ -3,8 +3,6 @@
 #include <iterator>
 
 #include "proofs/index/binary32/scaled.hpp"
-#include "proofs/index/induction/impl_lemmas.hpp"
-#include "proofs/index/induction/word_lemmas.hpp"
 
 namespace mmverify::proofs::index::binary32 {
 

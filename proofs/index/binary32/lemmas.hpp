@@ -24,4 +24,12 @@ std::vector<Statement> first_common_statements();
 /// included.
 std::vector<Statement> statements_of(const Steps& scalar, const Steps& lanes);
 
+using proofs::induction::Statement;
+
+/// The statements that index.floats has not: `more`, `rows`, and that their hypotheses can be fulfilled.
+std::vector<Statement> own_row_statements(const Steps& scalar, const Steps& lanes);
+
+/// All that index.row_floats rests on: those, and the statements of index.floats about the first steps.
+std::vector<Statement> row_statements_of(const Steps& scalar, const Steps& lanes);
+
 }  // namespace mmverify::proofs::index::binary32

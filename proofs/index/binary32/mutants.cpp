@@ -4,7 +4,6 @@
 
 #include "proofs/index/binary32/law.hpp"
 #include "proofs/index/binary32/lemmas.hpp"
-#include "proofs/index/binary32/with_statements.hpp"
 
 namespace mmverify::proofs::index::binary32 {
 namespace {

@@ -1,25 +1,14 @@
 // index.published_differs_where: on which pairs of binary32 numbers the published code has another index than exact
 // arithmetic, and which.
-#include <fmt/format.h>
-
-#include <array>
-
 #include "proofs/engine/interrupt.hpp"
-#include "proofs/engine/kinds.hpp"
 #include "proofs/index/binary32/law.hpp"
 #include "proofs/index/binary32/published_lemmas.hpp"
-#include "proofs/index/binary32/with_statements.hpp"
-#include "proofs/index/judges/judges.hpp"
 #include "proofs/index/laws/parts.hpp"
 #include "proofs/index/mutants.hpp"
 #include "proofs/index/picture.hpp"
-#include "proofs/index/points.hpp"
-#include "proofs/induction/discharge.hpp"
 
 namespace mmverify::proofs::index::binary32 {
 namespace {
-
-using proofs::induction::Provable;
 
 constexpr Level highest_level = 16;
 constexpr std::uint64_t pairs_compared = 1 << 12;  // a level
@@ -115,37 +104,29 @@ Mutant wrong_text(const char* name) {
 std::vector<Statement> shipped_published() { return published_statements<Printed>(); }
 
 Law published_law() {
-  return {
-      .id = "index.published_differs_where",
-      .says =
-          "run in binary32 the published code gives another index than in exact arithmetic just where 1 - "
-          "2^-25 <= uf+vf < 1 and floor(uN) + floor(vN) < N-1, and there that of the square's other half",
-      .source = vulkan,
-      .method = Method::bit_vectors,
-      .subjects = {"reference-f32"},
-      .tiers = {.seconds = 8},
-      .at_once = "levels 0..16",
-      .cases = [count = shipped_published().size()](Level, const Run&) -> std::uint64_t { return count; },
-      .domain = [](const Subject&,
-                   Level) { return "every pair of binary32 numbers, NaN aside, levels 0..16 together"; },
-      .how = [](const Subject&, Level) { return "bit vectors, " + proofs::induction::prover_name(); },
-      .unfit = [](const Subject& s, Level) -> std::optional<std::string> {
-        if (dynamic_cast<const Provable*>(&s) != nullptr || s.name() == "reference-f32") return std::nullopt;
-        return fmt::format("no statements about {}: there are some about reference-f32", s.name());
-      },
-      .judge =
-          [](const Subject& s, Level, const Run& run) {
-            const auto* own = dynamic_cast<const Provable*>(&s);
-            return proofs::induction::discharge(
-                own != nullptr ? own->statements() : shipped_published(),
-                {[&] { return off_prediction(subject_as<IndexSubject>(s), run); },
-                 fmt::format("{} hard pairs of each level 0..{}", pairs_compared, highest_level)},
-                run);
-          },
-      .replay = replayed_by(replay_published_set),
-      .mutants = {wrong_text<OnlyAboveOne>("uf+vf > 1 of the rounded sum"),
-                  wrong_text<OthersFromOne>("1 - uf - vf <= 0 in binary32"),
-                  wrong_text<NeverRounded>("the comparison that does not round")}};
+  return proofs::induction::on_statements(
+      {.id = "index.published_differs_where",
+       .says =
+           "run in binary32 the published code gives another index than in exact arithmetic just where 1 - "
+           "2^-25 <= uf+vf < 1 and floor(uN) + floor(vN) < N-1, and there that of the square's other half",
+       .source = vulkan,
+       .method = Method::bit_vectors,
+       .subjects = {"reference-f32"},
+       .tiers = {.seconds = 8},
+       .at_once = "levels 0..16",
+       .domain = "every pair of binary32 numbers, NaN aside, levels 0..16 together",
+       .replay = replayed_by(replay_published_set),
+       .mutants = {wrong_text<OnlyAboveOne>("uf+vf > 1 of the rounded sum"),
+                   wrong_text<OthersFromOne>("1 - uf - vf <= 0 in binary32"),
+                   wrong_text<NeverRounded>("the comparison that does not round")}},
+      {{"reference-f32", shipped_published}},
+      [](const std::vector<Statement>& statements, const Subject& s, const Run& run) {
+        return proofs::induction::discharge(
+            statements,
+            {[&] { return off_prediction(subject_as<IndexSubject>(s), run); },
+             fmt::format("{} hard pairs of each level 0..{}", pairs_compared, highest_level)},
+            run);
+      });
 }
 
 }  // namespace mmverify::proofs::index::binary32

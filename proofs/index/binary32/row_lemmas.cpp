@@ -1,5 +1,3 @@
-#include "proofs/index/binary32/row_lemmas.hpp"
-
 #include <iterator>
 
 #include "proofs/index/binary32/lemmas.hpp"

@@ -3,7 +3,6 @@
 
 #include "proofs/index/binary32/exact.hpp"
 #include "proofs/index/induction/word_lemmas.hpp"
-#include "proofs/induction/statement.hpp"
 
 namespace mmverify::proofs::index::binary32 {
 

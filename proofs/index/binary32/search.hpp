@@ -1,11 +1,6 @@
 // The search for a counterexample where statements fail, and beside them where they hold.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <string>
-#include <vector>
-
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/index/subject.hpp"
 

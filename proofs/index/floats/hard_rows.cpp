@@ -1,8 +1,7 @@
-#include "proofs/index/floats/hard_rows.hpp"
-
 #include <cmath>
 
 #include "proofs/engine/random.hpp"
+#include "proofs/index/floats/hard_doubles.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -1,8 +1,8 @@
-#include "proofs/index/grid/step_sweep.hpp"
-
 #include <algorithm>
 #include <array>
 #include <vector>
+
+#include "proofs/index/grid/reference_sweep.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "spec/index/index.hpp"
-#include "spec/number.hpp"
 
 namespace mmverify::proofs::index::induction {
 

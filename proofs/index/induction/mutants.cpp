@@ -1,10 +1,8 @@
-#include "proofs/index/induction/mutants.hpp"
+#include "proofs/index/mutants.hpp"
 
-#include "proofs/index/induction/impl_lemmas.hpp"
 #include "proofs/index/induction/lemmas.hpp"
 #include "proofs/index/induction/provable.hpp"
 #include "proofs/index/induction/word_lemmas.hpp"
-#include "proofs/index/mutants.hpp"
 #include "proofs/index/subjects/exact_subject.hpp"
 
 namespace mmverify::proofs::index::induction {

@@ -24,4 +24,8 @@ std::vector<Statement> shipped_impl_wide();
 /// index.all_levels, index.wide_is_vulkan and index.impl_wide_is_wide.
 std::vector<Law> laws();
 
+std::vector<Mutant> mutants_of_all_levels(Level search);
+std::vector<Mutant> mutants_of_wide_is_vulkan(Level search);
+std::vector<Mutant> mutants_of_impl_wide(Level search);
+
 }  // namespace mmverify::proofs::index::induction

@@ -1,8 +1,4 @@
 // Every pair of binary16 numbers in the triangle: a float format small enough to be run whole.
-#include <fmt/format.h>
-
-#include "impl/common/binary16.hpp"
-#include "proofs/engine/kinds.hpp"
 #include "proofs/index/grid/reference_sweep.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/judges/on_cells.hpp"

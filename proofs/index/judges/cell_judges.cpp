@@ -1,8 +1,4 @@
 // The judges that compare answers on cells.
-#include <fmt/format.h>
-
-#include <array>
-
 #include "proofs/index/floats/published.hpp"
 #include "proofs/index/grid/reference_sweep.hpp"
 #include "proofs/index/in_rationals.hpp"
@@ -61,29 +57,6 @@ Replayed compared(Level n, const RationalPoint& p, std::uint32_t want, std::uint
   return {want == got, fmt::format("{}", want), fmt::format("{}", got), picture(n, p, want, got, order)};
 }
 
-}  // namespace
-
-RationalPoint received_point(const IndexSubject& s, const std::string& at) {
-  const RationalPoint p = parse_point(at), q = s.functions.receive_at(p);
-  if (p.u != q.u || p.v != q.v)
-    throw BadCase(fmt::format("'{}' is not a pair of {} numbers, which {} takes", at,
-                              to_string(s.functions.arithmetic), s.name()));
-  return p;
-}
-
-Tally equals_reference(const IndexSubject& s, Level n, const Run& run) {
-  if (s.exact() && !has(run.options, in_fixed_point_alone) && n <= rational_levels) {
-    const Answers oracle = one_by_one([n](const GridPoint& p) { return reference_in_rationals(p, n); });
-    return compare_on_cells(s, n, run, oracle, asked_in_rationals(s, n));
-  }
-  const Answers oracle{
-      [n](Batch batch, std::span<std::uint32_t> out) { reference_batch(n, batch.points, out); },
-      [n](std::span<const Row> rows, std::span<std::uint32_t> out) { reference_rows(n, n, rows, out); }};
-  return compare_on_cells(s, n, run, oracle, asked(s, n));
-}
-
-namespace {
-
 /// A coordinate as a number; -0 for a zero whose text has a minus sign.
 template <class F>
 std::array<F, 1> signed_number(const Rational& x, bool negative) {
@@ -110,7 +83,47 @@ std::uint32_t index_at_text(const IndexSubject& s, Level n, const RationalPoint&
   return s.functions.index_at(n, p);
 }
 
+/// Whether the closed micro-triangle with these corners holds the point: on no edge's outer side.
+template <class Q>
+bool holds(const Corners& c, const spec::Point<Q>& p, Level n) {
+  const Q u = times(side(n), p.u), v = times(side(n), p.v);
+  int left = 0, right = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto &a = c[k], &b = c[(k + 1) % 3];
+    // The edges of micro-triangles run along u, v or their difference, so the cross product needs no products
+    // of points.
+    const auto times_signed = [](std::int64_t f, const Q& q) {
+      return f == 0  ? Q(0)
+             : f > 0 ? times(static_cast<std::uint32_t>(f), q)
+                     : Q(0) - times(static_cast<std::uint32_t>(-f), q);
+    };
+    const std::int64_t di = std::int64_t{b.i} - a.i, dj = std::int64_t{b.j} - a.j;
+    const Q cross = times_signed(di, v - Q(a.j)) - times_signed(dj, u - Q(a.i));
+    left += cross < Q(0) ? 0 : 1;
+    right += Q(0) < cross ? 0 : 1;
+  }
+  return left == 3 || right == 3;
+}
 }  // namespace
+
+RationalPoint received_point(const IndexSubject& s, const std::string& at) {
+  const RationalPoint p = parse_point(at), q = s.functions.receive_at(p);
+  if (p.u != q.u || p.v != q.v)
+    throw BadCase(fmt::format("'{}' is not a pair of {} numbers, which {} takes", at,
+                              to_string(s.functions.arithmetic), s.name()));
+  return p;
+}
+
+Tally equals_reference(const IndexSubject& s, Level n, const Run& run) {
+  if (s.exact() && !has(run.options, in_fixed_point_alone) && n <= rational_levels) {
+    const Answers oracle = one_by_one([n](const GridPoint& p) { return reference_in_rationals(p, n); });
+    return compare_on_cells(s, n, run, oracle, asked_in_rationals(s, n));
+  }
+  const Answers oracle{
+      [n](Batch batch, std::span<std::uint32_t> out) { reference_batch(n, batch.points, out); },
+      [n](std::span<const Row> rows, std::span<std::uint32_t> out) { reference_rows(n, n, rows, out); }};
+  return compare_on_cells(s, n, run, oracle, asked(s, n));
+}
 
 Replayed replay_equals_reference(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);
@@ -201,30 +214,6 @@ Tally row_order(const IndexSubject& s, Level n, const Run& run) {
     s.functions.row_index(n, batch, out);
   });
 }
-
-namespace {
-/// Whether the closed micro-triangle with these corners holds the point: on no edge's outer side.
-template <class Q>
-bool holds(const Corners& c, const spec::Point<Q>& p, Level n) {
-  const Q u = times(side(n), p.u), v = times(side(n), p.v);
-  int left = 0, right = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto &a = c[k], &b = c[(k + 1) % 3];
-    // The edges of micro-triangles run along u, v or their difference, so the cross product needs no products
-    // of points.
-    const auto times_signed = [](std::int64_t f, const Q& q) {
-      return f == 0  ? Q(0)
-             : f > 0 ? times(static_cast<std::uint32_t>(f), q)
-                     : Q(0) - times(static_cast<std::uint32_t>(-f), q);
-    };
-    const std::int64_t di = std::int64_t{b.i} - a.i, dj = std::int64_t{b.j} - a.j;
-    const Q cross = times_signed(di, v - Q(a.j)) - times_signed(dj, u - Q(a.i));
-    left += cross < Q(0) ? 0 : 1;
-    right += Q(0) < cross ? 0 : 1;
-  }
-  return left == 3 || right == 3;
-}
-}  // namespace
 
 Replayed replay_row_order(const IndexSubject& s, Level n, const std::string& at) {
   const RationalPoint p = received_point(s, at);

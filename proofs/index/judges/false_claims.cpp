@@ -1,12 +1,5 @@
-#include "proofs/index/judges/false_claims.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-
 #include "proofs/engine/interrupt.hpp"
-#include "proofs/engine/kinds.hpp"
+#include "proofs/index/judges/judges.hpp"
 #include "proofs/index/judges/on_cells.hpp"
 
 namespace mmverify::proofs::index {

@@ -1,13 +1,5 @@
 // The judges on sampled indices, for the levels that no sweep of the fast tier reaches.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-
-#include "proofs/engine/cases.hpp"
-#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/index/judges/corner_order.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/picture.hpp"
 

@@ -1,38 +1,17 @@
 #include "proofs/index/judges/on_cells.hpp"
 
-#include <fmt/format.h>
+#include <cmath>
 
-#include <bit>
-#include <vector>
-
-#include "proofs/engine/kinds.hpp"
 #include "proofs/index/grid/reference_sweep.hpp"
-#include "proofs/index/judges/agreement.hpp"
-#include "proofs/index/judges/near.hpp"
+#include "proofs/index/judges/judges.hpp"
 #include "proofs/index/options.hpp"
+#include "spec/index/index.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
 
 // Large enough to spread the cost of a call, small enough for the cache.
 constexpr std::uint64_t cells_per_chunk = 1 << 16;
-
-}  // namespace
-
-std::string say_number(std::uint32_t answer) { return fmt::format("{}", answer); }
-
-Simplicity simplicity(const GridPoint& p) {
-  const auto u = static_cast<std::uint64_t>(p.u.raw()), v = static_cast<std::uint64_t>(p.v.raw());
-  const int zeros = std::min<int>(std::countr_zero(u | v), Fixed64::fraction_bits);
-  return {static_cast<std::uint64_t>(static_cast<int>(Fixed64::fraction_bits) - zeros), v, u};
-}
-
-Counterexample at_point(const GridPoint& p, Level grid, std::string expected, std::string got) {
-  const RationalPoint q = rational(p);
-  return {simplicity(p), grid, case_text(q, grid), hex_text(q), std::move(expected), std::move(got)};
-}
-
-namespace {
 
 /// Cells of one row or, for a subject that likes many at once, of many; judged when full.
 class Comparison {
@@ -126,7 +105,44 @@ class Comparison {
   std::vector<std::uint32_t> want_;
 };
 
+/// The unit in the last place of the arithmetic's numbers at x.
+Rational ulp(const Rational& x, Arithmetic arithmetic) {
+  struct Format {
+    int bits, least_exponent;
+  };
+  Format format{};
+  switch (arithmetic) {
+    case Arithmetic::exact:
+      return Rational(spec::Integer(0));
+    case Arithmetic::binary16:
+      format = {11, -24};
+      break;
+    case Arithmetic::binary32:
+      format = {24, -149};
+      break;
+    case Arithmetic::binary64:
+      format = {53, -1074};
+      break;
+  }
+  int exponent = format.least_exponent;
+  if (const double value = nearest(x); value != 0) std::frexp(value, &exponent);
+  return rational(std::ldexp(1.0, std::max(exponent - format.bits, format.least_exponent)));
+}
+
 }  // namespace
+
+std::string say_number(std::uint32_t answer) { return fmt::format("{}", answer); }
+
+Simplicity simplicity(const GridPoint& p) {
+  const auto u = static_cast<std::uint64_t>(p.u.raw()), v = static_cast<std::uint64_t>(p.v.raw());
+  const int zeros = std::min<int>(std::countr_zero(u | v), Fixed64::fraction_bits);
+  return {static_cast<std::uint64_t>(static_cast<int>(Fixed64::fraction_bits) - zeros), v, u};
+}
+
+Counterexample at_point(const GridPoint& p, Level grid, std::string expected, std::string got) {
+  const RationalPoint q = rational(p);
+  return {simplicity(p), grid, case_text(q, grid), hex_text(q), std::move(expected), std::move(got)};
+}
 
 Tally compare_on_cells(const IndexSubject& subject, Level grid, const Run& run, const Answers& expected,
                        const Answers& got, const Say& say_expected) {
@@ -146,6 +162,22 @@ Tally compare_on_cells(const IndexSubject& subject, Level grid, const Run& run, 
           if (!has(run.options, interiors_only) || row.even == Kind::interior) tally.decline(row.even);
         });
       });
+}
+
+bool reaches(const RationalPoint& p, Level n, std::uint32_t index, Arithmetic arithmetic,
+             std::uint32_t ulps) {
+  if (index >= triangle_count(n)) return false;
+  const auto number = [](std::uint64_t x) { return Rational(spec::Integer(x)); };
+  const Rational N = number(side(n)), reach = number(ulps);
+  const Rational du = reach * ulp(p.u, arithmetic) * N, dv = reach * ulp(p.v, arithmetic) * N, u = p.u * N,
+                 v = p.v * N;
+  const MicroTriangle m = triangle_of(spec::index::corners(index, n), n).value();
+  const Rational left = number(m.i), right = number(std::uint64_t{m.i} + 1), low = number(m.j),
+                 high = number(std::uint64_t{m.j} + 1), diagonal = number(std::uint64_t{m.i} + m.j + 1);
+  // The box of all points in reach against the unit square, and its corner next to the diagonal against that.
+  if (u + du < left || u - du > right || v + dv < low || v - dv > high) return false;
+  return m.inverted ? std::min(right, u + du) + std::min(high, v + dv) >= diagonal
+                    : std::max(left, u - du) + std::max(low, v - dv) <= diagonal;
 }
 
 }  // namespace mmverify::proofs::index

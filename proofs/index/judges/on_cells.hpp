@@ -1,10 +1,6 @@
 // Sweeping the cells of a grid in batches of points.
 #pragma once
 
-#include <concepts>
-#include <functional>
-#include <utility>
-
 #include "proofs/index/subject.hpp"
 
 namespace mmverify::proofs::index {
@@ -39,5 +35,29 @@ Counterexample at_point(const GridPoint& p, Level grid, std::string expected, st
 
 /// log2 of the common denominator, then v, then u.
 Simplicity simplicity(const GridPoint& p);
+
+/// Whether two lists of answers are the same, and the digest of the second.
+struct Agreement {
+  bool all = true;
+  std::uint64_t digest = 0;
+};
+
+/// The cases are numbered from `first` on.  Domain: as many wanted as got.
+template <class Word>
+Agreement agreement_of(std::uint64_t first, std::span<const Word> want, std::span<const Word> got) {
+  Agreement agreement;
+  Word different = 0;
+  for (std::size_t t = 0; t < got.size(); ++t) {
+    agreement.digest += Tally::digest_of(first + t, got[t]);
+    different |= want[t] ^ got[t];
+  }
+  agreement.all = different == 0;
+  return agreement;
+}
+
+/// Whether a point of the closed micro-triangle with that index is at most `ulps` units in the last place from p along
+/// u and along v, in the arithmetic's numbers; exact ones have no last place, and p itself is asked for.
+/// Domain: n <= 16, coordinates that a double holds; an index of 4^n or more is no micro-triangle's: false.
+bool reaches(const RationalPoint& p, Level n, std::uint32_t index, Arithmetic arithmetic, std::uint32_t ulps);
 
 }  // namespace mmverify::proofs::index

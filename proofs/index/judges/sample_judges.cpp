@@ -1,19 +1,12 @@
 // The judges on samples.
-#include <fmt/format.h>
-
-#include <array>
 #include <cmath>
-#include <string>
 
-#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/index/floats/hard_doubles.hpp"
-#include "proofs/index/floats/hard_rows.hpp"
 #include "proofs/index/floats/published.hpp"
 #include "proofs/index/judges/judges.hpp"
-#include "proofs/index/judges/near.hpp"
+#include "proofs/index/judges/on_cells.hpp"
 #include "proofs/index/options.hpp"
-#include "proofs/index/points.hpp"
 
 namespace mmverify::proofs::index {
 namespace {

@@ -1,11 +1,5 @@
 // The judges of all micro-triangles of a level together: each index occurs once, and neighbours follow each other.
-#include <fmt/format.h>
-
-#include <atomic>
-#include <vector>
-
 #include "proofs/engine/interrupt.hpp"
-#include "proofs/engine/kinds.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/judges/on_cells.hpp"
 #include "proofs/index/picture.hpp"
@@ -111,50 +105,6 @@ std::string taken(const IndexSubject& s, Level n, const MicroTriangle& m, std::u
   return fmt::format("{}, which {} has", index, case_text(rational(representative(*owner, n)), n));
 }
 
-}  // namespace
-
-Tally bijective(const IndexSubject& s, Level n, const Run& run) {
-  // First all together: the numbers of answers out of range and of repeated ones do not depend on the order.
-  Seen seen(n);
-  Tally tally = sweep(
-      run, side(n), strips_per_chunk(n),
-      [&](Chunk chunk, Tally& part) {
-        // All strips are read before one is marked: if the subject breaks, the chunk is judged again, in parts.
-        std::vector<Strip> strips;
-        for (auto j = static_cast<std::uint32_t>(chunk.begin); j < chunk.end; ++j)
-          strips.push_back(ask_strip(s, n, j));
-        for (auto j = static_cast<std::uint32_t>(chunk.begin); j < chunk.end; ++j)
-          each(strips[j - chunk.begin], j, [&](const MicroTriangle& m, std::uint32_t index) {
-            part.count(Kind::interior, 1);
-            part.digest(number_in(m, n), index);
-            if (index >= triangle_count(n) || seen.mark(index))
-              part.mismatch(Kind::interior, simplicity(representative(m, n)),
-                            [&] { return at_triangle(m, n, not_taken(), fmt::format("{}", index)); });
-          });
-      },
-      as_a_strip(n));
-  if (tally.found().empty() || interrupted()) return tally;
-
-  // Then in order, to find the first ones.
-  Seen again(n);
-  Tally named(run.errors);
-  std::vector<std::pair<MicroTriangle, std::uint32_t>> repeats;
-  for (std::uint32_t j = 0; j < side(n) && repeats.size() < run.errors; ++j)
-    if (const auto strip = answered_strip(s, n, j))
-      each(*strip, j, [&](const MicroTriangle& m, std::uint32_t index) {
-        if (repeats.size() < run.errors && (index >= triangle_count(n) || again.mark(index)))
-          repeats.emplace_back(m, index);
-      });
-  for (const auto& [m, index] : repeats)
-    named.mismatch(Kind::interior, simplicity(representative(m, n)), [&, &m = m, &index = index] {
-      return at_triangle(m, n, not_taken(), taken(s, n, m, index));
-    });
-  tally.replace_found(named);
-  return tally;
-}
-
-namespace {
-
 /// The micro-triangle whose inside holds the point; the subject receives that point later in its own numbers.
 MicroTriangle triangle_at(Level n, const std::string& at) {
   const RationalPoint p = parse_point(at);
@@ -243,6 +193,46 @@ std::string adjacency(const Gap& gap) {
 }
 
 }  // namespace
+
+Tally bijective(const IndexSubject& s, Level n, const Run& run) {
+  // First all together: the numbers of answers out of range and of repeated ones do not depend on the order.
+  Seen seen(n);
+  Tally tally = sweep(
+      run, side(n), strips_per_chunk(n),
+      [&](Chunk chunk, Tally& part) {
+        // All strips are read before one is marked: if the subject breaks, the chunk is judged again, in parts.
+        std::vector<Strip> strips;
+        for (auto j = static_cast<std::uint32_t>(chunk.begin); j < chunk.end; ++j)
+          strips.push_back(ask_strip(s, n, j));
+        for (auto j = static_cast<std::uint32_t>(chunk.begin); j < chunk.end; ++j)
+          each(strips[j - chunk.begin], j, [&](const MicroTriangle& m, std::uint32_t index) {
+            part.count(Kind::interior, 1);
+            part.digest(number_in(m, n), index);
+            if (index >= triangle_count(n) || seen.mark(index))
+              part.mismatch(Kind::interior, simplicity(representative(m, n)),
+                            [&] { return at_triangle(m, n, not_taken(), fmt::format("{}", index)); });
+          });
+      },
+      as_a_strip(n));
+  if (tally.found().empty() || interrupted()) return tally;
+
+  // Then in order, to find the first ones.
+  Seen again(n);
+  Tally named(run.errors);
+  std::vector<std::pair<MicroTriangle, std::uint32_t>> repeats;
+  for (std::uint32_t j = 0; j < side(n) && repeats.size() < run.errors; ++j)
+    if (const auto strip = answered_strip(s, n, j))
+      each(*strip, j, [&](const MicroTriangle& m, std::uint32_t index) {
+        if (repeats.size() < run.errors && (index >= triangle_count(n) || again.mark(index)))
+          repeats.emplace_back(m, index);
+      });
+  for (const auto& [m, index] : repeats)
+    named.mismatch(Kind::interior, simplicity(representative(m, n)), [&, &m = m, &index = index] {
+      return at_triangle(m, n, not_taken(), taken(s, n, m, index));
+    });
+  tally.replace_found(named);
+  return tally;
+}
 
 Replayed replay_bijective(const IndexSubject& s, Level n, const std::string& at) {
   const MicroTriangle m = triangle_at(n, at);

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "proofs/index/floats/published.hpp"
-#include "proofs/index/laws/groups.hpp"
+#include "proofs/index/laws.hpp"
 #include "proofs/index/laws/parts.hpp"
 #include "proofs/index/mutants.hpp"
 #include "proofs/index/options.hpp"
@@ -13,10 +13,6 @@ namespace {
 constexpr char code_sources[] =
     "VK_EXT_opacity_micromap and VK_KHR_opacity_micromap, appendix \"Reference Code\"; "
     "EXT_mesh_opacity_micromap";
-
-std::uint64_t published_pairs(Level, const Run& run) { return run.tier == Tier::fast ? 200'000 : 20'000'000; }
-/// The number of pairs, the same as that of index.exact_on_floats, which this law replaces.
-std::uint64_t either_pairs(Level, const Run& run) { return run.tier == Tier::fast ? 1'000'000 : 100'000'000; }
 
 /// Exact subjects promise more, and the code has no numbers of other formats.
 Unfit needing_binary32() {
@@ -52,58 +48,39 @@ std::vector<Mutant> mutants_of_both() {
                          [](float x) { return x > 0 && x < 0x1p-126f ? 0x1p-6f : x; })};
 }
 
-Law dialect_law(const char* id, const char* dialect, const char* says, const char* domain,
-                std::uint64_t (*cases)(Level, const Run&), Judge judge, Replay replay) {
-  Law law{.id = id,
-          .says = says,
-          .source = code_sources,
-          .method = Method::sample,
-          .subjects = {"reference-f32"},
-          .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 2},
-          .cases = cases};
-  law.domain = [domain](const Subject&, Level) { return std::string(domain); };
-  law.how = [](const Subject&, Level) {
-    return std::string("sample, against the published code in binary32");
-  };
-  law.unfit = needing_binary32();
-  law.divisible = true;
-  law.judge = judged_by(judge);
-  law.replay = replayed_by(replay);
-  law.mutants = mutants_of_both();
-  law.heeds = {&interiors_only};
-  law.alternative = true;
-  law.dialect = dialect;
-  law.knows_near = true;
-  return law;
+Law dialect_law(const char* id, const char* dialect, const char* says, const CaseCount& pairs,
+                SampleJudge judge, Replay replay) {
+  return over_samples({.id = id,
+                       .says = says,
+                       .source = code_sources,
+                       .subjects = {"reference-f32"},
+                       .tiers = {.fast = {0, 16}, .long_run = {0, 16}, .seconds = 2},
+                       .domain = "a sample of binary32 pairs near what breaks index functions",
+                       .how = "sample, against the published code in binary32",
+                       .unfit = needing_binary32(),
+                       .mutants = mutants_of_both(),
+                       .heeds = {&interiors_only},
+                       .knows_near = true,
+                       .dialect = dialect,
+                       .alternative = true},
+                      pairs, judge, replay);
 }
 
 Law equals_published_law() {
-  Law law = dialect_law(
+  return dialect_law(
       "index.equals_published", "published",
       "for binary32 numbers the index is, bit for bit, that of the published code run in binary32, rounded "
       "to nearest and not contracted",
-      "a sample of binary32 pairs near what breaks index functions", published_pairs,
-      [](const IndexSubject& s, Level n, const Run& run) {
-        return equals_published(s, n, run, published_pairs(n, run));
-      },
-      replay_equals_published);
-  law.mutants.push_back(code_that_errs(
-      "the sum of the fractions is exact", {4, 12}, [](Level n, float u, float v, std::uint32_t) {
-        return spec::index::reference(spec::Point<double>{static_cast<double>(u), static_cast<double>(v)}, n);
-      }));
-  return law;
+      {200'000, 20'000'000}, equals_published, replay_equals_published);
 }
 
+/// The law has as many pairs as index.exact_on_floats, which it replaces.
 Law exact_or_published_law() {
   return dialect_law(
       "index.exact_or_published", "either",
       "for binary32 numbers the index is that of exact arithmetic for those very numbers, or that of the "
       "published code run in binary32",
-      "a sample of binary32 pairs near what breaks index functions", either_pairs,
-      [](const IndexSubject& s, Level n, const Run& run) {
-        return exact_or_published(s, n, run, either_pairs(n, run));
-      },
-      replay_exact_or_published);
+      {1'000'000, 100'000'000}, exact_or_published, replay_exact_or_published);
 }
 
 }  // namespace

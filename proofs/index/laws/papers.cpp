@@ -1,6 +1,5 @@
 // The papers' claims: the true ones as they stand, of the false ones that they are false, and where.
-#include "proofs/index/judges/false_claims.hpp"
-#include "proofs/index/laws/groups.hpp"
+#include "proofs/index/laws.hpp"
 #include "proofs/index/laws/parts.hpp"
 #include "proofs/index/mutants.hpp"
 #include "proofs/index/options.hpp"
@@ -38,7 +37,6 @@ Law differs_law(const char* id, const char* says, const char* source, const char
   return {.id = id,
           .says = says,
           .source = source,
-          .method = Method::exhaustive,
           .subjects = {reading},
           .tiers = {.fast = {0, 7}, .long_run = {0, 8}, .seconds = 1},
           .cases = all_cells,
@@ -64,7 +62,6 @@ Law prose_law() {
           .source =
               "VK_EXT_opacity_micromap and VK_KHR_opacity_micromap: section \"Ray Opacity Micromap\", and "
               "appendix \"Reference Code\"",
-          .method = Method::exhaustive,
           .subjects = {"vulkan-prose"},
           .tiers = {.fast = {0, 7}, .long_run = {0, 12}, .seconds = 1},
           .cases = all_cells,
@@ -85,23 +82,16 @@ Law prose_law() {
 }
 
 Law row_holds_point_law() {
-  return {.id = "paper.w_minor_holds_point",
-          .says = "the micro-triangle that figure 4 gives holds the point, on every line of the grid",
-          .source = attribute_4,
-          .method = Method::exhaustive,
-          .subjects = {"w-minor"},
-          .tiers = {.fast = {0, 9}, .long_run = {0, 14}, .seconds = 1},
-          .cases = all_cells,
-          .domain = points,
-          .how = in_fixed_point,
-          .unfit = needing({entry::row_index}),
-          .divisible = true,
-          .judge = judged_by(row_holds_point),
-          .replay = replayed_by(replay_row_holds_point),
-          .mutants = {single("one point inside a micro-triangle of level 7", "w-minor", 7, 4 * 20 + 1,
-                             4 * 30 + 1)},
-          .heeds = {&interiors_only},
-          .companion = "index.row_exact_on_floats"};
+  return over_points(
+      {.id = "paper.w_minor_holds_point",
+       .says = "the micro-triangle that figure 4 gives holds the point, on every line of the grid",
+       .source = attribute_4,
+       .subjects = {"w-minor"},
+       .tiers = {.fast = {0, 9}, .long_run = {0, 14}, .seconds = 1},
+       .mutants = {single("one point inside a micro-triangle of level 7", "w-minor", 7, 4 * 20 + 1,
+                          4 * 30 + 1)},
+       .companion = "index.row_exact_on_floats"},
+      entry::row_index, row_holds_point, replay_row_holds_point);
 }
 
 Law binary32_root_law() {
@@ -109,12 +99,11 @@ Law binary32_root_law() {
   return {.id = "paper.w_minor_binary32_root_errs",
           .says = "figure 4's row of an index, rooted in binary32, is right below 4097^2-2 and wrong there",
           .source = attribute_4,
-          .method = Method::exhaustive,
           .subjects = {"w-minor-f32"},
           .tiers = {.fast = {10, 13}, .long_run = {0, 16}, .seconds = 3},
           .cases = all_triangles,
-          .domain = indices,
-          .how = exhaustively,
+          .domain = "the 4^n indices",
+          .how = "exhaustive",
           .unfit = needing({entry::row_corners}),
           .judge = judged_by(binary32_root_errs),
           .mutants = {{"the root in binary64", built_in("w-minor-f64"), {13, 13}},

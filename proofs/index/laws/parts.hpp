@@ -12,8 +12,15 @@ inline constexpr char attribute_4[] = "Color and Attribute Micromaps, 4.1, figur
 
 using Judge = Tally (*)(const IndexSubject&, Level, const Run&);
 using Replay = Replayed (*)(const IndexSubject&, Level, const std::string&);
+using SampleJudge = Tally (*)(const IndexSubject&, Level, const Run&, std::uint64_t samples);
 std::function<Tally(const Subject&, Level, const Run&)> judged_by(Judge judge);
 std::function<Replayed(const Subject&, Level, const std::string&)> replayed_by(Replay replay);
+
+/// The laws on all points of a level, by the cells that hold them, on all its indices, and on samples: where a law
+/// says nothing else, of a subject with that entry point, in fixed point, one by one, against exact arithmetic.
+Law over_points(Law law, const Entry& asked, Judge judge, Replay replay = nullptr);
+Law over_indices(Law law, Judge judge, Replay replay);
+Law over_samples(Law law, const CaseCount& samples, SampleJudge judge, Replay replay = nullptr);
 
 // Closed forms.
 std::uint64_t all_cells(Level n, const Run& run);
@@ -24,15 +31,13 @@ std::uint64_t all_triangles(Level n, const Run& run);
 std::string points(const Subject& subject, Level n);
 std::string next_points(const Subject& subject, Level n);
 std::string triangles(const Subject& subject, Level n);
-std::string indices(const Subject& subject, Level n);
 
 // Methods in words.
 std::string in_fixed_point(const Subject& subject, Level n);
 std::string in_rationals_then_fixed_point(const Subject& subject, Level n);
 std::string against_rationals(const Subject& subject, Level n);
-std::string exhaustively(const Subject& subject, Level n);
-std::string by_sample(const Subject& subject, Level n);
-std::string by_witness(const Subject& subject, Level n);
+inline constexpr char by_sample[] = "sample, against exact arithmetic";
+inline constexpr char by_witness[] = "witness, against exact arithmetic";
 
 /// The subject must have the entry points and be defined `above` levels further.
 Unfit needing(std::vector<Entry> entries, Level above = 0);

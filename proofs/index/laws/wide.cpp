@@ -1,20 +1,12 @@
 // Beyond level 16: where words of 32 bits end, and the index in words of 64.
-#include <fmt/format.h>
-
-#include <array>
-#include <vector>
-
-#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/spoils.hpp"
 #include "proofs/index/grid/reference_sweep.hpp"
-#include "proofs/index/judges/agreement.hpp"
 #include "proofs/index/judges/on_cells.hpp"
-#include "proofs/index/laws/groups.hpp"
+#include "proofs/index/laws.hpp"
 #include "proofs/index/laws/parts.hpp"
 #include "proofs/index/mutants.hpp"
 #include "proofs/index/options.hpp"
 #include "proofs/index/picture.hpp"
-#include "proofs/index/points.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -154,7 +146,6 @@ Law wide_equals_reference_law() {
           .says = "the subject's index in 64-bit words is that of the reference in 64-bit words",
           .source =
               "VK_EXT_opacity_micromap, appendix \"Reference Code\"; docs/SOUNDNESS.md, \"Beyond level 16\"",
-          .method = Method::exhaustive,
           .subjects = {"impl", "step"},
           .tiers = {.fast = {0, 9}, .long_run = {0, 12}, .seconds = 1},
           .cases = all_cells,
@@ -176,33 +167,33 @@ Law wide_equals_reference_law() {
 }
 
 Law wide_exact_on_floats_law() {
-  return {
-      .id = "index.wide_exact_on_floats",
-      .says =
-          "for binary32 numbers the index in 64-bit words is that of the exact reference for those very "
-          "numbers",
-      .source =
-          "VK_EXT_opacity_micromap, appendix \"Reference Code\"; docs/SOUNDNESS.md, \"Beyond level 16\"",
-      .method = Method::sample,
-      .subjects = {"impl"},
-      .tiers = {.fast = {first_beyond, 30}, .long_run = {0, 30}, .seconds = 3},
-      .cases = [](Level, const Run&) { return pairs; },
-      .domain = [](const Subject&, Level) { return fmt::format("{} hard pairs of binary32 numbers", pairs); },
-      .how = by_sample,
-      .unfit = needing_wide(30),
-      .divisible = true,
-      .judge = judged_by(wide_exact_on_floats),
-      .replay = replayed_by(replay_wide),
-      .mutants = {wide_mutant("bit 33 of the index is lost", "impl", {17, 20},
-                              [](Level, const RationalPoint&, std::uint64_t index) {
-                                return index & ~(std::uint64_t{1} << 33);
-                              }),
-                  wide_mutant("words of 32 bits", "reference", {17, 17},
-                              [](Level, const RationalPoint&, std::uint64_t index) { return index; }),
-                  wide_mutant("one off where u is above 3/4, at level 30", "impl", {30, 30},
-                              [](Level, const RationalPoint& p, std::uint64_t index) {
-                                return index + (p.u > Rational(spec::Integer(3), spec::Integer(4)) ? 1 : 0);
-                              })}};
+  return {.id = "index.wide_exact_on_floats",
+          .says =
+              "for binary32 numbers the index in 64-bit words is that of the exact reference for those very "
+              "numbers",
+          .source =
+              "VK_EXT_opacity_micromap, appendix \"Reference Code\"; docs/SOUNDNESS.md, \"Beyond level 16\"",
+          .method = Method::sample,
+          .subjects = {"impl"},
+          .tiers = {.fast = {first_beyond, 30}, .long_run = {0, 30}, .seconds = 3},
+          .cases = pairs,
+          .domain = fmt::format("{} hard pairs of binary32 numbers", pairs),
+          .how = by_sample,
+          .unfit = needing_wide(30),
+          .divisible = true,
+          .judge = judged_by(wide_exact_on_floats),
+          .replay = replayed_by(replay_wide),
+          .mutants = {wide_mutant("bit 33 of the index is lost", "impl", {17, 20},
+                                  [](Level, const RationalPoint&, std::uint64_t index) {
+                                    return index & ~(std::uint64_t{1} << 33);
+                                  }),
+                      wide_mutant("words of 32 bits", "reference", {17, 17},
+                                  [](Level, const RationalPoint&, std::uint64_t index) { return index; }),
+                      wide_mutant("one off where u is above 3/4, at level 30", "impl", {30, 30},
+                                  [](Level, const RationalPoint& p, std::uint64_t index) {
+                                    return index +
+                                           (p.u > Rational(spec::Integer(3), spec::Integer(4)) ? 1 : 0);
+                                  })}};
 }
 
 Law ends_at_16_law() {
@@ -215,8 +206,8 @@ Law ends_at_16_law() {
       .method = Method::witness,
       .subjects = {"reference"},
       .tiers = {.fast = {first_beyond, first_beyond}, .long_run = {first_beyond, first_beyond}, .seconds = 1},
-      .cases = [](Level, const Run&) -> std::uint64_t { return beyond.size(); },
-      .domain = [](const Subject&, Level) { return fmt::format("{} given points", beyond.size()); },
+      .cases = beyond.size(),
+      .domain = fmt::format("{} given points", beyond.size()),
       .how = by_witness,
       .unfit = [fits = needing_wide(0)](const Subject& s, Level n) -> std::optional<std::string> {
         if (n != first_beyond) return "it is about level 17";

@@ -1,17 +1,9 @@
 #include "proofs/index/source/law.hpp"
 
-#include <fmt/format.h>
-
-#include <atomic>
-#include <bit>
 #include <charconv>
-#include <mutex>
 
-#include "proofs/engine/bytes.hpp"
 #include "proofs/engine/interrupt.hpp"
-#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/shape.hpp"
-#include "proofs/index/judges/judges.hpp"
 #include "proofs/index/laws/parts.hpp"
 #include "proofs/index/picture.hpp"
 #include "proofs/induction/prover.hpp"
@@ -177,6 +169,22 @@ Tally judge(const Subject& any, Level n, const Run& run) {
   return tally;
 }
 
+/// The reason why the index of a pair is undefined, though it came out right; empty if it is defined.
+std::string undefined_at(const IndexSubject& any, Level n, float u, float v) {
+  const auto* subject = dynamic_cast<const SourceSubject*>(&any);
+  if (subject == nullptr || subject->code.not_known(n)) return {};
+  const auto range = [](float x) {
+    const auto bits = std::bit_cast<std::uint32_t>(x);
+    return Range{bits >> 31 != 0, bits >> 23 & 255, bits >> 23 & 255};
+  };
+  const Pair pair{range(u), range(v)};
+  const Formula formula = subject->code.formulas(n, pair.u, pair.v);
+  const Solved found = induction::ask_words(
+      statement_of(n, pair, formula, Bits{std::bit_cast<std::uint32_t>(u), std::bit_cast<std::uint32_t>(v)}));
+  const Claimed c = claimed_by(found, pair, formula);
+  return found.answer == Answer::sat && c.undefined ? c.cause : "";
+}
+
 }  // namespace
 
 SourceSubject::SourceSubject(std::string name, std::string about, Functions f, std::string fingerprint,
@@ -195,10 +203,8 @@ Law law(std::string replayed_by) {
         .tiers = {.fast = {9, 9}, .long_run = {0, highest}},
         .cases = [](Level n, const Run&) { return count_of_pairs(n); },
         .domain =
-            [](const Subject&, Level) {
-              return "every pair of binary32 numbers u and v in [-0, 1] with u + v <= 1 + 2^-23, by pairs of "
-                     "exponents";
-            },
+            "every pair of binary32 numbers u and v in [-0, 1] with u + v <= 1 + 2^-23, by pairs of "
+            "exponents",
         .how =
             [](const Subject& s, Level) {
               return fmt::format("bit vectors, {}; {}", induction::prover_name(), of_source(s).code.read_as);
@@ -214,26 +220,6 @@ Law law(std::string replayed_by) {
   l.replayed_by = std::move(replayed_by);
   return l;
 }
-
-namespace {
-
-/// The reason why the index of a pair is undefined, though it came out right; empty if it is defined.
-std::string undefined_at(const IndexSubject& any, Level n, float u, float v) {
-  const auto* subject = dynamic_cast<const SourceSubject*>(&any);
-  if (subject == nullptr || subject->code.not_known(n)) return {};
-  const auto range = [](float x) {
-    const auto bits = std::bit_cast<std::uint32_t>(x);
-    return Range{bits >> 31 != 0, bits >> 23 & 255, bits >> 23 & 255};
-  };
-  const Pair pair{range(u), range(v)};
-  const Formula formula = subject->code.formulas(n, pair.u, pair.v);
-  const Solved found = induction::ask_words(
-      statement_of(n, pair, formula, Bits{std::bit_cast<std::uint32_t>(u), std::bit_cast<std::uint32_t>(v)}));
-  const Claimed c = claimed_by(found, pair, formula);
-  return found.answer == Answer::sat && c.undefined ? c.cause : "";
-}
-
-}  // namespace
 
 Replayed replay(const IndexSubject& subject, Level n, const std::string& at) {
   const Groups parts = groups_of(at, "(?:[a-z]:)?u=([^,=]+),v=([^,=]+)");

@@ -13,7 +13,6 @@ namespace mmverify::proofs::index::source {
 
 using namespace proofs::induction;
 using binary32::Exact;
-using binary32::exact_times;
 using binary32::ExactIn;
 using binary32::exactly;
 

@@ -5,9 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "proofs/engine/result.hpp"
 #include "proofs/induction/statement.hpp"

@@ -1,12 +1,5 @@
-#include "proofs/index/subjects/built_in.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "proofs/engine/shape.hpp"
 #include "proofs/index/grid/reference_sweep.hpp"
-#include "proofs/index/grid/step_sweep.hpp"
 #include "proofs/index/subjects/algorithms.hpp"
 #include "proofs/index/subjects/exact_subject.hpp"
 #include "proofs/index/subjects/rounded_subject.hpp"

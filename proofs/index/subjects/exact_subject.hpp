@@ -2,7 +2,6 @@
 #pragma once
 
 #include "proofs/index/in_rationals.hpp"
-#include "proofs/index/points.hpp"
 #include "proofs/index/subject.hpp"
 
 namespace mmverify::proofs::index {

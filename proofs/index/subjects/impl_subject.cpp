@@ -1,9 +1,5 @@
 // Our own library, as a subject.
-#include <array>
-#include <vector>
-
 #include "impl/index/wide.hpp"
-#include "proofs/index/subjects/built_in.hpp"
 #include "proofs/index/subjects/rounded_subject.hpp"
 
 namespace mmverify::proofs::index {

@@ -1,8 +1,4 @@
 // The row order of Color and Attribute Micromaps, figure 4, as subjects: exact, and with its roundings.
-#include <cmath>
-
-#include "proofs/index/points.hpp"
-#include "proofs/index/subjects/built_in.hpp"
 #include "proofs/index/subjects/rounded_subject.hpp"
 
 namespace mmverify::proofs::index {

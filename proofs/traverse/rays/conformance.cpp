@@ -2,14 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <stdexcept>
-#include <string>
-
 #include "proofs/pipe/lines.hpp"
 #include "proofs/points/cells.hpp"
-#include "spec/index/index.hpp"
 
 namespace mmverify::proofs::traverse {
 namespace {

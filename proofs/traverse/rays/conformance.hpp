@@ -1,14 +1,10 @@
 // Rays with a known answer, one for each micro-triangle, edge and vertex, for any ray test.
 #pragma once
 
-#include <cstdint>
 #include <cstdio>
 #include <functional>
-#include <vector>
 
 #include "proofs/engine/kinds.hpp"
-#include "proofs/engine/result.hpp"
-#include "spec/micromap/micromap.hpp"
 #include "spec/traverse/decision.hpp"
 
 namespace mmverify::proofs::traverse {

@@ -1,9 +1,7 @@
 // Rays through a world, its micromaps asked in every form: what is seen is what the texture alone decides.
 #include "impl/index/index.hpp"
 #include "proofs/engine/spoils.hpp"
-#include "proofs/traverse/law_groups.hpp"
-#include "proofs/traverse/law_parts.hpp"
-#include "proofs/traverse/rays/sample_world.hpp"
+#include "proofs/traverse/laws.hpp"
 #include "proofs/traverse/rays/seen_by.hpp"
 
 namespace mmverify::proofs::traverse {
@@ -31,10 +29,6 @@ Finding check(const TraverseSubject& s, const SeenBy& c) {
     return Finding{std::uint64_t{by_maps.primary.triangle} + 2 * by_maps.by_primary.shader + by_maps.lit};
   return wrong(text_of(by_texture), text_of(by_maps));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
-// What goes wrong
-// ---------------------------------------------------------------------------------------------------------------------
 
 using Asks = Looks;
 using Answer = std::optional<State>;
@@ -73,13 +67,10 @@ std::vector<Law> image_laws() {
           .subjects = {"traverse"},
           .tiers = {.seconds = 1.5},
           .at_once = "levels 0..5",
-          .domain =
-              [](const Subject&, Level) {
-                return fmt::format(
-                    "{} x {} pixels of cameras on a random path through a world of our own, a primary ray "
-                    "and a shadow ray each, by {} forms of its maps",
-                    picture_width, picture_height, forms().size());
-              },
+          .domain = fmt::format(
+              "{} x {} pixels of cameras on a random path through a world of our own, a primary ray "
+              "and a shadow ray each, by {} forms of its maps",
+              picture_width, picture_height, forms().size()),
           .unfit = needing_rays({entry::look}),
           .mutants = {
               mutant("unknown states are opaque", "traverse", answering([](const Asks&, Answer& a) {

@@ -1,10 +1,8 @@
 // Laws of hits that blend along real rays.  The payload is that of the texture and the specification, in any order in
 // which Embree meets the hits.
-#include <algorithm>
-
 #include "proofs/engine/spoils.hpp"
 #include "proofs/traverse/colours.hpp"
-#include "proofs/traverse/law_groups.hpp"
+#include "proofs/traverse/laws.hpp"
 #include "proofs/traverse/rays/seen_by.hpp"
 
 namespace mmverify::proofs::traverse {
@@ -91,13 +89,10 @@ std::vector<Law> payload_laws() {
       .subjects = {"traverse"},
       .tiers = {.seconds = 1.5},
       .at_once = "levels 0..5",
-      .domain =
-          [](const Subject&, Level) {
-            return fmt::format(
-                "{} x {} pixels of cameras on a random path through a world of our own, each by one of the "
-                "three operations, by {} forms of its maps, blended by shaders and by fixed functions",
-                picture_width, picture_height, forms().size());
-          },
+      .domain = fmt::format(
+          "{} x {} pixels of cameras on a random path through a world of our own, each by one of the "
+          "three operations, by {} forms of its maps, blended by shaders and by fixed functions",
+          picture_width, picture_height, forms().size()),
       .unfit = needing_rays({entry::look, entry::gather}),
       .mutants = {
           mutant("hits are blended as they are met", "traverse",

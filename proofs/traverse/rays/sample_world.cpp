@@ -1,10 +1,6 @@
 #include "proofs/traverse/rays/sample_world.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstring>
-#include <span>
 
 #include "display/render/vectors.hpp"
 #include "impl/bake/square/map.hpp"

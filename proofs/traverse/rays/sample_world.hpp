@@ -1,15 +1,8 @@
 // A small generated world for rays: cards of leaves, tiles, glass and wood around a point, above an opaque ground.
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <vector>
-
 #include "display/render/attribute/colour_maps.hpp"
-#include "display/render/camera.hpp"
-#include "display/render/opacity.hpp"
 #include "display/render/tracer.hpp"
-#include "display/render/world.hpp"
 
 namespace mmverify::proofs::traverse {
 

@@ -2,10 +2,6 @@
 // about rays.
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "proofs/traverse/law_parts.hpp"
 #include "proofs/traverse/rays/sample_world.hpp"
 

@@ -1,6 +1,4 @@
 // tree.all_levels.
-#include <fmt/format.h>
-
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/tree/checks.hpp"
 #include "proofs/tree/induction/lemmas.hpp"
@@ -28,12 +26,6 @@ std::vector<Counterexample> counterexamples(const TreeSubject& subject, const Ru
   return found;
 }
 
-std::optional<std::vector<Statement>> statements_about(const Subject& subject) {
-  if (const auto* own = dynamic_cast<const Provable*>(&subject)) return own->statements();
-  if (subject.name() == about) return shipped_all_levels();
-  return std::nullopt;
-}
-
 }  // namespace
 
 Tally discharge(const std::vector<Statement>& statements, const TreeSubject& subject, const Run& run,
@@ -47,30 +39,25 @@ Tally discharge(const std::vector<Statement>& statements, const TreeSubject& sub
 std::vector<Statement> shipped_all_levels() { return all_levels_statements<Specified>(); }
 
 Law all_levels_law() {
-  Law law{
-      .id = "tree.all_levels",
-      .says =
-          "at every level n >= 0, of every map: Algorithms 1 and 2 give it one encoding that no other map "
-          "has, Algorithm 3 finds its every state there, and it is no larger than (4^(n+1)-1)/3 nodes",
-      .source = "Succinct Opacity Micromaps, 4.1, 4.2 and 6.2.1",
-      .method = Method::induction,
-      .subjects = {about},
-      .tiers = {.seconds = 2},
-      .at_once = "all levels"};
-  law.cases = [count = shipped_all_levels().size()](Level, const Run&) { return count; };
-  law.domain = [](const Subject&, Level) { return "every map of every level n >= 0"; };
-  law.how = [](const Subject&, Level) { return "induction, " + proofs::induction::prover_name(); };
-  law.unfit = [](const Subject& s, Level) -> std::optional<std::string> {
-    if (dynamic_cast<const Provable*>(&s) != nullptr || s.name() == about) return std::nullopt;
-    return fmt::format("no statements about {}: there are some about {}", s.name(), about);
-  };
-  law.judge = [](const Subject& s, Level, const Run& run) {
-    return discharge(statements_about(s).value(), dynamic_cast<const TreeSubject&>(s), run);
-  };
+  Law law = proofs::induction::on_statements(
+      {.id = "tree.all_levels",
+       .says =
+           "at every level n >= 0, of every map: Algorithms 1 and 2 give it one encoding that no other map "
+           "has, Algorithm 3 finds its every state there, and it is no larger than (4^(n+1)-1)/3 nodes",
+       .source = "Succinct Opacity Micromaps, 4.1, 4.2 and 6.2.1",
+       .method = Method::induction,
+       .subjects = {about},
+       .tiers = {.seconds = 2},
+       .at_once = "all levels",
+       .domain = "every map of every level n >= 0",
+       .mutants = mutants_of_all_levels()},
+      {{about, shipped_all_levels}},
+      [](const std::vector<Statement>& statements, const Subject& s, const Run& run) {
+        return discharge(statements, dynamic_cast<const TreeSubject&>(s), run);
+      });
   law.replay = [](const Subject& s, Level n, const std::string& at) {
     return replayed(as_specified(dynamic_cast<const TreeSubject&>(s), map_from_text(n, at)));
   };
-  law.mutants = mutants_of_all_levels();
   return law;
 }
 

@@ -2,10 +2,8 @@
 // children fulfil it, and comes from running the specification's own turns on names.  No level occurs.
 #pragma once
 
-#include <functional>
-
+#include "proofs/tree/induction/by_rules.hpp"
 #include "proofs/tree/induction/names.hpp"
-#include "proofs/tree/induction/rules.hpp"
 
 namespace mmverify::proofs::tree::induction {
 
@@ -60,9 +58,7 @@ void add_quarters(std::vector<Statement>& all);
 /// Adds the statement that trees without siblings left to merge are the same if they mean the same map.
 void add_canonical(std::vector<Statement>& all);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// bitscan
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- bitscan
 
 /// The turn of the loop at (c, t, d), which continues from (child, bit, datum) or ends: `equation` has both cases.
 struct ScanTurn {
@@ -121,9 +117,7 @@ void add_skip(std::vector<Statement>& all, Shape shape) {
       });
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// tree-lookup
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- tree-lookup
 
 template <class Rules>
 void add_lookup(std::vector<Statement>& all, Shape shape) {
@@ -174,9 +168,7 @@ void add_lookup(std::vector<Statement>& all, Shape shape) {
       });
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Algorithm 2
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Algorithm 2
 
 template <class Rules>
 void add_emit(std::vector<Statement>& all, Shape shape) {
@@ -234,9 +226,7 @@ void add_emit(std::vector<Statement>& all, Shape shape) {
       });
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Algorithm 1
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Algorithm 1
 
 /// The result of spec::tree::merged for four children.
 template <class Rules>

@@ -1,4 +1,3 @@
-#include "proofs/tree/induction/by_rules.hpp"
 #include "proofs/tree/induction/lemmas.hpp"
 #include "proofs/tree/induction/provable.hpp"
 

@@ -2,9 +2,7 @@
 // Algorithms 1, 2 and 3 run on nodes, stacks and sequences that are names.
 #pragma once
 
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "proofs/induction/statement.hpp"
 #include "proofs/induction/symbolic.hpp"
@@ -30,9 +28,7 @@ void define_sequences(Script& script);
 void define_maps(Script& script);
 void define_merging(Script& script);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Formulas
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Formulas
 
 inline Term truth(bool b) { return {b ? "true" : "false", boolean}; }
 Term implies(const Term& premise, const Term& conclusion);
@@ -59,9 +55,7 @@ Term bitscan_ends(const Term& child, const Term& t, const Term& d);
 Term place(const Term& t, const Term& d);
 Term stacked(const Term& tree, const Term& stack);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Names that the specification's templates take
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Names that the specification's templates take
 
 /// The specification's Succinct-Tree.
 struct Bits {

@@ -12,12 +12,10 @@ ROWS = [
     ("subjects/dock/entry_points.hpp",
      "(a.format, a.blob, a.blob_bytes, a.words(0), a.floats(1), a.floats(2), a.bytes(), a.count))",
      " \\\n  ROW(toy_twice, toy, 1, (a.level, a.words(0), a.numbers(), a.count))"),
-    ("proofs/registry/topics.cpp", '#include "proofs/micromap/plugin_subject.hpp"\n',
-     '#include "proofs/toy/laws.hpp"\n#include "proofs/toy/plugin_subject.hpp"\n'),
-    ("proofs/registry/topics.cpp", '     Call::dag_encode, 12, "dag"},\n',
+    ("proofs/registry/topics.cpp", '#include "proofs/micromap/laws.hpp"\n', '#include "proofs/toy/laws.hpp"\n'),
+    ("proofs/registry/topics.cpp", 'Call::dag_encode, 12, "dag"},\n',
      '    {"toy", {"toy"}, toy::laws, all<toy::built_in_subjects>, {"toy"},\n'
-     '     [](const LibraryPtr& l, bool first) { return one<toy::plugin_subject>(l, "toy", first); },\n'
-     "     Call::toy_twice, 8},\n"),
+     "     one<toy::plugin_subject>, Call::toy_twice, 8},\n"),
 ]
 
 for name, behind, row in ROWS:

@@ -1,6 +1,5 @@
 #include "proofs/toy/laws.hpp"
 
-#include "proofs/toy/subject.hpp"
 #include "spec/toy/twice.hpp"
 
 namespace mmverify::proofs::toy {

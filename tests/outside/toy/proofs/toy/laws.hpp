@@ -1,9 +1,7 @@
 // The laws of topic toy.
 #pragma once
 
-#include <vector>
-
-#include "proofs/engine/law.hpp"
+#include "proofs/toy/subject.hpp"
 
 namespace mmverify::proofs::toy {
 

@@ -1,4 +1,4 @@
-#include "proofs/toy/plugin_subject.hpp"
+#include "proofs/toy/subject.hpp"
 
 #include "subjects/dock/elements.hpp"
 

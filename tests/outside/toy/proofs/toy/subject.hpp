@@ -1,11 +1,6 @@
 // A subject of topic toy.
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "proofs/engine/topic.hpp"
 
 namespace mmverify::proofs::toy {
@@ -21,5 +16,8 @@ using ToySubjectPtr = std::shared_ptr<const ToySubject>;
 
 /// The library.
 const std::vector<ToySubjectPtr>& built_in_subjects();
+
+/// The subject that a library offers; null if it has no entry point of this topic.
+ToySubjectPtr plugin_subject(const std::string& name, const dock::LibraryPtr& library);
 
 }  // namespace mmverify::proofs::toy

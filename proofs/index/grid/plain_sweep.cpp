@@ -1,5 +1,4 @@
-#include "proofs/index/judges/plain_sweep.hpp"
-
+#include "proofs/index/grid/reference_sweep.hpp"
 #include "proofs/index/judges/on_cells.hpp"
 
 namespace mmverify::proofs::index {
