@@ -144,8 +144,8 @@ void main() {
 }
 )");
   const std::string spirv = (folder_ / "whole.spv").string();
-  const Outcome made =
-      shell("glslangValidator -I" MMVERIFY_ROOT "/subjects -V --target-env vulkan1.1 -o " + spirv + " " + file);
+  const Outcome made = shell("glslangValidator -I" MMVERIFY_ROOT "/subjects -V --target-env vulkan1.1 -o " +
+                             spirv + " " + file);
   ASSERT_EQ(made.exit_code, 0) << made.out << made.err;
   for (const std::string& subject : {file, spirv}) {
     const Outcome o = judge(subject, "index.corners --levels 0..4", "--entry corners");
