@@ -113,6 +113,8 @@ void main() {}
 
 TEST_F(ShaderOnDevice, that_hangs_costs_its_time_and_no_more) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
+  if (judge(ours("index.glsl"), "index.corners --levels 0").out.find("llvmpipe") != std::string::npos)
+    GTEST_SKIP() << "llvmpipe leaves a loop after 2^16 turns";
   const std::string file = write("hang.glsl", R"(uint index(uint level, float u, float v) {
   uint k = mmverify_word(0);
   while (k != 77u) k = (k * 5u + 2u) & ~1u;
@@ -130,7 +132,7 @@ TEST_F(ShaderOnDevice, a_whole_shader_and_its_spirv_answer_alike) {
 layout(std430, set = 0, binding = 0) readonly buffer In { uint index[]; };
 layout(std430, set = 0, binding = 3) writeonly buffer Out { uint answer[]; };
 layout(push_constant) uniform Asked { uint count, level, first, second, bytes; };
-#include "subjects/shaders/index.glsl"
+#include "shaders/index.glsl"
 layout(local_size_x = 128) in;
 void main() {
   uint k = gl_GlobalInvocationID.x;
@@ -142,8 +144,8 @@ void main() {
 }
 )");
   const std::string spirv = (folder_ / "whole.spv").string();
-  const Outcome made =
-      shell("glslangValidator -I" MMVERIFY_ROOT " -V --target-env vulkan1.1 -o " + spirv + " " + file);
+  const Outcome made = shell("glslangValidator -I" MMVERIFY_ROOT "/subjects -V --target-env vulkan1.1 -o " +
+                             spirv + " " + file);
   ASSERT_EQ(made.exit_code, 0) << made.out << made.err;
   for (const std::string& subject : {file, spirv}) {
     const Outcome o = judge(subject, "index.corners --levels 0..4", "--entry corners");
