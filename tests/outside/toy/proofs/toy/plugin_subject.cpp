@@ -1,5 +1,4 @@
 #include "proofs/toy/subject.hpp"
-
 #include "subjects/dock/elements.hpp"
 
 namespace mmverify::proofs::toy {
