@@ -17,12 +17,11 @@
 #include "bench/scene/bc7enc.hpp"
 #include "bench/scene/compressors.hpp"
 #include "cli/arguments.hpp"
-#include "cli/bench/plot.hpp"
 #include "cli/bench/tables.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/gnuplot.hpp"
 #include "cli/json_output.hpp"
 #include "cli/output_file.hpp"
+#include "cli/plot_file.hpp"
 #include "cli/scene/loaded.hpp"
 #include "cli/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
@@ -173,7 +172,7 @@ int measure_attributes(const AttributeArguments& arguments) {
   const proofs::Levels levels = levels_of(arguments.levels);
   check(arguments, levels);
   JsonOutput json(arguments.json);
-  std::optional<OutputFile> plot;
+  std::optional<PlotFile> plot;
   if (!arguments.plot.empty()) plot.emplace(arguments.plot);
   need_folder("--pictures", arguments.pictures);
   need_folder("--files", arguments.files);
@@ -205,7 +204,7 @@ int measure_attributes(const AttributeArguments& arguments) {
   if (arguments.mips) result.tables.push_back(bench::attribute_mips_table(mips.steps()));
   pictures.name_in(result);
   print_result(json.text(), result);
-  if (plot) plot->commit(run_gnuplot(plot_script(*result.drawn)));
+  if (plot) plot->commit(*result.drawn);
   json.write([&] { return result_json(result); });
   return complete;
 }

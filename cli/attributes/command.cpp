@@ -66,7 +66,7 @@ Action add_attributes(CLI::App& program) {
       ->add_option("--pictures", arguments->pictures,
                    "write each base colour beside its maps and their FLIP, a PNG a level")
       ->type_name("FOLDER");
-  command->add_option("--plot", arguments->plot, "draw errors against sizes as SVG")->type_name("FILE.svg");
+  command->add_option("--plot", arguments->plot, "draw errors against sizes")->type_name("FILE.svg|FILE.png");
   command->add_option("--json", arguments->json, "write the figures as JSON; - is stdout")
       ->type_name("FILE|-");
   command

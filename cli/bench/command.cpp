@@ -10,7 +10,6 @@
 #include "bench/scene/tables.hpp"
 #include "cli/arguments.hpp"
 #include "cli/bench/baker.hpp"
-#include "cli/bench/plot.hpp"
 #include "cli/bench/shaders.hpp"
 #include "cli/bench/subject.hpp"
 #include "cli/bench/sweep.hpp"
@@ -18,9 +17,9 @@
 #include "cli/bench/topics.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/gnuplot.hpp"
 #include "cli/json_output.hpp"
 #include "cli/output_file.hpp"
+#include "cli/plot_file.hpp"
 #include "cli/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "scene/read/bad_scene.hpp"
@@ -42,19 +41,20 @@ class Outputs {
     print_result(json_.text(), result);
     results_ += (results_.empty() ? "" : ",\n") + result_json(result);
     if (picture_ && !result.drawn) throw UsageError("--plot: these figures have no drawing; leave it out");
-    if (picture_) script_ = plot_script(*result.drawn);
+    drawn_ = result.drawn;
   }
 
   int commit(bool several) {
     json_.write([&] { return several ? "[\n" + results_ + "]\n" : results_; });
-    if (picture_) picture_->commit(run_gnuplot(script_));
+    if (picture_) picture_->commit(*drawn_);
     return ExitCode::complete;
   }
 
  private:
   JsonOutput json_;
-  std::optional<OutputFile> picture_;
-  std::string results_, script_;
+  std::optional<PlotFile> picture_;
+  std::optional<bench::picture::Picture> drawn_;
+  std::string results_;
 };
 
 /// Runs a bench that belongs to no topic; its figures have no picture.
@@ -312,7 +312,7 @@ Action add_bench(CLI::App& program) {
       ->check(whole_within(0, 9999));
   command->add_option("--seed", options->index.seed, "seed of the points")->check(fits_64_bits);
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
-  command->add_option("--plot", options->plot, "draw them, with gnuplot")->type_name("FILE.svg");
+  command->add_option("--plot", options->plot, "draw them, with gnuplot")->type_name("FILE.svg|FILE.png");
   command->add_flag("--quiet", options->quiet, "no progress on stderr");
   return [options] { return run_bench(*options); };
 }

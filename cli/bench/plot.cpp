@@ -207,14 +207,23 @@ bool has_lower_key(const Picture& picture) {
   return false;
 }
 
+std::string terminal(const Picture& picture, PlotFormat format) {
+  if (format == PlotFormat::svg)
+    return fmt::format("set terminal svg size {},{} font 'sans-serif,13' background rgb 'white'\n",
+                       picture.width, picture.height);
+  // Cairo's fonts are in points of 4/3 pixels.
+  return fmt::format(
+      "set terminal pngcairo size {},{} font 'sans-serif,10' fontscale 2 linewidth 2 pointscale 2 background "
+      "rgb 'white'\n",
+      2 * picture.width, 2 * picture.height);
+}
+
 }  // namespace
 
-std::string plot_script(const Picture& picture) {
+std::string plot_script(const Picture& picture, PlotFormat format) {
   const Box size{0, static_cast<double>(picture.width), 0, static_cast<double>(picture.height)};
-  std::string script = fmt::format(
-      "set terminal svg size {},{} font 'sans-serif,13' background rgb 'white'\nset multiplot\n"
-      "set border lc rgb '{}'\nset tics nomirror\nset grid lc rgb '#dddddd' lw 0.5\n",
-      picture.width, picture.height, ink);
+  std::string script = terminal(picture, format) + "set multiplot\n";
+  script += fmt::format("set border lc rgb '{}'\nset tics nomirror\nset grid lc rgb '#dddddd' lw 0.5\n", ink);
   const double below = has_lower_key(picture) ? lower_key + 30 : picture.note.empty() ? 0 : lower_note;
   const double height = (size.bottom - below) / static_cast<double>(picture.rows.size());
   if (!picture.note.empty())

@@ -7,7 +7,10 @@
 
 namespace mmverify::cli {
 
-/// A script for run_gnuplot that writes SVG.
-std::string plot_script(const bench::picture::Picture& picture);
+/// A picture is an SVG, or a PNG of twice as many pixels in each direction.
+enum class PlotFormat { svg, png };
+
+/// A script that makes gnuplot write the picture to standard output.
+std::string plot_script(const bench::picture::Picture& picture, PlotFormat format);
 
 }  // namespace mmverify::cli

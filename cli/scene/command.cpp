@@ -11,10 +11,10 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/gnuplot.hpp"
 #include "cli/json.hpp"
 #include "cli/json_output.hpp"
 #include "cli/output_file.hpp"
+#include "cli/plot_file.hpp"
 #include "cli/run_identity.hpp"
 #include "cli/scene/loaded.hpp"
 #include "cli/scene/scene.hpp"
@@ -179,13 +179,14 @@ class Output {
         options_.glb, grouped(bytes.size()));
   }
   void plot(const SceneFigures& figures) {
-    if (plot_) plot_->commit(run_gnuplot(sizes_plot_script(figures)));
+    if (plot_) plot_->commit(sizes_picture(figures));
   }
 
  private:
   const SceneOptions& options_;
   JsonOutput json_;
-  std::optional<OutputFile> plot_, glb_;
+  std::optional<PlotFile> plot_;
+  std::optional<OutputFile> glb_;
 };
 
 /// Runs the pipeline and prints its plan before it bakes.
@@ -361,8 +362,8 @@ Action add_scene(CLI::App& program) {
                           ->add_option("--sizes", options->sizes,
                                        "also the sizes with every triangle at each of these levels")
                           ->type_name("A..B");
-  auto* const plot = command->add_option("--plot", options->plot, "draw the sizes as SVG")
-                         ->type_name("FILE.svg")
+  auto* const plot = command->add_option("--plot", options->plot, "draw the sizes")
+                         ->type_name("FILE.svg|FILE.png")
                          ->needs(sizes);
   auto* const json = command->add_option("--json", options->json, "write the results as JSON; - is stdout")
                          ->type_name("FILE|-");

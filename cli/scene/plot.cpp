@@ -1,6 +1,3 @@
-#include "cli/bench/plot.hpp"
-
-#include "bench/picture.hpp"
 #include "cli/scene/scene.hpp"
 
 namespace mmverify::cli {
@@ -72,8 +69,8 @@ Panel savings(const SceneFigures& figures) {
 
 }  // namespace
 
-std::string sizes_plot_script(const SceneFigures& figures) {
-  return plot_script({.width = 1000, .height = 900, .rows = {{memory(figures)}, {savings(figures)}}});
+Picture sizes_picture(const SceneFigures& figures) {
+  return {.width = 1000, .height = 900, .rows = {{memory(figures)}, {savings(figures)}}};
 }
 
 }  // namespace mmverify::cli

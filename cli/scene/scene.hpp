@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/picture.hpp"
 #include "proofs/scene/laws.hpp"
 #include "proofs/scene/subject_maps.hpp"
 #include "scene/pipeline.hpp"
@@ -53,8 +54,8 @@ std::string scene_json(const SceneFigures* figures, const mmverify::scene::Scene
                        const std::vector<proofs::scene::LeftOutLaw>& left_out,
                        const std::optional<SubjectFigures>& subject = {});
 
-/// The gnuplot script of figure 5. Upper panel: bytes by level; lower panel: the ratio by which the tree is
+/// Figure 5 of these sizes. Upper panel: bytes by level; lower panel: the ratio by which the tree is
 /// smaller.
-std::string sizes_plot_script(const SceneFigures& figures);
+bench::picture::Picture sizes_picture(const SceneFigures& figures);
 
 }  // namespace mmverify::cli

@@ -62,5 +62,6 @@ int main(int argc, char** argv) {
   futex_wake(mailbox.turn);
   if (!why.empty()) return 0;
   explain_faults(base, layout);
-  Desk(base, layout, subject, promised, mode_before_loading).serve();
+  const Caller caller(base, layout, subject, promised, mode_before_loading);
+  Desk(caller).serve();
 }

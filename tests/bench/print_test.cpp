@@ -182,13 +182,15 @@ TEST(BenchPlot, SaysWhatThePictureHolds) {
                  .key = picture::Key::top_left,
                  .thresholds = {{3, "the bound"}}}}},
       .note = "below"};
-  const std::string script = plot_script(drawn);
+  const std::string script = plot_script(drawn, PlotFormat::svg);
   for (const char* part : {"size 400,300", "set title 'it''s\\_so'", "1 2 \"\"\n3 4 \"\"\n", "title 'ours'",
                            "title 'without points'", "key top left", "'the bound'", "'below'",
                            "unset logscale x", picture::green})
     EXPECT_THAT(script, HasSubstr(part));
   EXPECT_THAT(script, Not(HasSubstr("'none'")));
-  EXPECT_THAT(plot_script({.width = 400, .height = 300, .rows = {{crowded()}}}), HasSubstr("'none'"));
+  EXPECT_THAT(plot_script({.width = 400, .height = 300, .rows = {{crowded()}}}, PlotFormat::svg),
+              HasSubstr("'none'"));
+  EXPECT_THAT(plot_script(drawn, PlotFormat::png), HasSubstr("pngcairo size 800,600"));
 }
 
 }  // namespace

@@ -58,8 +58,9 @@ TEST(ArrayChanges, a_reader_may_refuse_what_is_no_array) {
 }
 
 TEST(ArrayChanges, that_are_missing_are_named) {
-  expect_said(judge_changes("saves_alone", "array.reorder array.files array.compact"), 0,
-              {"proved     array.reorder", "n/a        array.files", "n/a        array.compact"});
+  const Outcome o = judge_changes("saves_alone", "array.reorder array.files array.compact");
+  expect_said(o, 2, {"proved     array.reorder", "n/a        array.files", "n/a        array.compact"});
+  EXPECT_THAT(o.err, HasSubstr("array.files was asked for, and nothing was judged"));
 }
 
 }  // namespace array_changes_plugin_test

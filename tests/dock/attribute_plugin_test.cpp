@@ -56,7 +56,7 @@ TEST(WrongAttribute, is_refuted_and_replayed) {
        {"attribute_halves_go_up", "attribute.mip_rounding --levels 0", "case "},
        {"lockstep_face_mip", "attribute.mip_rounding --levels 0", "case "},
        {"lockstep_face_mip", "attribute.mip_on_samples --levels 0", ", G: the mean of "},
-       {"attribute_alpha_of_the_first_child", "attribute.mip_on_samples --levels 0", ", A: the mean of "},
+       {"attribute_second_child_is_grey", "attribute.mip_on_samples --levels 0", ": the mean of "},
        {"attribute_second_child_without_alpha_is_black", "attribute.mip_on_samples --levels 0",
         ": the mean of "}});
 }

@@ -57,24 +57,15 @@ class Scanned {
   /// The number of bits that the fault makes of a scan that ended at a bit.
   std::uint64_t seen(std::uint64_t index, std::uint64_t at) const {
     const std::uint64_t last = (std::uint64_t{1} << 2 * map_.level) - 1;
-    switch (wrong_) {
-      case "skips_without_roots"_fault:
-        for (Level n = 0; n < map_.level; ++n) at -= index >> 2 * n & 3;
-        return at;
-      case "last_bit_of_all_unread"_fault:
-        return map_.level >= 4 && index == last ? at - 1 : at;
-      case "counts_in_a_byte"_fault:
-        return at & 255;
-      case "reads_data_of_four_states"_fault:
-        return map_.format == Format::four_state ? at + 2 : at;
-      case "no_bit_for_the_last_child"_fault:
-        return map_.level > 2 && (index & 63) == 63 ? at - 1
-                                                    : at;  // it is known without: the rest of the tree
-      case "reads_only_internal_nodes"_fault:
-        return map_.level > 0 ? at - 1 : at;  // the leaf's own bit
-      default:
-        return at;
-    }
+    if (wrong_ == "skips_without_roots"_fault)
+      for (Level n = 0; n < map_.level; ++n) at -= index >> 2 * n & 3;
+    if (wrong_ == "last_bit_of_all_unread"_fault && map_.level >= 4 && index == last) return at - 1;
+    if (wrong_ == "counts_in_a_byte"_fault) return at & 255;
+    if (wrong_ == "reads_data_of_four_states"_fault && map_.format == Format::four_state) return at + 2;
+    if (wrong_ == "no_bit_for_the_last_child"_fault && map_.level > 2 && (index & 63) == 63)
+      return at - 1;  // it is known without: the rest of the tree
+    if (wrong_ == "reads_only_internal_nodes"_fault && map_.level > 0) return at - 1;  // the leaf's own bit
+    return at;
   }
 
   Map map_;

@@ -16,6 +16,9 @@ if(NOT MMVERIFY_SANITIZE AND NOT MMVERIFY_BRIEF)  # ten seconds to a minute of a
     COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/install_test.sh ${PROJECT_BINARY_DIR} ${CMAKE_C_COMPILER} ${CMAKE_CXX_COMPILER})
   set_tests_properties(install_test PROPERTIES TIMEOUT 300)
   add_test(NAME subjects_walk_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/subjects_walk_test.sh)
+  add_test(NAME new_topic_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/new_topic_test.sh
+    -DCMAKE_C_COMPILER=${CMAKE_C_COMPILER} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER})
+  set_tests_properties(new_topic_test PROPERTIES TIMEOUT 1800 RUN_SERIAL ON)
 endif()
 
 # The built program, from outside, as a user has it before him: tests/transcripts/README.md.

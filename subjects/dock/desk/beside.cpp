@@ -7,7 +7,7 @@
 #include <cstring>
 #include <thread>
 
-#include "subjects/dock/desk/desk.hpp"
+#include "subjects/dock/desk/provocations.hpp"
 
 namespace mmverify::dock {
 namespace {
@@ -70,24 +70,20 @@ class Writer {
   std::thread thread_;  // the last member: it uses the others
 };
 
-}  // namespace
-
-void Desk::ask_beside_a_writer(const Arguments& question, const std::byte* right, std::size_t bytes,
-                               std::uint64_t size, std::uint64_t element) {
+void ask_beside(const Caller& caller, const Question& question) {
   using Clock = std::chrono::steady_clock;
-  cpu_set_t others = everywhere_;
+  cpu_set_t others = caller.processors();
   if (const int here = sched_getcpu(); here >= 0 && here < CPU_SETSIZE)
     CPU_CLR(static_cast<std::size_t>(here), &others);
   // The two threads would never meet on one processor.
-  if (bytes == 0 || size == 0 || CPU_COUNT(&others) == 0) return;
-  const std::size_t value = asked().signature.value_bytes;
+  if (question.bytes == 0 || question.size == 0 || CPU_COUNT(&others) == 0) return;
+  const std::size_t value = caller.entry().signature.value_bytes;
   // No word of eight bytes or more begins or ends with the output.
-  const std::size_t behind_line = value == 1 ? 1 + 2 * (mailbox_.asked_before % 4) : value;
-  Fenced out(bytes, blank_again, behind_line);
-  std::byte *const before = out.data() - 1, *const behind = out.data() + bytes;
-  Arguments a = question;
+  Fenced out(question.bytes, blank_again, value == 1 ? 1 + 2 * (caller.mailbox().asked_before % 4) : value);
+  std::byte *const before = out.data() - 1, *const behind = out.data() + question.bytes;
+  Arguments a = question.arguments;
   a.out = out.data();
-  std::uint64_t again = size;
+  std::uint64_t again = question.size;
   bool lost_before = false, lost_behind = false;
   {
     Writer writer(before, behind, others);
@@ -95,8 +91,8 @@ void Desk::ask_beside_a_writer(const Arguments& question, const std::byte* right
     while (writer.turns() == 0 && Clock::now() - start < longest_start) std::this_thread::yield();
     const auto end = Clock::now() + longest_beside;
     unsigned turns = writer.turns();
-    for (unsigned met = 0; met < calls_beside && again == size && Clock::now() < end;) {
-      again = guarded(a, element);
+    for (unsigned met = 0; met < calls_beside && again == question.size && Clock::now() < end;) {
+      again = caller.guarded(a, question.element);
       const unsigned now = writer.turns();
       met += now != turns ? 1 : 0;
       turns = now;
@@ -108,30 +104,22 @@ void Desk::ask_beside_a_writer(const Arguments& question, const std::byte* right
   }
   *before = *behind = std::byte{canary};
   constexpr char lost[] = "over what another thread wrote there meanwhile";
-  if (lost_before) stop(Outcome::wrote_before, element, lost);
-  if (lost_behind) stop(Outcome::wrote_behind, element, lost);
-  check_fence(out, element);
-  constexpr char how[] = "asked while another thread writes next to its output";
-  if (again != size)
-    stop(Outcome::non_deterministic, element,
-         how + (": " + std::to_string(size)) + " returned, then " + std::to_string(again));
-  compare(right, out.data(), bytes / asked().answer_bytes, element, how);
+  if (lost_before) caller.stop(Outcome::wrote_before, question.element, lost);
+  if (lost_behind) caller.stop(Outcome::wrote_behind, question.element, lost);
+  caller.check_fence(out, question.element);
+  caller.compare(question, again, out.data(), "asked while another thread writes next to its output");
 }
 
-void Desk::ask_slot_beside_a_writer(std::size_t slot) {
-  const std::size_t count = std::min(in_slot(mailbox_.count, slot), elements_beside),
-                    wide = asked().answer_bytes;
-  Arguments a = piece(slot, 0, count, nullptr);
-  a.room = count * wide;
-  ask_beside_a_writer(a, slot_answer(slot), count * wide, count * wide, slot * batch_size);
+}  // namespace
+
+void beside_a_writer(const Batch& batch) {
+  ask_beside(batch.caller, batch.question(std::min(batch.count(), elements_beside)));
 }
 
-void Desk::ask_blob_beside_a_writer(const std::uint8_t* blob, std::uint64_t size) {
-  if (!is_asked_beside(mailbox_.asked_before)) return;
-  if (std::max<std::size_t>(again_.size(), mailbox_.blob_bytes) > longest_answer_beside) return;
-  Arguments a = whole(nullptr, again_.size());
-  a.blob = blob;
-  ask_beside_a_writer(a, again_.data(), again_.size(), size, 0);
+void beside_a_writer(const Blob& blob) {
+  if (!is_asked_beside(blob.before())) return;
+  if (std::max<std::uint64_t>(blob.answer.size(), blob.blob_bytes()) > longest_answer_beside) return;
+  ask_beside(blob.caller, blob.question());
 }
 
 }  // namespace mmverify::dock

@@ -2,9 +2,10 @@
 // that left its traces in the thread.
 #include <algorithm>
 #include <cstring>
+#include <memory>
 #include <string>
 
-#include "subjects/dock/desk/desk.hpp"
+#include "subjects/dock/desk/provocations.hpp"
 
 namespace mmverify::dock {
 namespace {
@@ -28,69 +29,50 @@ constexpr Circumstance circumstances[] = {
 /// The first questions of a kind are asked in all circumstances; later ones in one of them in turn.
 constexpr std::uint32_t first_in_all = 4;
 
+/// Repeats the question with copies of its inputs, and its output, in memory that is taken back afterwards.
+void ask_in(const Circumstance& circumstance, const Question& question, const Caller& caller, Kept& kept) {
+  const Signature& signature = caller.entry().signature;
+  Arguments a = question.arguments;
+  a.manner = circumstance.manner;
+  const std::size_t array_bytes = a.count * signature.number_bytes;
+  std::vector<std::size_t> sizes(signature.arrays, array_bytes);
+  sizes.insert(sizes.end(), {question.bytes, a.blob_bytes});
+  // The room of a case fills whole pages, so that it is aligned.
+  const std::size_t page = caller.layout().page();
+  if (signature.of_blob) sizes.push_back((room_for_case(a.blob_bytes) + page - 1) / page * page);
+  auto lent = std::make_unique<Lent>(sizes, circumstance.where);
+  std::size_t piece = 0;
+  for (; piece < signature.arrays; ++piece) {
+    std::memcpy(lent->piece(piece), a.arrays[piece], array_bytes);
+    a.arrays[piece] = lent->piece(piece);
+  }
+  a.out = lent->piece(piece++);
+  std::memset(a.out, blank_again, question.bytes);
+  std::byte* const blob = lent->piece(piece++);
+  if (a.blob_bytes != 0) std::memcpy(blob, a.blob, a.blob_bytes);
+  a.blob = reinterpret_cast<const std::uint8_t*>(blob);
+  if (signature.of_blob) a.case_room = lent->piece(piece);
+  const std::uint64_t size = caller.guarded(a, question.element);
+  const std::vector<std::byte> answer(a.out, a.out + question.bytes);
+  // The subject has nothing to look for in the last call's memory during this one, or in this one's after it.
+  kept.lent.reset();
+  lent->take_back();
+  kept.lent = std::move(lent);
+  caller.compare(question, size, answer.data(), circumstance.how);
+}
+
 }  // namespace
 
-std::uint64_t Desk::guarded_in_lent(const Arguments& question, std::size_t bytes, Lent::Where where,
-                                    std::uint64_t element) {
-  const std::size_t arrays = asked().signature.arrays,
-                    array_bytes = question.count * asked().signature.number_bytes;
-  const bool is_case = asked().signature.of_blob;
-  std::vector<std::size_t> sizes(arrays, array_bytes);
-  sizes.insert(sizes.end(), {bytes, question.blob_bytes});
-  // The room of a case fills whole pages, so that it is aligned.
-  const std::size_t page = layout_.page();
-  if (is_case) sizes.push_back((room_for_case(question.blob_bytes) + page - 1) / page * page);
-  auto lent = std::make_unique<Lent>(sizes, where);
-  Arguments a = question;
-  for (std::size_t array = 0; array < arrays; ++array) {
-    std::memcpy(lent->piece(array), question.arrays[array], array_bytes);
-    a.arrays[array] = lent->piece(array);
-  }
-  if (question.blob_bytes != 0) std::memcpy(lent->piece(arrays + 1), question.blob, question.blob_bytes);
-  a.blob = reinterpret_cast<const std::uint8_t*>(lent->piece(arrays + 1));
-  if (is_case) a.case_room = lent->piece(arrays + 2);
-  a.out = lent->piece(arrays);
-  std::memset(a.out, blank_again, bytes);
-  const std::uint64_t size = guarded(a, element);
-  lent_answer_.assign(a.out, a.out + bytes);
-  // The subject has nothing to look for in the last call's memory during this one, or in this one's after it.
-  taken_back_.reset();
-  lent->take_back();
-  taken_back_ = std::move(lent);
-  return size;
+void in_circumstances(const Batch& batch) {
+  for (const Circumstance& one : circumstances) ask_in(one, batch.whole(), batch.caller, batch.kept);
 }
 
-void Desk::ask_slot_in_circumstances(std::size_t slot) {
-  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size;
-  for (const auto& [manner, where, how] : circumstances) {
-    Arguments a = piece(slot, 0, count, nullptr);
-    a.manner = manner;
-    guarded_in_lent(a, count * asked().answer_bytes, where, from);
-    compare(slot_answer(slot), lent_answer_.data(), count, from, how);
-  }
-}
-
-void Desk::ask_blob_in_circumstances(const std::uint8_t* blob, std::uint64_t size) {
-  const std::uint32_t before = mailbox_.asked_before;
+void in_circumstances(const Blob& blob) {
+  const std::uint32_t before = blob.before();
   std::size_t turn = before / 64 + before;
-  for (const auto& [manner, where, how] : circumstances) {
-    if (before >= first_in_all && turn++ % std::size(circumstances) != 0) continue;
-    Arguments a = whole(nullptr, again_.size());
-    a.blob = blob;
-    a.manner = manner;
-    const std::uint64_t again = guarded_in_lent(a, again_.size(), where, 0);
-    if (again != size)
-      stop(Outcome::non_deterministic, 0,
-           std::string(how) + ": " + std::to_string(size) + " returned, then " + std::to_string(again));
-    if (size != 0) compare(again_.data(), lent_answer_.data(), again_.size(), 0, how);
-  }
-}
-
-void Desk::ask_blob_as_other_callers(const std::uint8_t* blob, std::uint64_t size) {
-  ask_blob_in_circumstances(blob, size);
-  ask_blob_with_one_array(blob);
-  ask_blob_beside_a_writer(blob, size);
-  ask_blob_from_many_threads(blob, size);
+  for (const Circumstance& one : circumstances)
+    if (before < first_in_all || turn++ % std::size(circumstances) == 0)
+      ask_in(one, blob.question(), blob.caller, blob.kept);
 }
 
 }  // namespace mmverify::dock

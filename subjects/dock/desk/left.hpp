@@ -1,4 +1,4 @@
-// Registers and the signal mask, which a call must leave as they were.
+// The state of a thread that a call must leave as it was: registers, the floating-point mode, the signal mask.
 #pragma once
 
 #include <sys/syscall.h>
@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace mmverify::dock {
 
@@ -31,5 +32,12 @@ inline std::uint64_t blocked_signals() {
   syscall(SYS_rt_sigprocmask, SIG_BLOCK, nullptr, &mask, sizeof mask);
   return mask;
 }
+
+/// Changes that a thread's calls left behind.
+struct Left {
+  std::optional<std::uint64_t> mode;  ///< the floating-point mode
+  bool registers = false;             ///< values in x87 or MMX registers
+  bool signals = false;               ///< the signal mask
+};
 
 }  // namespace mmverify::dock

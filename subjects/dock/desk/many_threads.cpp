@@ -12,8 +12,8 @@
 #include <system_error>
 #include <thread>
 
-#include "subjects/dock/desk/desk.hpp"
 #include "subjects/dock/desk/gate.hpp"
+#include "subjects/dock/desk/provocations.hpp"
 
 namespace mmverify::dock {
 namespace {
@@ -52,35 +52,32 @@ void open_when_all_wait(Gate& gate, const std::atomic<unsigned>& done, unsigned 
   gate.open();
 }
 
-}  // namespace
-
-void Desk::ask_from_many_threads(const Arguments& question, const std::byte* right, std::size_t bytes,
-                                 std::uint64_t size, std::uint64_t element) {
-  if ((subject_.flags & MMVERIFY_SINGLE_THREADED) != 0) return;
-  const std::size_t arrays = asked().signature.arrays;
+void ask_from_many(const Caller& caller, const Question& question) {
+  if (caller.is_single_threaded()) return;
+  const Signature& signature = caller.entry().signature;
+  Arguments a = question.arguments;
   std::vector<std::span<const std::byte>> inputs;
-  for (std::size_t array = 0; array < arrays; ++array)
-    inputs.emplace_back(question.arrays[array], question.count * asked().signature.number_bytes);
-  inputs.emplace_back(reinterpret_cast<const std::byte*>(question.blob), question.blob_bytes);
+  for (std::size_t array = 0; array < signature.arrays; ++array)
+    inputs.emplace_back(a.arrays[array], a.count * signature.number_bytes);
+  inputs.emplace_back(reinterpret_cast<const std::byte*>(a.blob), a.blob_bytes);
   // The kernel fails for a closed gate's memory: a device's driver, or a pipe, may hand it over.
   const bool reads_it_itself =
-      (subject_.flags & MMVERIFY_LARGE_BATCHES) == 0 && std::getenv("MMVERIFY_UNCONFINED") == nullptr;
+      (caller.subject().flags & MMVERIFY_LARGE_BATCHES) == 0 && std::getenv("MMVERIFY_UNCONFINED") == nullptr;
   Gate gate(inputs, reads_it_itself);
-  Arguments a = question;
-  for (std::size_t array = 0; array < arrays; ++array) a.arrays[array] = gate.copy(array);
-  a.blob = reinterpret_cast<const std::uint8_t*>(gate.copy(arrays));
+  for (std::size_t array = 0; array < signature.arrays; ++array) a.arrays[array] = gate.copy(array);
+  a.blob = reinterpret_cast<const std::uint8_t*>(gate.copy(signature.arrays));
   std::vector<Answers> answers(number_of_callers());
-  for (Answers& mine : answers) mine.rooms.emplace_back(bytes, blank_again);
+  for (Answers& mine : answers) mine.rooms.emplace_back(question.bytes, blank_again);
   std::atomic<unsigned> done = 0;
   std::vector<std::thread> threads;
   std::optional<std::system_error> failed;
   for (Answers& mine : answers) try {
       threads.emplace_back([&] {
-        sched_setaffinity(0, sizeof everywhere_, &everywhere_);
+        sched_setaffinity(0, sizeof caller.processors(), &caller.processors());
         Arguments own = a;
         own.out = mine.rooms[0].data();
         mine.sizes.reserve(1);
-        if (call_in_thread(own, mine)) mine.left.signals = blocked_signals() != signals_;
+        if (caller.call_in_thread(own, mine)) mine.left.signals = caller.signals_changed();
         ++done;
       });
     } catch (const std::system_error& e) {
@@ -91,30 +88,23 @@ void Desk::ask_from_many_threads(const Arguments& question, const std::byte* rig
   for (std::thread& one : threads) one.join();
   if (failed) throw std::system_error(*failed);
   for (const Answers& mine : answers) {
-    if (mine.threw) stop(Outcome::threw, element, "when called from many threads at once");
-    check_left(mine.left, element, "in a thread");
-    check_fence(mine.rooms[0], element);
-    if (mine.sizes[0] != size)
-      stop(Outcome::non_deterministic, element,
-           from_many + ": " + std::to_string(size) + " returned, then " + std::to_string(mine.sizes[0]));
-    if (size != 0) compare(right, mine.in_round(0), bytes / asked().answer_bytes, element, from_many);
+    if (mine.threw) caller.stop(Outcome::threw, question.element, "when called from many threads at once");
+    caller.check_left(mine.left, question.element, "in a thread");
+    caller.check_fence(mine.rooms[0], question.element);
+    caller.compare(question, mine.sizes[0], mine.in_round(0), from_many);
   }
 }
 
-void Desk::ask_slot_from_many_threads(std::size_t slot) {
-  const std::size_t count = std::min(in_slot(mailbox_.count, slot), elements_of_each),
-                    bytes = count * asked().answer_bytes;
-  Arguments a = piece(slot, 0, count, nullptr);
-  a.room = bytes;
-  ask_from_many_threads(a, slot_answer(slot), bytes, bytes, slot * batch_size);
+}  // namespace
+
+void from_many_threads(const Batch& batch) {
+  ask_from_many(batch.caller, batch.question(std::min(batch.count(), elements_of_each)));
 }
 
-void Desk::ask_blob_from_many_threads(const std::uint8_t* blob, std::uint64_t size) {
-  if (!is_asked_from_many(mailbox_.asked_before)) return;
-  if (std::max<std::size_t>(again_.size(), mailbox_.blob_bytes) > most_bytes_of_each) return;
-  Arguments a = whole(nullptr, again_.size());
-  a.blob = blob;
-  ask_from_many_threads(a, again_.data(), again_.size(), size, 0);
+void from_many_threads(const Blob& blob) {
+  if (!is_asked_from_many(blob.before())) return;
+  if (std::max<std::uint64_t>(blob.answer.size(), blob.blob_bytes()) > most_bytes_of_each) return;
+  ask_from_many(blob.caller, blob.question());
 }
 
 }  // namespace mmverify::dock

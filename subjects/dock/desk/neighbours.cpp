@@ -1,11 +1,12 @@
 // Repeats questions right after others that differ in one argument only: a cache that ignores an argument
 // then gives a wrong answer.
 #include <algorithm>
+#include <cstring>
 #include <span>
 #include <string>
 #include <unordered_map>
 
-#include "subjects/dock/desk/desk.hpp"
+#include "subjects/dock/desk/provocations.hpp"
 #include "subjects/dock/other_formats.hpp"
 
 namespace mmverify::dock {
@@ -16,6 +17,9 @@ namespace {
 constexpr std::size_t most_elements = 2048, most_in_another_format = 256, most_tried = 256, most_found = 32;
 /// Questions on blobs that are kept for each level and format, and the most bytes of one.
 constexpr std::size_t most_kept = 64, most_kept_bytes = 512;
+/// Elements of a batch that are repeated after one of the level before.
+constexpr std::size_t most_after_the_level_before = 512;
+constexpr char after_same_in_another_format[] = "asked after the same in another format, order or mode";
 
 /// The bytes of an element's numbers, array after array.
 std::string numbers_of(const Arguments& a, std::size_t arrays, std::size_t bytes, std::size_t k) {
@@ -29,7 +33,7 @@ using Places = std::unordered_map<std::string, std::size_t>;
 
 /// Adds pairs of elements to `order`: a neighbour, and then the element that differs from it in one bit.
 void add_pairs_that_differ_in_a_bit(const std::vector<std::string>& numbers, const Places& places,
-                                    std::vector<std::size_t>& order) {
+                                    Order& order) {
   if (numbers.empty()) return;
   std::string varies(numbers[0].size(), '\0');
   for (const std::string& one : numbers)
@@ -54,7 +58,7 @@ void add_pairs_that_differ_in_a_bit(const std::vector<std::string>& numbers, con
 
 /// The same of elements that differ in one number.
 void add_pairs_that_differ_in_a_number(const std::vector<std::string>& numbers, std::size_t arrays,
-                                       std::size_t bytes, std::vector<std::size_t>& order) {
+                                       std::size_t bytes, Order& order) {
   for (std::size_t array = 0; array < arrays; ++array) {
     Places last;
     std::size_t left = most_tried;
@@ -71,130 +75,241 @@ void add_pairs_that_differ_in_a_number(const std::vector<std::string>& numbers, 
   }
 }
 
-}  // namespace
-
-void Desk::ask_slot_after_neighbours(std::size_t slot) {
-  const std::size_t arrays = asked().signature.arrays, bytes = asked().signature.number_bytes,
-                    from = slot * batch_size, wide = asked().answer_bytes;
-  if (arrays < 2) return;  // any two elements differ in one number
-  const std::size_t count = std::min(in_slot(mailbox_.count, slot), most_elements);
-  const Arguments a = piece(slot, 0, count, nullptr);
-  std::vector<std::string> numbers;
-  Places places;
-  for (std::size_t k = 0; k < count; ++k) {
-    numbers.push_back(numbers_of(a, arrays, bytes, k));
-    places.emplace(numbers.back(), k);
-  }
-  std::vector<std::size_t> order;
-  add_pairs_that_differ_in_a_bit(numbers, places, order);
-  add_pairs_that_differ_in_a_number(numbers, arrays, bytes, order);
-  constexpr char how[] = "asked after one that differs in one number";
-  ask_slot_elements(slot, order, how);
-  Fenced here(wide, blank_again);
-  for (const std::size_t k : order) {
-    guarded(piece(slot, k, 1, nullptr), here, from + k);
-    compare(slot_answer(slot) + k * wide, here.data(), 1, from + k, how);
+/// Repeats elements right after the same at level `other`; an index is shifted right by less_bits.
+void after_level(const Batch& batch, std::uint32_t other, unsigned less_bits) {
+  Fenced there(batch.answer_bytes(), blank);
+  for (std::size_t k = 0; k < std::min(batch.count(), batch.one_by_one); ++k) {
+    Arguments before = batch.piece(k, 1);
+    before.level = other;
+    std::uint32_t index = 0;
+    if (less_bits != 0) {
+      std::memcpy(&index, before.arrays[0], sizeof index);
+      index >>= less_bits;
+      before.arrays[0] = reinterpret_cast<const std::byte*>(&index);
+    }
+    batch.caller.guarded_beyond(before, there, batch.first() + k);
+    batch.ask_element(k, "asked after level " + std::to_string(other));
   }
 }
 
-void Desk::ask_slot_after_another_format(std::size_t slot) {
-  if (mailbox_.this_level_alone != 0) return;
-  constexpr char how[] = "asked after the same in another format, order or mode";
-  const std::size_t count = std::min(in_slot(mailbox_.count, slot), most_in_another_format),
-                    from = slot * batch_size, wide = asked().answer_bytes;
-  // Asks `what`, which has another format, then repeats the elements from `at` on.
-  const auto ask_after = [&](const Arguments& what, std::size_t at) {
-    Fenced there(what.count * wide, blank), here(what.count * wide, blank_again);
-    mailbox_.another_level.store(1, std::memory_order_relaxed);
-    guarded(what, there, from + at);
-    mailbox_.another_level.store(0, std::memory_order_relaxed);
-    guarded(piece(slot, at, what.count, nullptr), here, from + at);
-    compare(slot_answer(slot) + at * wide, here.data(), what.count, from + at, how);
-  };
-  for (const std::uint32_t other : other_formats(mailbox_.call, mailbox_.level, mailbox_.format)) {
-    const auto with_other = [&](std::size_t at, std::size_t size) {
-      Arguments what = piece(slot, at, size, nullptr);
-      what.format = other;
-      return what;
-    };
-    ask_after(with_other(0, count), 0);
-    for (std::size_t at = 0; at < count; ++at) ask_after(with_other(at, 1), at);
-  }
-  ask_slot_after_kept_formats(slot, ask_after);
+std::uint32_t first_number(const std::byte* at) {
+  std::uint32_t number = 0;
+  std::memcpy(&number, at, sizeof number);
+  return number;
 }
 
-void Desk::ask_slot_after_kept_formats(std::size_t slot,
-                                       const std::function<void(const Arguments&, std::size_t)>& ask_after) {
-  const std::size_t arrays = asked().signature.arrays, bytes = asked().signature.number_bytes,
-                    count = in_slot(mailbox_.count, slot);
-  const Arguments whole_slot = piece(slot, 0, count, nullptr);
+/// Asks `what`, which has another format, then repeats the elements from `at` on.
+void after_format(const Batch& batch, const Arguments& what, std::size_t at) {
+  const std::size_t bytes = what.count * batch.answer_bytes(), element = batch.first() + at;
+  Fenced there(bytes, blank), here(bytes, blank_again);
+  batch.caller.guarded_beyond(what, there, element);
+  batch.caller.guarded(batch.piece(at, what.count), here, element);
+  batch.caller.compare(batch.answer(at), here.data(), what.count, element, after_same_in_another_format);
+}
+
+/// Repeats elements right after the same ones of batches that were kept in other formats.
+void after_kept_formats(const Batch& batch) {
+  const std::size_t arrays = batch.signature().arrays, bytes = batch.signature().number_bytes;
+  const Mailbox& mailbox = batch.caller.mailbox();
+  const Arguments whole = batch.piece(0, batch.count());
   Places places;
   for (std::uint32_t other = 0; other < formats; ++other) {
-    const std::optional<Batch>& kept = level_before_[static_cast<std::size_t>(mailbox_.call)][other];
-    if (other == mailbox_.format % formats || !kept || kept->level != mailbox_.level) continue;
-    for (std::size_t k = 0; places.empty() && k < count; ++k)
-      places.emplace(numbers_of(whole_slot, arrays, bytes, k), k);
-    Arguments before = whole_slot;
+    const std::optional<Kept::Batch>& kept = batch.kept.level_before[batch.caller.entry_number()][other];
+    if (other == mailbox.format % formats || !kept || kept->level != mailbox.level) continue;
+    for (std::size_t k = 0; places.empty() && k < batch.count(); ++k)
+      places.emplace(numbers_of(whole, arrays, bytes, k), k);
+    Arguments before = batch.piece(0, 1);
     before.format = other;
-    before.count = 1;
     for (std::size_t k = 0; (k + 1) * bytes <= kept->arrays[0].size(); ++k) {
       for (std::size_t array = 0; array < arrays; ++array)
         before.arrays[array] = kept->arrays[array].data() + k * bytes;
       if (const auto same = places.find(numbers_of(before, arrays, bytes, 0)); same != places.end())
-        ask_after(before, same->second);
+        after_format(batch, before, same->second);
     }
   }
 }
 
-void Desk::ask_blob_after_another_format(const std::uint8_t* blob, std::uint64_t size) {
-  const std::uint64_t room = mailbox_.room;
-  const std::span<const std::uint8_t> bytes(blob, static_cast<std::size_t>(mailbox_.blob_bytes));
-  for (const std::uint32_t other : other_formats(mailbox_.call, mailbox_.level, mailbox_.format)) {
-    const std::vector<std::uint8_t> same = as_of_format(mailbox_.call, mailbox_.level, other, bytes);
-    Fenced answer(2 * static_cast<std::size_t>(std::max(room, size)), blank);
-    Arguments before = whole(nullptr, asked().signature.sizes_answer ? answer.size() : room);
+/// The bytes with `change` done to those from `from` to `to`.
+template <class Change>
+std::vector<std::uint8_t> changed(std::span<const std::uint8_t> bytes, std::size_t from, std::size_t to,
+                                  Change change) {
+  std::vector<std::uint8_t> other(bytes.begin(), bytes.end());
+  for (std::size_t k = from; k < to; ++k) other[k] = static_cast<std::uint8_t>(change(other[k], k));
+  return other;
+}
+std::vector<std::uint8_t> inverted(std::span<const std::uint8_t> bytes, std::size_t from, std::size_t to) {
+  return changed(bytes, from, to, [](std::uint8_t byte, std::size_t) { return ~byte; });
+}
+
+}  // namespace
+
+void after_another_level(const Batch& batch) {
+  const Caller& caller = batch.caller;
+  if (caller.mailbox().this_level_alone != 0) return;
+  const std::uint32_t level = caller.mailbox().level, last = caller.subject().max_level;
+  // Three vertices of a face at one level need not be a face at another.
+  if (caller.mailbox().call == Call::attribute_face_of) return;
+  if (level < last) after_level(batch, level + 1, 0);
+  if (batch.signature().of_points) {
+    if (level == last && level != 0) after_level(batch, level - 1, 0);
+    return;
+  }
+  // An index is valid at a lower level only if shortened: to the parent's index, or to its first digit.
+  if (batch.signature().arrays != 1) return;
+  if (level > 0) after_level(batch, level - 1, 2);
+  if (level > 2) after_level(batch, 1, 2 * (level - 1));
+}
+
+void after_the_level_before(const Batch& batch) {
+  const Signature& signature = batch.signature();
+  const Mailbox& mailbox = batch.caller.mailbox();
+  if (signature.arrays < 2 || signature.of_points || mailbox.this_level_alone != 0) return;
+  const std::size_t bytes = signature.number_bytes;
+  std::optional<Kept::Batch>& kept =
+      batch.kept.level_before[batch.caller.entry_number()][mailbox.format % formats];
+  std::unordered_map<std::uint32_t, std::size_t> places;
+  for (std::size_t k = 0; kept && kept->level != mailbox.level && k * bytes < kept->arrays[0].size(); ++k)
+    places.emplace(first_number(kept->arrays[0].data() + k * bytes), k);
+  Fenced there(batch.answer_bytes(), blank);
+  std::size_t matches = 0;
+  for (std::size_t k = 0; k < batch.count() && matches < most_after_the_level_before && !places.empty();
+       ++k) {
+    Arguments before = batch.piece(k, 1);
+    const auto same = places.find(first_number(before.arrays[0]));
+    if (same == places.end()) continue;
+    ++matches;
+    before.level = kept->level;
+    for (std::size_t array = 0; array < signature.arrays; ++array)
+      before.arrays[array] = kept->arrays[array].data() + same->second * bytes;
+    batch.caller.guarded_beyond(before, there, batch.first() + k);
+    batch.ask_element(
+        k, "asked after one of level " + std::to_string(kept->level) + " with the same first number");
+  }
+  kept = Kept::Batch{mailbox.level, {}};
+  const Arguments whole = batch.piece(0, batch.count());
+  for (std::size_t array = 0; array < signature.arrays; ++array)
+    kept->arrays[array].assign(whole.arrays[array], whole.arrays[array] + batch.count() * bytes);
+}
+
+void after_neighbours(const Batch& batch) {
+  const std::size_t arrays = batch.signature().arrays, bytes = batch.signature().number_bytes;
+  if (arrays < 2) return;  // any two elements differ in one number
+  const std::size_t count = std::min(batch.count(), most_elements);
+  const Arguments whole = batch.piece(0, count);
+  std::vector<std::string> numbers;
+  Places places;
+  for (std::size_t k = 0; k < count; ++k) {
+    numbers.push_back(numbers_of(whole, arrays, bytes, k));
+    places.emplace(numbers.back(), k);
+  }
+  Order order;
+  add_pairs_that_differ_in_a_bit(numbers, places, order);
+  add_pairs_that_differ_in_a_number(numbers, arrays, bytes, order);
+  constexpr char how[] = "asked after one that differs in one number";
+  batch.ask_at_page(order, how);
+  for (const std::size_t k : order) batch.ask_element(k, how);
+}
+
+void after_another_format(const Batch& batch) {
+  const Mailbox& mailbox = batch.caller.mailbox();
+  if (mailbox.this_level_alone != 0) return;
+  const std::size_t count = std::min(batch.count(), most_in_another_format);
+  for (const std::uint32_t other : other_formats(mailbox.call, mailbox.level, mailbox.format)) {
+    const auto after_other = [&](std::size_t at, std::size_t size) {
+      Arguments what = batch.piece(at, size);
+      what.format = other;
+      after_format(batch, what, at);
+    };
+    after_other(0, count);
+    for (std::size_t at = 0; at < count; ++at) after_other(at, 1);
+  }
+  after_kept_formats(batch);
+}
+
+void after_another_format(const Blob& blob) {
+  const Mailbox& mailbox = blob.caller.mailbox();
+  const std::span<const std::uint8_t> bytes(blob.bytes, static_cast<std::size_t>(blob.blob_bytes()));
+  for (const std::uint32_t other : other_formats(mailbox.call, mailbox.level, mailbox.format)) {
+    const std::vector<std::uint8_t> same = as_of_format(mailbox.call, mailbox.level, other, bytes);
+    Fenced answer(2 * static_cast<std::size_t>(std::max(blob.room(), blob.size)), blank);
+    Arguments before =
+        blob.arguments(blob.bytes, blob.signature().sizes_answer ? answer.size() : blob.room());
     before.format = other;
     // Something else comes first: otherwise a cache still has this question's answer, and gives it for the
     // other format. It is a code of no bytes, or the inverted bytes; an inverted array is invalid, so arrays
     // go without.
-    const bool of_code = mailbox_.call == Call::tree_decode || mailbox_.call == Call::dag_decode;
-    std::vector<std::uint8_t> inverted(bytes.begin(), bytes.end());
-    for (std::uint8_t& byte : inverted) byte = static_cast<std::uint8_t>(~byte);
-    const std::vector<std::uint8_t> unlike = as_of_format(mailbox_.call, mailbox_.level, other, inverted);
+    const bool of_code = mailbox.call == Call::tree_decode || mailbox.call == Call::dag_decode;
+    const std::vector<std::uint8_t> unlike =
+        as_of_format(mailbox.call, mailbox.level, other, inverted(bytes, 0, bytes.size()));
     before.blob = unlike.data();
     if (of_code) before.blob_bytes = 0;
-    if (mailbox_.call != Call::array_save) guarded(before, answer, 0);
+    if (mailbox.call != Call::array_save) blob.caller.guarded(before, answer, 0);
     before.blob = same.data();
     before.blob_bytes = bytes.size();
-    ask_blob_after(before, answer, blob, size, "asked after the same bytes in another format, order or mode");
+    blob.ask_after(before, answer, "asked after the same bytes in another format, order or mode");
   }
 }
 
-void Desk::ask_blob_after_kept_formats(const std::uint8_t* blob, std::uint64_t size) {
-  if (mailbox_.format == 0 || mailbox_.blob_bytes > most_kept_bytes) return;
-  const auto of = [this](std::uint32_t format) -> std::deque<Question>& {
-    return kept_[{static_cast<std::uint32_t>(mailbox_.call), mailbox_.level, format}];
+void after_kept_formats(const Blob& blob) {
+  const Mailbox& mailbox = blob.caller.mailbox();
+  if (mailbox.format == 0 || blob.blob_bytes() > most_kept_bytes) return;
+  const auto of = [&](std::uint32_t format) -> std::deque<QuestionCopy>& {
+    return blob.kept.of_format[{static_cast<std::uint32_t>(mailbox.call), mailbox.level, format}];
   };
-  const std::span<const std::uint8_t> here(blob, static_cast<std::size_t>(mailbox_.blob_bytes));
-  const auto is_here = [&](const Question& q) {
-    return std::equal(q.blob.begin(), q.blob.end(), here.begin(), here.end(),
-                      [](std::byte a, std::uint8_t b) { return a == std::byte{b}; });
+  const auto* const here = reinterpret_cast<const std::byte*>(blob.bytes);
+  const auto is_here = [&](const QuestionCopy& q) {
+    return std::equal(q.blob.begin(), q.blob.end(), here, here + blob.blob_bytes());
   };
   for (const std::uint32_t other : {MMVERIFY_2_STATE, MMVERIFY_4_STATE}) {
-    if (other == mailbox_.format) continue;
-    for (const std::deque<Question>& all = of(other); const Question& q : all) {
+    if (other == mailbox.format) continue;
+    for (const std::deque<QuestionCopy>& all = of(other); const QuestionCopy& q : all) {
       if (&q != &all.back() && !is_here(q)) continue;
       Fenced answer(q.answer.size(), blank_again);
-      if (guarded(q.arguments, answer, 0) != q.size ||
+      if (blob.caller.guarded(q.arguments, answer, 0) != q.size ||
           (q.size != 0 && !std::equal(q.answer.begin(), q.answer.end(), answer.data())))
-        stop(Outcome::non_deterministic, 0,
-             "a question in another format, asked before, was answered otherwise after this one");
-      ask_blob_after(q.arguments, answer, blob, size, "asked after a question in another format");
+        blob.caller.stop(Outcome::non_deterministic, 0,
+                         "a question in another format, asked before, was answered otherwise after this one");
+      blob.ask_after(q.arguments, answer, "asked after a question in another format");
     }
   }
-  std::deque<Question>& mine = of(mailbox_.format);
+  std::deque<QuestionCopy>& mine = of(mailbox.format);
   if (mine.size() >= most_kept) mine.pop_back();  // replaces the last one
-  mine.push_back(this_question(size));
+  mine.push_back(blob.copy());
+}
+
+void after_like_ones(const Blob& blob) {
+  constexpr std::size_t word = 8;
+  const auto size = static_cast<std::size_t>(blob.blob_bytes());
+  if (size < 2 * word) return;
+  Fenced answer(static_cast<std::size_t>(blob.room()), blank);
+  Arguments before = blob.arguments(blob.bytes, blob.room());
+  const std::span<const std::uint8_t> these(blob.bytes, size);
+  // Something else comes first: otherwise a cache still has the answer for these bytes, and not for the
+  // similar ones.
+  const std::vector<std::uint8_t> unlike =
+      changed(these, 0, size, [](std::uint8_t byte, std::size_t k) { return byte + 1 + 3 * k; });
+  const auto after = [&](const std::vector<std::uint8_t>& bytes, const char* how) {
+    before.blob = unlike.data();
+    blob.caller.guarded(before, answer, 0);
+    before.blob = bytes.data();
+    blob.ask_after(before, answer, how);
+  };
+  std::vector<std::uint8_t> turned(these.begin(), these.end());
+  std::rotate(turned.begin(), turned.begin() + word,
+              turned.begin() + static_cast<std::ptrdiff_t>(size / word * word));
+  after(turned, "asked after the same words of eight bytes in another order");
+  after(inverted(these, size / 2, size), "asked after other bytes with the same first half");
+  after(inverted(these, 0, size / 2), "asked after other bytes with the same second half");
+}
+
+void after_the_level_below(const Blob& blob) {
+  const std::uint32_t level = blob.caller.mailbox().level;
+  if (level < 2) return;
+  // This asks the first quarter of the bytes.
+  Fenced answer(static_cast<std::size_t>(blob.room()), blank);
+  Arguments before = blob.arguments(blob.bytes, blob.room());
+  before.level = level - 1;
+  blob.ask_after(before, answer, "asked after level " + std::to_string(before.level));
 }
 
 }  // namespace mmverify::dock

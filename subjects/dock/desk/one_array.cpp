@@ -3,12 +3,12 @@
 #include <cstring>
 #include <string>
 
-#include "subjects/dock/desk/desk.hpp"
+#include "subjects/dock/desk/provocations.hpp"
 
 namespace mmverify::dock {
 namespace {
 
-constexpr char with_one_array[] = "asked with one array for inputs that are equal";
+constexpr char with_one[] = "asked with one array for inputs that are equal";
 /// Elements that are asked so at once.
 constexpr std::size_t most_equal = 512;
 /// The number of questions of a kind that are.
@@ -31,9 +31,8 @@ std::vector<std::vector<std::size_t>> like_arrays(const Signature& signature) {
 }
 
 /// The first elements whose numbers in all arrays of `same` are equal.
-std::vector<std::size_t> elements_with_equal(const Arguments& a, const std::vector<std::size_t>& same,
-                                             std::size_t bytes) {
-  std::vector<std::size_t> found;
+Order elements_with_equal(const Arguments& a, const std::vector<std::size_t>& same, std::size_t bytes) {
+  Order found;
   for (std::size_t k = 0; k < a.count && found.size() < most_equal; ++k)
     if (std::all_of(same.begin(), same.end(), [&](std::size_t array) {
           return std::memcmp(a.arrays[same[0]] + k * bytes, a.arrays[array] + k * bytes, bytes) == 0;
@@ -54,71 +53,52 @@ bool is_up_to_a_half(const std::byte* number, bool floats) {
   return u <= 0.5;
 }
 
+/// Asks elements that are equal in all arrays of `same` with one array for these.
+void ask_with_one(const Caller& caller, const Question& question, const std::vector<std::size_t>& same) {
+  const Signature& signature = caller.entry().signature;
+  const std::size_t wide = caller.entry().answer_bytes;
+  const Order order = elements_with_equal(question.arguments, same, signature.number_bytes);
+  if (order.empty()) return;
+  QuestionCopy copy = rearranged(question.arguments, signature, order);
+  copy.arguments.room = order.size() * wide;
+  for (const std::size_t array : same) copy.arguments.arrays[array] = copy.arguments.arrays[same[0]];
+  Fenced out(order.size() * wide, blank_again);
+  caller.guarded(copy.arguments, out, question.element);
+  caller.compare_in_order(question.answer, out.data(), wide, order, question.element, with_one);
+}
+
+/// Asks points (u, u) with two arrays and with one.
+void ask_diagonal(const Batch& batch) {
+  const Signature& signature = batch.signature();
+  const std::size_t first = before_like_arrays(signature), bytes = signature.number_bytes;
+  Arguments points = batch.piece(0, batch.count());
+  Order order;
+  for (std::size_t k = 0; k < points.count && order.size() < most_equal; ++k)
+    if (is_up_to_a_half(points.arrays[first] + k * bytes, bytes == sizeof(float))) order.push_back(k);
+  if (order.empty()) return;
+  points.arrays[first + 1] = points.arrays[first];
+  QuestionCopy copy = rearranged(points, signature, order);
+  Fenced with_two(order.size() * batch.answer_bytes(), blank),
+      with_one_for_both(order.size() * batch.answer_bytes(), blank_again);
+  batch.caller.guarded_beyond(copy.arguments, with_two, 0);
+  copy.arguments.arrays[first + 1] = copy.arguments.arrays[first];
+  batch.caller.guarded_beyond(copy.arguments, with_one_for_both, 0);
+  batch.caller.compare(with_two.data(), with_one_for_both.data(), order.size(), batch.caller.mailbox().count,
+                       with_one);
+}
+
 }  // namespace
 
-void Desk::ask_with_one_array(const Arguments& question, const std::vector<std::size_t>& same,
-                              const std::vector<std::size_t>& order, const std::byte* right,
-                              std::uint64_t from) {
-  const std::size_t bytes = asked().signature.number_bytes, wide = asked().answer_bytes;
-  if (order.empty()) return;
-  Arguments a = question;
-  a.count = order.size();
-  if (asked().signature.of_blob) a.room = order.size();
-  std::vector<std::byte> inputs[most_arrays];
-  for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    inputs[array] =
-        gathered(question.arrays[array], bytes, order.size(), [&](std::size_t k) { return order[k]; });
-    a.arrays[array] = inputs[array].data();
-  }
-  for (const std::size_t array : same) a.arrays[array] = a.arrays[same[0]];
-  Fenced out(order.size() * wide, blank_again);
-  guarded(a, out, from);
-  const std::vector<std::byte> expected =
-      gathered(right, wide, order.size(), [&](std::size_t k) { return order[k]; });
-  compare(expected.data(), out.data(), order.size(), from, with_one_array);
+void with_one_array(const Batch& batch) {
+  for (const std::vector<std::size_t>& same : like_arrays(batch.signature()))
+    ask_with_one(batch.caller, batch.whole(), same);
+  if (batch.signature().of_points && batch.caller.mailbox().this_level_alone == 0) ask_diagonal(batch);
 }
 
-void Desk::ask_diagonal_with_one_array(Arguments question, std::size_t first) {
-  const std::size_t bytes = asked().signature.number_bytes, wide = asked().answer_bytes;
-  std::vector<std::size_t> order;
-  for (std::size_t k = 0; k < question.count && order.size() < most_equal; ++k)
-    if (is_up_to_a_half(question.arrays[first] + k * bytes, bytes == sizeof(float))) order.push_back(k);
-  if (order.empty()) return;
-  std::vector<std::byte> inputs[most_arrays];
-  for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    const std::byte* const numbers = question.arrays[std::min(array, first)];
-    inputs[array] = gathered(numbers, bytes, order.size(), [&](std::size_t k) { return order[k]; });
-  }
-  for (std::size_t array = 0; array < asked().signature.arrays; ++array)
-    question.arrays[array] = inputs[array].data();
-  question.count = order.size();
-  Fenced with_two(order.size() * wide, blank), with_one(order.size() * wide, blank_again);
-  // The law need not ask these points: a crash on them is none of its cases.
-  mailbox_.another_level.store(1, std::memory_order_relaxed);
-  guarded(question, with_two, 0);
-  question.arrays[first + 1] = question.arrays[first];
-  guarded(question, with_one, 0);
-  mailbox_.another_level.store(0, std::memory_order_relaxed);
-  compare(with_two.data(), with_one.data(), order.size(), mailbox_.count, with_one_array);
-}
-
-void Desk::ask_slot_with_one_array(std::size_t slot) {
-  const Signature& signature = asked().signature;
-  const Arguments a = piece(slot, 0, in_slot(mailbox_.count, slot), nullptr);
-  for (const std::vector<std::size_t>& same : like_arrays(signature))
-    ask_with_one_array(a, same, elements_with_equal(a, same, signature.number_bytes), slot_answer(slot),
-                       slot * batch_size);
-  if (signature.of_points && mailbox_.this_level_alone == 0)
-    ask_diagonal_with_one_array(a, before_like_arrays(signature));
-}
-
-void Desk::ask_blob_with_one_array(const std::uint8_t* blob) {
-  const Signature& signature = asked().signature;
-  if (signature.arrays < 2 || mailbox_.asked_before >= first_with_one_array) return;
-  Arguments a = whole(nullptr, again_.size());
-  a.blob = blob;
-  for (const std::vector<std::size_t>& same : like_arrays(signature))
-    ask_with_one_array(a, same, elements_with_equal(a, same, signature.number_bytes), again_.data(), 0);
+void with_one_array(const Blob& blob) {
+  if (blob.signature().arrays < 2 || blob.before() >= first_with_one_array) return;
+  for (const std::vector<std::size_t>& same : like_arrays(blob.signature()))
+    ask_with_one(blob.caller, blob.question(), same);
 }
 
 }  // namespace mmverify::dock

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "subjects/dock/desk/desk.hpp"
+#include "subjects/dock/desk/provocations.hpp"
 
 namespace mmverify::dock {
 namespace {
@@ -60,39 +60,31 @@ void lay(Prior prior, std::span<const std::byte> right, std::span<const std::byt
   for (std::size_t k = 0; k < size; ++k) out[k] = (is_right(prior, k / wide, count) ? right : another)[k];
 }
 
-/// The answers, each in the place of one that is half of them away.
-std::vector<std::byte> turned_by_half(std::span<const std::byte> answers, std::size_t wide) {
-  const std::size_t count = answers.size() / wide;
-  return gathered(answers.data(), wide, count, [=](std::size_t k) { return (k + count / 2) % count; });
-}
-
 }  // namespace
 
-void Desk::ask_slot_over_answers(std::size_t slot) {
-  const std::size_t count = in_slot(mailbox_.count, slot), from = slot * batch_size,
-                    wide = asked().answer_bytes;
-  const std::span right(slot_answer(slot), count * wide);
-  const std::vector<std::byte> another = turned_by_half(right, wide);
+void over_answers(const Batch& batch) {
+  const std::span<const std::byte> right(batch.answers(), batch.whole().bytes);
+  const std::vector<std::byte> another =
+      gathered(right.data(), batch.answer_bytes(), turned_by_half(batch.count()));
   for (const Prior prior : of_numbers) {
-    Fenced out(count * wide, blank_again);
-    lay(prior, right, another, asked().signature.value_bytes, out.data());
-    guarded(piece(slot, 0, count, nullptr), out, from);
-    compare(right.data(), out.data(), count, from, asked_over);
+    Fenced out(right.size(), blank_again);
+    lay(prior, right, another, batch.signature().value_bytes, out.data());
+    batch.caller.guarded(batch.piece(0, batch.count()), out, batch.first());
+    batch.caller.compare(right.data(), out.data(), batch.count(), batch.first(), asked_over);
   }
 }
 
-void Desk::ask_blob_over_answers(const std::uint8_t* blob, std::uint64_t size) {
-  if (size == 0) return;
-  std::vector<std::byte> another = turned_by_half(again_, 1);
-  if (const auto& earlier = earlier_[static_cast<std::size_t>(mailbox_.call)];
-      earlier && !earlier->answer.empty() && earlier->answer != again_)
-    for (std::size_t k = 0; k < another.size(); ++k) another[k] = earlier->answer[k % earlier->answer.size()];
-  const std::uint32_t before = mailbox_.asked_before;
+void over_answers(const Blob& blob) {
+  if (blob.size == 0) return;
+  std::vector<std::byte> another = gathered(blob.answer.data(), 1, turned_by_half(blob.answer.size()));
+  if (const auto& last = blob.kept.last[blob.caller.entry_number()];
+      last && !last->answer.empty() && last->answer != blob.answer)
+    for (std::size_t k = 0; k < another.size(); ++k) another[k] = last->answer[k % last->answer.size()];
   for (std::size_t k = 0; k < of_bytes.size(); ++k) {
-    if (before >= first_over_all && before % of_bytes.size() != k) continue;
-    Fenced out(again_.size(), blank_again);
-    lay(of_bytes[k], again_, another, 1, out.data());
-    ask_blob_into(out, blob, size, asked_over);
+    if (blob.before() >= first_over_all && blob.before() % of_bytes.size() != k) continue;
+    Fenced out(blob.answer.size(), blank_again);
+    lay(of_bytes[k], blob.answer, another, 1, out.data());
+    blob.ask_into(out, blob.bytes, asked_over);
   }
 }
 

@@ -1,17 +1,14 @@
-// Questions that are repeated from threads or kept for later, with their answers.
+// Questions that are repeated, or kept for later ones, with their answers.
 #pragma once
 
-#include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <functional>
-#include <optional>
 #include <vector>
 
 #include "subjects/dock/desk/arguments.hpp"
 #include "subjects/dock/desk/fenced.hpp"
+#include "subjects/dock/desk/left.hpp"
 #include "subjects/dock/layout.hpp"
 
 namespace mmverify::dock {
@@ -19,40 +16,23 @@ namespace mmverify::dock {
 /// More elements than 16 bits count, and no multiple of a vector's length.
 constexpr std::size_t odd_batch = large_batch_size + 7;
 
-/// The element, of `count`, at place k of a longer batch: all in order, then all from the second on, and so
-/// forth. If each turn began with the first, places a power of two apart would have the same element.
-constexpr std::size_t element_over_and_over(std::size_t k, std::size_t count) {
-  return (k + k / count) % count;
-}
-
-/// `count` elements of `bytes` bytes each: at place k the element of(k).
-template <class Of>
-std::vector<std::byte> gathered(const std::byte* elements, std::size_t bytes, std::size_t count, Of of) {
-  std::vector<std::byte> all(count * bytes);
-  for (std::size_t k = 0; k < count; ++k)
-    std::memcpy(all.data() + k * bytes, elements + of(k) * bytes, bytes);
-  return all;
-}
-
 /// The longest code, in bytes, whose lookups are repeated: a lookup in a longer one takes more time.
 constexpr std::uint64_t longest_code = 512;
 
-constexpr char asked_from_threads[] = "asked from two threads at once",
-               in_another_kind[] = ", one of them at another level or in another format, order or mode";
-
-/// The question of one of two threads. `see` gets each answer of up to `bytes` bytes, written over
-/// `blank_again`.
-struct Asked {
-  Arguments arguments;
-  std::size_t bytes;
-  std::function<void(const std::byte* answer, std::uint64_t size)> see;
+/// A question and its right answer.
+struct Question {
+  Arguments arguments;  ///< without an output
+  const std::byte* answer;
+  std::size_t bytes;      ///< of the answer
+  std::uint64_t size;     ///< the result of the call
+  std::uint64_t element;  ///< the element to blame
 };
 
-/// Changes that a thread's calls left behind.
-struct Left {
-  std::optional<std::uint64_t> mode;  ///< the floating-point mode
-  bool registers = false;             ///< values in x87 or MMX registers
-  bool signals = false;               ///< the signal mask
+/// A question with copies of its inputs and of its right answer.
+struct QuestionCopy {
+  Arguments arguments{};
+  std::vector<std::byte> blob, arrays[most_arrays], answer;
+  std::uint64_t size = 0;  ///< the result of the call
 };
 
 /// The answers that a thread got, round by round.
@@ -65,19 +45,34 @@ struct Answers {
   const std::byte* in_round(std::size_t round) const { return rooms[round].data(); }
 };
 
-using FromThreads = std::array<Answers, 2>;
+using Order = std::vector<std::size_t>;
 
-/// The number of rounds in a thread: at least `least`, then more until `within` is over, up to `most`.
-struct Rounds {
-  std::size_t least = 2, most = 2;
-  std::chrono::microseconds within{0};
-};
+/// The elements of `bytes` bytes each, with element order[k] at place k.
+inline std::vector<std::byte> gathered(const std::byte* elements, std::size_t bytes, const Order& order) {
+  std::vector<std::byte> all(order.size() * bytes);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    std::memcpy(all.data() + k * bytes, elements + order[k] * bytes, bytes);
+  return all;
+}
 
-/// A question on a blob, with its answer.
-struct KeptQuestion {
-  Arguments arguments{};
-  std::vector<std::byte> blob, arrays[most_arrays], answer;
-  std::uint64_t size = 0;  ///< the result of the call
-};
+/// The question with element order[k] of its arrays at place k.  It has no answer yet.
+inline QuestionCopy rearranged(const Arguments& question, const Signature& signature, const Order& order) {
+  QuestionCopy copy;
+  copy.arguments = question;
+  copy.arguments.count = order.size();
+  for (std::size_t array = 0; array < signature.arrays; ++array) {
+    copy.arrays[array] = gathered(question.arrays[array], signature.number_bytes, order);
+    copy.arguments.arrays[array] = copy.arrays[array].data();
+  }
+  return copy;
+}
+
+/// `size` elements of `count`: all in order, then all from the second on, and so forth. If each turn began
+/// with the first, places a power of two apart would have the same element.
+Order over_and_over(std::size_t size, std::size_t count);
+/// The numbers below `count` with a stride of about 0.618 of it, which separates neighbours.
+Order far_apart(std::size_t count);
+/// `count` numbers from half of it on, cyclically.
+Order turned_by_half(std::size_t count);
 
 }  // namespace mmverify::dock

@@ -1,16 +1,17 @@
-// Two threads put different questions at once: a subject that keeps an argument where both threads see it answers
-// one of them by the other's.
+// Two threads put questions at once, the same or different ones: a subject that keeps an argument where both threads
+// see it answers one of them by the other's.
 #include <algorithm>
 #include <chrono>
 #include <functional>
 #include <string>
 
-#include "subjects/dock/desk/desk.hpp"
+#include "subjects/dock/desk/provocations.hpp"
+#include "subjects/dock/desk/two_threads.hpp"
 
 namespace mmverify::dock {
 namespace {
 
-const std::string asked_beside = std::string(asked_from_threads) + in_another_kind;
+const std::string beside_another = std::string(from_two_threads) + in_another_kind;
 /// Elements of a batch, so many that two threads meet in it.
 constexpr std::size_t elements_in_threads = 2048;
 /// Batches that are kept for an entry point: the last two, as the last one may differ in nothing that matters.
@@ -19,68 +20,69 @@ constexpr std::size_t most_batches = 2;
 constexpr std::size_t most_kinds = 8, most_bytes = 1u << 16;
 /// Two threads repeat their batches for so long.
 constexpr std::chrono::microseconds long_enough(1500);
+/// Two threads repeat a blob's question for so long if it is early: a race on memory that two threads share
+/// shows only if they meet in it. Laws begin with plain cases, and a plain map leaves nothing in memory that
+/// two threads share; so one question in one_in_early of the first most_early counts as early, too.
+constexpr Rounds early_rounds{2, 256, std::chrono::milliseconds(2)};
+constexpr std::uint32_t first_early = 8, most_early = 1u << 14, one_in_early = 256;
+/// The first questions of a kind, of which every other one is asked beside one of another kind.
+constexpr std::uint32_t first_beside_others = 64;
 
-}  // namespace
-
-Desk::Question Desk::batch_over_and_over(std::size_t slot) const {
-  const std::size_t count = in_slot(mailbox_.count, slot), bytes = asked().signature.number_bytes;
-  const auto of = [count](std::size_t k) { return element_over_and_over(k, count); };
-  Question batch;
-  batch.arguments = piece(slot, 0, elements_in_threads, nullptr);
-  for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    batch.arrays[array] = gathered(batch.arguments.arrays[array], bytes, elements_in_threads, of);
-    batch.arguments.arrays[array] = batch.arrays[array].data();
-  }
-  batch.answer = gathered(slot_answer(slot), asked().answer_bytes, elements_in_threads, of);
-  return batch;
+bool is_early(std::uint32_t before) {
+  return before < first_early || (before < most_early && before % one_in_early == 0);
 }
 
-void Desk::ask_slot_beside_another_kind(std::size_t slot) {
-  const std::size_t from = slot * batch_size;
-  const auto asked_by_thread = [&](const Question& q) {
-    return Asked{q.arguments, q.answer.size(), [this, &q](const std::byte* theirs, std::uint64_t) {
-                   // The element of a longer batch is none of this command's.
-                   compare(q.answer.data(), theirs, q.arguments.count, mailbox_.count, asked_beside);
-                 }};
-  };
-  Question now = batch_over_and_over(slot);
-  std::deque<Question>& others = other_kinds_[static_cast<std::size_t>(mailbox_.call)];
-  if (mailbox_.this_level_alone == 0)
-    for (const Question& other : others)
-      ask_from_threads(asked_by_thread(now), asked_by_thread(other), {2, 256, long_enough}, from);
-  if (others.size() == most_batches) others.pop_front();
-  others.push_back(std::move(now));
+/// The batch's elements over and over.
+QuestionCopy longer(const Batch& batch) {
+  const Order order = over_and_over(elements_in_threads, batch.count());
+  QuestionCopy copy = rearranged(batch.piece(0, 0), batch.signature(), order);
+  copy.answer = gathered(batch.answers(), batch.answer_bytes(), order);
+  return copy;
 }
 
-Desk::Question Desk::longer_question(std::uint64_t size) const {
-  Question q = this_question(size);
-  const std::size_t count = q.arguments.count, bytes = asked().signature.number_bytes;
-  const bool is_lookup = asked().signature.arrays != 0 && q.answer.size() == count && size == count;
+/// A copy of the question; if it is a lookup in a short code, with its elements over and over.
+QuestionCopy longer(const Blob& blob) {
+  QuestionCopy q = blob.copy();
+  const std::size_t count = q.arguments.count;
+  const bool is_lookup = blob.signature().arrays != 0 && q.answer.size() == count && q.size == count;
   if (!is_lookup || count == 0 || count >= elements_in_threads || q.blob.size() > longest_code) return q;
-  const auto of = [count](std::size_t k) { return element_over_and_over(k, count); };
-  for (std::size_t array = 0; array < asked().signature.arrays; ++array) {
-    q.arrays[array] = gathered(q.arrays[array].data(), bytes, elements_in_threads, of);
-    q.arguments.arrays[array] = q.arrays[array].data();
-  }
-  q.answer = gathered(q.answer.data(), 1, elements_in_threads, of);
-  q.size = q.arguments.count = q.arguments.room = elements_in_threads;
-  return q;
+  const Order order = over_and_over(elements_in_threads, count);
+  QuestionCopy more = rearranged(q.arguments, blob.signature(), order);
+  more.blob = std::move(q.blob);
+  more.answer = gathered(q.answer.data(), 1, order);
+  more.size = more.arguments.room = elements_in_threads;
+  return more;
 }
 
-const Desk::Question* Desk::question_of_another_kind() const {
-  const std::deque<Question>& all = other_kinds_[static_cast<std::size_t>(mailbox_.call)];
-  const auto found = std::find_if(all.rbegin(), all.rend(), [this](const Question& q) {
-    return q.arguments.level != mailbox_.level || q.arguments.format != mailbox_.format;
+/// The question of a thread, whose answers must be the copy's.
+ThreadQuestion of_thread(const Blob& blob, const QuestionCopy& q, const std::string& how) {
+  return {q.arguments, q.answer.size(), [&](const std::byte* theirs, std::uint64_t size) {
+            if (size != q.size)
+              blob.caller.stop(Outcome::non_deterministic, 0,
+                               how + ": " + std::to_string(q.size) + " bytes, then " + std::to_string(size));
+            if (q.size != 0) blob.caller.compare(q.answer.data(), theirs, q.answer.size(), 0, how);
+          }};
+}
+
+/// An earlier question to the entry point at another level or in another format; null: there was none.
+const QuestionCopy* of_another_kind(const Blob& blob) {
+  const Mailbox& mailbox = blob.caller.mailbox();
+  const std::deque<QuestionCopy>& all = blob.kept.of_other_kinds[blob.caller.entry_number()];
+  const auto found = std::find_if(all.rbegin(), all.rend(), [&](const QuestionCopy& q) {
+    return q.arguments.level != mailbox.level || q.arguments.format != mailbox.format;
   });
   return found == all.rend() ? nullptr : &*found;
 }
 
-void Desk::keep_for_other_kinds(std::uint64_t size) {
-  if (std::max(mailbox_.blob_bytes, size) > most_bytes) return;
-  Question now = longer_question(size);
-  std::deque<Question>& all = other_kinds_[static_cast<std::size_t>(mailbox_.call)];
-  const auto same = std::find_if(all.begin(), all.end(), [this](const Question& q) {
-    return q.arguments.level == mailbox_.level && q.arguments.format == mailbox_.format;
+/// Keeps the question for later ones of other kinds, in place of the last one of its own kind unless that tells
+/// more.
+void keep(const Blob& blob) {
+  if (std::max(blob.blob_bytes(), blob.size) > most_bytes) return;
+  const Mailbox& mailbox = blob.caller.mailbox();
+  QuestionCopy now = longer(blob);
+  std::deque<QuestionCopy>& all = blob.kept.of_other_kinds[blob.caller.entry_number()];
+  const auto same = std::find_if(all.begin(), all.end(), [&](const QuestionCopy& q) {
+    return q.arguments.level == mailbox.level && q.arguments.format == mailbox.format;
   });
   if (same == all.end()) {
     if (all.size() == most_kinds) all.pop_front();
@@ -90,6 +92,56 @@ void Desk::keep_for_other_kinds(std::uint64_t size) {
     // An answer of one value is often right at any level.
     *same = std::move(now);
   }
+}
+
+}  // namespace
+
+void from_threads(const Batch& batch) {
+  const Rounds rounds = batch.slot == 0 ? often : Rounds{};
+  const Question all = batch.whole();
+  const ThreadQuestion here{all.arguments, all.bytes, [&](const std::byte* theirs, std::uint64_t) {
+                              batch.caller.compare(all.answer, theirs, batch.count(), all.element,
+                                                   from_two_threads);
+                            }};
+  ask_from_threads(batch.caller, here, here, rounds, all.element);
+  ask_turned_from_threads(batch.caller, all, rounds, from_two_threads);
+}
+
+void beside_another_kind(const Batch& batch) {
+  const auto of_thread = [&](const QuestionCopy& q) {
+    return ThreadQuestion{q.arguments, q.answer.size(), [&](const std::byte* theirs, std::uint64_t) {
+                            // The element of a longer batch is none of this command's.
+                            batch.caller.compare(q.answer.data(), theirs, q.arguments.count,
+                                                 batch.caller.mailbox().count, beside_another);
+                          }};
+  };
+  QuestionCopy now = longer(batch);
+  std::deque<QuestionCopy>& others = batch.kept.of_other_kinds[batch.caller.entry_number()];
+  if (batch.caller.mailbox().this_level_alone == 0)
+    for (const QuestionCopy& other : others)
+      ask_from_threads(batch.caller, of_thread(now), of_thread(other), {2, 256, long_enough}, batch.first());
+  if (others.size() == most_batches) others.pop_front();
+  others.push_back(std::move(now));
+}
+
+void from_threads(const Blob& blob) {
+  const std::uint32_t before = blob.before();
+  const Rounds rounds = is_early(before) ? early_rounds : Rounds{};
+  const std::string how = from_two_threads;
+  QuestionCopy now = blob.copy();
+  const ThreadQuestion here = of_thread(blob, now, how);
+  ask_from_threads(blob.caller, here, here, rounds, 0);
+  std::optional<QuestionCopy>& last = blob.kept.last[blob.caller.entry_number()];
+  const bool beside_others = (before < first_beside_others ? before : before / 64 + before / 256) % 2 != 0;
+  if (const QuestionCopy* other = beside_others ? of_another_kind(blob) : nullptr; other != nullptr) {
+    const QuestionCopy more = longer(blob);
+    ask_from_threads(blob.caller, of_thread(blob, more, beside_another),
+                     of_thread(blob, *other, beside_another), rounds, 0);
+  } else if (last) {
+    ask_from_threads(blob.caller, here, of_thread(blob, *last, how), rounds, 0);
+  }
+  last.emplace(std::move(now));
+  keep(blob);
 }
 
 }  // namespace mmverify::dock
