@@ -87,7 +87,7 @@ class TriangleBaker {
   /// Test: impl_bake_errors_test
   TriangleBaker(std::span<const Texels> mips, const AlphaMode& mode, const Sampling& sampling = {});
   /// A baker for 8 bits, MASK, bilinear.
-  /// Test: impl_bake_triangles_test
+  /// Test: impl_bake_errors_test
   TriangleBaker(const AlphaView& texture, Cutoff cutoff, const Addressing& addressing = {});
   ~TriangleBaker();
   TriangleBaker(TriangleBaker&&) noexcept;

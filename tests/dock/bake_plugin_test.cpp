@@ -8,7 +8,6 @@ namespace mmverify::tests {
 namespace bake_plugin_test {
 
 using testing::HasSubstr;
-using testing::Not;
 
 Outcome judge_bake(const std::string& name, const std::string& what) {
   return shell("mmverify prove " + what + " --quiet --no-mutants --timeout 1 --subject " + library(name));
@@ -16,73 +15,41 @@ Outcome judge_bake(const std::string& name, const std::string& what) {
 
 // It says so itself: what it calls O or T is so, and much that is it does not.
 TEST(BakeSubject, the_example_in_c_is_conservative_and_not_tight) {
-  const Outcome o = judge_bake("bake_example", "bake --levels 1");
-  EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("proved     bake.conservative "));
-  EXPECT_THAT(o.out, HasSubstr("checked    bake.conservative_on_samples"));
-  EXPECT_THAT(o.out, HasSubstr("checked    bake.force2"));
-  EXPECT_THAT(o.out, HasSubstr("refuted    bake.tight "));
-  EXPECT_THAT(o.out, HasSubstr("n/a        bake.unknown_side "));
-  EXPECT_THAT(o.out, Not(HasSubstr("refuted    bake.conservative")));
-  EXPECT_THAT(o.out, Not(HasSubstr("broken")));
+  expect_said(judge_bake("bake_example", "bake --levels 1"), 1,
+              {"proved     bake.conservative ", "checked    bake.conservative_on_samples",
+               "checked    bake.force2", "refuted    bake.tight ", "n/a        bake.unknown_side "},
+              {"refuted    bake.conservative", "broken"});
 }
 
 // -----------------------------------------------------------------------------------------------------------------
 
-struct WrongBakeAnswer {
-  friend void PrintTo(const WrongBakeAnswer& w, std::ostream* out) { *out << w.name; }
-  const char *name, *law, *at, *expected;
-};
-
-class WrongBake : public testing::TestWithParam<WrongBakeAnswer> {};
-
-TEST_P(WrongBake, is_refuted_and_replayed) {
+TEST(WrongBake, is_refuted_and_replayed) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  const auto& [name, law, at, expected] = GetParam();
-  const Outcome o = judge_bake(name, std::string(law) + " --levels 0");
-  expect_refuted_and_replayed(o, law);
-  EXPECT_THAT(o.out, HasSubstr(std::string("case texels=u8:") + at));
-  EXPECT_THAT(o.out, HasSubstr(std::string("expected ") + expected));
+  expect_each_refuted(judge_bake, {{"bake_settles_all", "bake.conservative --levels 0",
+                                    "case texels=u8:2x2:80000000", "expected micro-triangle 0 U"},
+                                   {"bake_rows_from_below", "bake.conservative --levels 0",
+                                    "case texels=u8:2x2:", "expected micro-triangle"},
+                                   {"bake_pads_with_ones", "bake.conservative --levels 0",
+                                    "case texels=u8:2x2:00000000", "expected zeros after the last state"},
+                                   {"bake_promises_the_centroid", "bake.unknown_side --levels 0",
+                                    "case texels=u8:2x2:", "expected micro-triangle"},
+                                   {"bake_all_unknown", "bake.tight --levels 0",
+                                    "case texels=u8:2x2:00000000", "expected micro-triangle 0 T"}});
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Subject, WrongBake,
-    testing::Values(
-        WrongBakeAnswer{"bake_settles_all", "bake.conservative", "2x2:80000000", "micro-triangle 0 U"},
-        WrongBakeAnswer{"bake_rows_from_below", "bake.conservative", "2x2:", "micro-triangle"},
-        WrongBakeAnswer{"bake_pads_with_ones", "bake.conservative", "2x2:00000000",
-                        "zeros after the last state"},
-        WrongBakeAnswer{"bake_promises_the_centroid", "bake.unknown_side", "2x2:", "micro-triangle"},
-        WrongBakeAnswer{"bake_all_unknown", "bake.tight", "2x2:00000000", "micro-triangle 0 T"}),
-    [](const auto& info) { return std::string(info.param.name); });
-
-struct BakeMisbehaviour {
-  friend void PrintTo(const BakeMisbehaviour& m, std::ostream* out) { *out << m.name; }
-  const char *name, *said;
-};
-
-class MisbehavingBake : public testing::TestWithParam<BakeMisbehaviour> {};
 
 // What each does stands in tests/subjects/wrong_bake.cpp.  Its first case is within the first of 16 shares.
-TEST_P(MisbehavingBake, is_broken_with_the_case) {
+TEST(MisbehavingBake, is_broken_with_the_case) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  const auto& [name, said] = GetParam();
-  const Outcome o = judge_bake(name, "bake.conservative --levels 1 --threads 1 --shard 1/16");
-  EXPECT_EQ(o.exit_code, 1) << o.err;
-  EXPECT_THAT(o.out, HasSubstr("broken     bake.conservative"));
-  EXPECT_THAT(o.out, HasSubstr(said));
-  EXPECT_THAT(o.out, HasSubstr("at level 1 baking texels=u8:2x2:000000ff,wrap=repeat:repeat,"));
+  expect_each_broken(
+      judge_bake, " --levels 1 --threads 1 --shard 1/16",
+      "at level 1 baking texels=u8:2x2:000000ff,wrap=repeat:repeat,",
+      {{"bake_reads_past", "bake.conservative", "it wrote to its input or read past its end"},
+       {"bake_overrun", "bake.conservative", "it touched memory outside its output"},
+       {"bake_unwritten", "bake.conservative", "left its output unwritten"},
+       {"bake_counts_calls", "bake.conservative", "non-deterministic, asked again: byte 0"},
+       {"bake_changes_its_mind", "bake.conservative", "non-deterministic, taken, then refused"},
+       {"bake_throws", "bake.conservative", "threw an exception: no such texture"}});
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Subject, MisbehavingBake,
-    testing::Values(BakeMisbehaviour{"bake_reads_past", "it wrote to its input or read past its end"},
-                    BakeMisbehaviour{"bake_overrun", "it touched memory outside its output"},
-                    BakeMisbehaviour{"bake_unwritten", "left its output unwritten"},
-                    BakeMisbehaviour{"bake_counts_calls", "non-deterministic, asked again: byte 0"},
-                    BakeMisbehaviour{"bake_changes_its_mind", "non-deterministic, taken, then refused"},
-                    BakeMisbehaviour{"bake_throws", "threw an exception: no such texture"}),
-    [](const auto& info) { return std::string(info.param.name); });
 
 // -----------------------------------------------------------------------------------------------------------------
 
@@ -133,9 +100,9 @@ TEST(BakeSubject, what_it_declines_is_counted_and_never_proved) {
   EXPECT_THAT(some.out, HasSubstr("checked    bake.conservative"));
   // 9 of the 25 pairs: 9 (81 * 6 + 512 * 4).
   EXPECT_THAT(some.out, HasSubstr("declined: 22,806 of these cases"));
-  const Outcome all = judge_bake("bake_declines_all", "bake.conservative --levels 0");
-  EXPECT_EQ(all.exit_code, 2) << "nothing was run";
-  EXPECT_THAT(all.out, HasSubstr("n/a        bake.conservative"));
+  // Nothing was run.
+  expect_said(judge_bake("bake_declines_all", "bake.conservative --levels 0"), 2,
+              {"n/a        bake.conservative"});
 }
 
 // -----------------------------------------------------------------------------------------------------------------
@@ -143,31 +110,24 @@ TEST(BakeSubject, what_it_declines_is_counted_and_never_proved) {
 // Clamp, cutoffs of binary32 above which alpha is opaque, coordinates in [0, 1].
 TEST(DeclaredBaker, is_asked_inside_what_it_declares_alone) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  const Outcome o = judge_bake("bake_declares_nothing", "bake --levels 1");
-  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("proved     bake.conservative "));
-  EXPECT_THAT(o.out, HasSubstr("proved     bake.tight "));
-  EXPECT_THAT(o.out, HasSubstr("proved     bake.unknown_side "));
-  EXPECT_THAT(o.out, HasSubstr("checked    bake.order "));
-  EXPECT_THAT(o.out, HasSubstr("coordinates in [0, 1]"));
-  EXPECT_THAT(o.out, HasSubstr("it declares no margins"));
-  EXPECT_THAT(o.out, HasSubstr("it declares no BLEND"));
-  EXPECT_THAT(o.out, Not(HasSubstr("declined")));
+  expect_said(
+      judge_bake("bake_declares_nothing", "bake --levels 1"), 0,
+      {"proved     bake.conservative ", "proved     bake.tight ", "proved     bake.unknown_side ",
+       "checked    bake.order ", "coordinates in [0, 1]", "it declares no margins", "it declares no BLEND"},
+      {"declined"});
 }
 
 TEST(DeclaredBaker, gets_as_many_cases_as_are_wanted) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  const Outcome o = judge_bake("bake_declares_nothing", "bake.order --levels 0..3 --cases 2000");
-  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("500 cases"));
-  EXPECT_THAT(o.out, Not(HasSubstr("declined")));
+  expect_said(judge_bake("bake_declares_nothing", "bake.order --levels 0..3 --cases 2000"), 0, {"500 cases"},
+              {"declined"});
 }
 
 TEST(DeclaredBaker, that_says_nothing_and_declines_most_is_not_called_checked) {
-  const Outcome o = judge_bake("bake_declares_says_nothing", "bake.conservative --levels 0");
-  EXPECT_EQ(o.exit_code, 2) << o.out << "nothing was judged";
-  EXPECT_THAT(o.out, HasSubstr("n/a        bake.conservative"));
-  EXPECT_THAT(o.out, HasSubstr("of 63350 cases, more than half; it should declare what it supports"));
+  // Nothing was judged.
+  expect_said(
+      judge_bake("bake_declares_says_nothing", "bake.conservative --levels 0"), 2,
+      {"n/a        bake.conservative", "of 63350 cases, more than half; it should declare what it supports"});
 }
 
 TEST(DeclaredBaker, is_held_to_its_own_rules) {
@@ -177,10 +137,8 @@ TEST(DeclaredBaker, is_held_to_its_own_rules) {
   expect_refuted_and_replayed(cutoff, "bake.conservative");
   EXPECT_THAT(cutoff.out, HasSubstr("opaque=above"));
   // A cutoff off by half of what weights of 8 bits may be off.
-  const Outcome slack =
-      judge_bake("bake_declares_cutoff_half_a_slack_off", "bake.conservative bake.tight --levels 0");
-  EXPECT_EQ(slack.exit_code, 0) << slack.out << slack.err;
-  EXPECT_THAT(slack.out, HasSubstr("weights of 8 bits"));
+  expect_said(judge_bake("bake_declares_cutoff_half_a_slack_off", "bake.conservative bake.tight --levels 0"),
+              0, {"weights of 8 bits"});
   // Unknowns of one side, and one of them on the other.
   EXPECT_EQ(judge_bake("bake_declares_all_unknowns_opaque", "bake.unknown_side --levels 0").exit_code, 0);
   expect_refuted_and_replayed(

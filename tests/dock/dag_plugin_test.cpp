@@ -10,54 +10,33 @@ namespace dag_plugin_test {
 using testing::HasSubstr;
 using testing::Not;
 
-Outcome judge_dag(const std::string& name, const std::string& what) {
-  return shell("mmverify prove " + what + " --quiet --no-mutants --timeout 1 --threads 1 --subject " +
-               library(name));
-}
+Outcome judge_dag(const std::string& name, const std::string& what) { return judged(name, what, 1); }
 
 TEST(DagSubject, the_example_in_c_keeps_every_law_that_it_has_entry_points_for) {
   const Outcome o = judge_dag("dag_example", "dag --levels 3");
-  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
-  for (const char* law : {"dag.round_trip", "dag.lookup_is_decode"})
-    EXPECT_THAT(o.out, HasSubstr(std::string("proved     ") + law));
-  for (const char* law : {"dag.on_samples", "dag.many_maps", "dag.damaged_codes"})
-    EXPECT_THAT(o.out, HasSubstr(std::string("checked    ") + law));
+  expect_said(o, 0, each_of("proved     ", {"dag.round_trip", "dag.lookup_is_decode"}));
+  expect_said(o, 0, each_of("checked    ", {"dag.on_samples", "dag.many_maps", "dag.damaged_codes"}));
   // Its codes are not docs/DAG.md's.
-  for (const char* law : {"dag.equals_spec", "dag.canonical", "dag.append", "dag.bound", "dag.malformed"})
-    EXPECT_THAT(o.out, HasSubstr(std::string("n/a        ") + law));
+  expect_said(o, 0,
+              each_of("n/a        ",
+                      {"dag.equals_spec", "dag.canonical", "dag.append", "dag.bound", "dag.malformed"}));
 }
 
 TEST(DagSubject, maps_are_decoded_by_lookups_where_nothing_else_does) {
-  const Outcome o = judge_dag("dag_looks_up_only", "dag.round_trip --levels 3");
-  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("proved     dag.round_trip"));
+  expect_said(judge_dag("dag_looks_up_only", "dag.round_trip --levels 3"), 0, {"proved     dag.round_trip"});
 }
 
-struct WrongDagAnswer {
-  friend void PrintTo(const WrongDagAnswer& w, std::ostream* out) { *out << w.name; }
-  const char *name, *law, *level, *expected;
-};
-
-class WrongDag : public testing::TestWithParam<WrongDagAnswer> {};
-
-TEST_P(WrongDag, is_refuted_and_replayed) {
+TEST(WrongDag, is_refuted_and_replayed) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  const auto& [name, law, level, expected] = GetParam();
-  const Outcome o = judge_dag(name, std::string(law) + " --levels " + level);
-  expect_refuted_and_replayed(o, law);
-  EXPECT_THAT(o.out, HasSubstr(std::string("expected ") + expected));
+  expect_each_refuted(
+      judge_dag,
+      {{"dag_merges_near", "dag.round_trip --levels 3", "expected map 1 index 63 state 0"},
+       {"dag_forgets_the_second", "dag.round_trip --levels 0", "expected 2 maps got 1"},
+       {"dag_padding_set", "dag.round_trip --levels 0", "expected map 0 padding bits 0"},
+       {"dag_looks_in_the_first", "dag.lookup_is_decode --levels 3", "expected map 1 index 63 state 0"},
+       {"dag_answers_no_scene", "dag.damaged_codes --levels 2", "expected "},
+       {"dag_promises_the_container", "dag.canonical --levels 0", "expected "}});
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Subject, WrongDag,
-    testing::Values(WrongDagAnswer{"dag_merges_near", "dag.round_trip", "3", "map 1 index 63 state 0"},
-                    WrongDagAnswer{"dag_forgets_the_second", "dag.round_trip", "0", "2 maps got 1"},
-                    WrongDagAnswer{"dag_padding_set", "dag.round_trip", "0", "map 0 padding bits 0"},
-                    WrongDagAnswer{"dag_looks_in_the_first", "dag.lookup_is_decode", "3",
-                                   "map 1 index 63 state 0"},
-                    WrongDagAnswer{"dag_answers_no_scene", "dag.damaged_codes", "2", ""},
-                    WrongDagAnswer{"dag_promises_the_container", "dag.canonical", "0", ""}),
-    [](const auto& info) { return std::string(info.param.name); });
 
 // Of more than 65,536 maps some hundred have such numbers; encoding them takes a busy machine its time.
 TEST(DagSubject, that_takes_one_of_many_maps_for_another_is_refuted) {
@@ -89,10 +68,8 @@ TEST(DagSubject, what_it_does_in_place_of_an_answer_is_told_with_the_case) {
 // Of a form of its own: the container's laws do not ask it.
 TEST(DagSubject, a_decoder_that_does_not_come_back_from_a_damaged_code_is_broken) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  const Outcome o = judge_dag("dag_decoder_reads_past_its_code", "dag.damaged_codes --levels 1");
-  EXPECT_EQ(o.exit_code, 1);
-  EXPECT_THAT(o.out, HasSubstr("broken     dag.damaged_codes"));
-  EXPECT_THAT(o.out, HasSubstr("crashed (signal "));
+  expect_said(judge_dag("dag_decoder_reads_past_its_code", "dag.damaged_codes --levels 1"), 1,
+              {"broken     dag.damaged_codes", "crashed (signal "});
 }
 
 TEST(DagSubject, a_decoder_whose_answer_goes_by_the_code_before_is_seen) {

@@ -16,11 +16,9 @@ Outcome judge(const std::string& kind) {
 }
 
 TEST(LargeBatches, of_a_right_subject_are_proved_and_say_where) {
-  const Outcome o = judge("RIGHT");
-  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("level 8               197,377 cases"));
-  EXPECT_THAT(o.out, HasSubstr("large_batches_RIGHT.so: machine: a test's\n"));
-  EXPECT_THAT(o.out, HasSubstr("large_batches_RIGHT.so: about: no colon here\n"));
+  expect_said(judge("RIGHT"), 0,
+              {"level 8               197,377 cases", "large_batches_RIGHT.so: machine: a test's\n",
+               "large_batches_RIGHT.so: about: no colon here\n"});
 }
 
 TEST(LargeBatches, that_change_the_answer_are_non_deterministic_or_wrong) {
@@ -31,27 +29,19 @@ TEST(LargeBatches, that_change_the_answer_are_non_deterministic_or_wrong) {
 }
 
 TEST(LargeBatches, with_one_case_that_crashes_name_it) {
-  const Outcome o = judge("CRASHES");
-  EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("at level 8 on case u=0x1p-1,v=0x1p-2"));
+  expect_said(judge("CRASHES"), 1, {"at level 8 on case u=0x1p-1,v=0x1p-2"});
 }
 
 TEST(LargeBatches, that_leave_an_answer_unwritten_are_broken) {
-  const Outcome o = judge("UNWRITTEN");
-  EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("left its output unwritten"));
+  expect_said(judge("UNWRITTEN"), 1, {"left its output unwritten"});
 }
 
 TEST(LargeBatches, that_write_behind_their_output_are_broken) {
-  const Outcome o = judge("WRITES_BEHIND");
-  EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("wrote behind the end of its output"));
+  expect_said(judge("WRITES_BEHIND"), 1, {"wrote behind the end of its output"});
 }
 
 TEST(NotHere, is_not_applicable_with_the_librarys_own_reason) {
-  const Outcome o = judge("NOT_HERE");
-  EXPECT_EQ(o.exit_code, 2) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("the moon is not up"));
+  expect_said(judge("NOT_HERE"), 2, {"the moon is not up"});
 }
 
 }  // namespace

@@ -30,28 +30,24 @@ Outcome judge(const std::string& name,
 bool long_tier() { return std::getenv("MMVERIFY_LONG_TESTS") != nullptr; }
 
 TEST(Subject, the_example_in_c_is_proved_on_all_cells) {
-  const Outcome o =
-      judge("example", "index.equals_reference --levels 0.." + std::string(long_tier() ? "8" : "7"));
-  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("the 3N^2+3N+1 representatives, as binary32 numbers"));
-  EXPECT_THAT(o.out, HasSubstr("checked    index.exact_or_published"));
-  EXPECT_THAT(o.out, HasSubstr("example.so: checked, the weakest of its verdicts"));
+  expect_said(judge("example", "index.equals_reference --levels 0.." + std::string(long_tier() ? "8" : "7")),
+              0,
+              {"the 3N^2+3N+1 representatives, as binary32 numbers", "checked    index.exact_or_published",
+               "example.so: checked, the weakest of its verdicts"});
 }
 
 TEST(Subject, entry_points_that_are_missing_are_not_applicable) {
-  const Outcome o = judge("example", "index.corners index.in_range --levels 0..3");
-  EXPECT_EQ(o.exit_code, 2) << o.out;
-  EXPECT_THAT(o.out, HasSubstr("n/a        index.corners"));
+  expect_said(judge("example", "index.corners index.in_range --levels 0..3"), 2,
+              {"n/a        index.corners"});
   EXPECT_EQ(judge("example", "index.corners").exit_code, 2);
 }
 
 TEST(Subject, every_entry_point_is_judged_and_binary64_apart) {
   const Outcome o = judge("batched", "--levels 0.." + std::string(long_tier() ? "5" : "3"));
-  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
-  for (const char* law :
-       {"index.corners", "index.inverse", "index.row_order", "index.row_corners", "index.bijective"})
-    EXPECT_THAT(o.out, HasSubstr(std::string("proved     ") + law));
-  EXPECT_THAT(o.out, HasSubstr("batched.so:f64: checked"));
+  expect_said(o, 0,
+              each_of("proved     ", {"index.corners", "index.inverse", "index.row_order",
+                                      "index.row_corners", "index.bijective"}));
+  expect_said(o, 0, {"batched.so:f64: checked"});
 }
 
 // The tie was planted at u = 3/8, v = 1/4 of level 7: the answer is to name that vertex and no other.
@@ -64,9 +60,7 @@ TEST(Subject, one_wrong_tie_is_found_and_replayed) {
   EXPECT_THAT(o.out, HasSubstr("right at levels 6..6, wrong at 7"));
   EXPECT_THAT(o.out,
               HasSubstr("wrong on ties only: 1 vertices and 0 edges of level 7; every interior is right"));
-  const Outcome again = replayed(o);
-  EXPECT_EQ(again.exit_code, 1);
-  EXPECT_THAT(again.out, HasSubstr("refuted index.equals_reference level 7 case v:u=3/8,v=1/4"));
+  expect_said(replayed(o), 1, {"refuted index.equals_reference level 7 case v:u=3/8,v=1/4"});
 }
 
 #ifdef MMVERIFY_SANITIZED_SUBJECTS
@@ -92,18 +86,16 @@ TEST(Subject, a_sanitized_library_is_not_timed) {
 #endif
 
 TEST(Subject, one_wrong_tie_passes_where_only_interiors_count) {
-  const Outcome o = judge("tie", "index.equals_reference --levels 6..8 --cells interior --no-companions");
-  EXPECT_EQ(o.exit_code, 0) << o.out;
-  EXPECT_THAT(o.out, HasSubstr("those inside micro-triangles only"));
-  EXPECT_THAT(o.out, HasSubstr("left out by --no-companions: index.exact_or_published; the verdict then "
-                               "covers only a few distinct floats\n"));
+  expect_said(judge("tie", "index.equals_reference --levels 6..8 --cells interior --no-companions"), 0,
+              {"those inside micro-triangles only",
+               "left out by --no-companions: index.exact_or_published; the verdict then covers only a few "
+               "distinct floats\n"});
 }
 
 TEST(Subject, children_swapped_from_level_2_are_named) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  const Outcome o = judge("swapped_from_level_2", "index.equals_reference --levels 0..4 --no-companions");
-  EXPECT_EQ(o.exit_code, 1);
-  EXPECT_THAT(o.out, HasSubstr("the curve, but children 0 and 2 change places from digit 2 on"));
+  expect_said(judge("swapped_from_level_2", "index.equals_reference --levels 0..4 --no-companions"), 1,
+              {"the curve, but children 0 and 2 change places from digit 2 on"});
 }
 
 TEST(Subject, row_order_is_named) {
@@ -220,16 +212,14 @@ TEST(Subject, what_it_keeps_between_questions_is_seen) {
 }
 
 TEST(Subject, a_parent_that_is_kept_without_its_level_is_seen) {
-  const Outcome o = judge("keeps_parents", "index.on_samples --levels 16 --no-companions");
-  EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("asked after level 1: "));
+  expect_said(judge("keeps_parents", "index.on_samples --levels 16 --no-companions"), 1,
+              {"asked after level 1: "});
 }
 
 // Five large batches of 0.4 s each: one call may take a second, all of them may not but do.
 TEST(Subject, what_hangs_is_one_call) {
-  const Outcome o = judge("takes_its_time", "index.in_range --levels 0 --no-companions");
-  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("proved     index.in_range"));
+  expect_said(judge("takes_its_time", "index.in_range --levels 0 --no-companions"), 0,
+              {"proved     index.in_range"});
 }
 
 // Levels are asked in turns, to see what is kept between them: a crash is that of its own level all the same.
@@ -304,9 +294,7 @@ TEST(Subject, a_replay_line_is_one_for_a_shell_whatever_the_file_is_called) {
       program({"prove", "index.equals_reference", "--quiet", "--levels", "7", "--subject", odd});
   const auto at = o.out.find("replay: ");
   ASSERT_NE(at, std::string::npos) << o.out << o.err;
-  const Outcome again = shell(o.out.substr(at + 8, o.out.find('\n', at) - at - 8));
-  EXPECT_EQ(again.exit_code, 1) << again.err;
-  EXPECT_THAT(again.out, HasSubstr("case v:u=3/8,v=1/4"));
+  expect_said(shell(o.out.substr(at + 8, o.out.find('\n', at) - at - 8)), 1, {"case v:u=3/8,v=1/4"});
 }
 
 TEST(Subject, an_interrupt_does_not_wait_for_a_subject_that_hangs) {
@@ -314,9 +302,7 @@ TEST(Subject, an_interrupt_does_not_wait_for_a_subject_that_hangs) {
                             "--subject", library("hang")}));
   ASSERT_TRUE(run.says("level 6"));
   run.send(SIGINT);
-  const Outcome o = run.wait();
-  EXPECT_EQ(o.exit_code, 3) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("incomplete index.equals_reference"));
+  expect_said(run.wait(), 3, {"incomplete index.equals_reference"});
 }
 
 // Wherever the run is: while it loads, in a search for the case that crashed, in threads, between calls that end.
@@ -372,9 +358,8 @@ TEST(Subject, that_is_rebuilt_during_the_run_has_no_verdict) {
 }
 
 TEST(Subject, whose_mode_changes_at_load_is_broken) {
-  const Outcome o = judge("hostile_rounds_when_loaded", "index.in_range --levels 0");
-  EXPECT_EQ(o.exit_code, 1) << o.out << o.err;
-  EXPECT_THAT(o.out, HasSubstr("left the rounding or flush mode changed since it was loaded"));
+  expect_said(judge("hostile_rounds_when_loaded", "index.in_range --levels 0"), 1,
+              {"left the rounding or flush mode changed since it was loaded"});
 }
 
 TEST(Subject, that_cannot_be_loaded_in_time_is_exit_4) {
@@ -444,10 +429,8 @@ TEST(Pipe, a_planted_tie_at_a_vertex_of_level_7_is_that_vertex) {
   const Outcome o =
       shell("mmverify gen index --level 7 | awk '$2==\"0x1.8p-2\" && $3==\"0x1p-2\" {print $1}'");
   const std::string number = o.out.substr(0, o.out.find('\n'));
-  const Outcome judged = piped(python + " | sed 's/^" + number + " .*/" + number + " 1/'", 7);
-  EXPECT_EQ(judged.exit_code, 1);
-  EXPECT_THAT(judged.out, HasSubstr("case v:u=3/8,v=1/4 (0x1.8p-2,0x1p-2) expected "));
-  EXPECT_THAT(judged.out, HasSubstr("(vertices 1, edges 0, interiors 0)"));
+  expect_said(piped(python + " | sed 's/^" + number + " .*/" + number + " 1/'", 7), 1,
+              {"case v:u=3/8,v=1/4 (0x1.8p-2,0x1p-2) expected ", "(vertices 1, edges 0, interiors 0)"});
 }
 
 TEST(Pipe, short_long_and_garbled_answers_name_the_line) {

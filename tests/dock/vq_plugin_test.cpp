@@ -8,95 +8,58 @@ namespace mmverify::tests {
 namespace vq_plugin_test {
 
 using testing::HasSubstr;
-using testing::Not;
 
-Outcome judge_vq(const std::string& name, const std::string& what) {
-  return shell("mmverify prove " + what + " --quiet --no-mutants --timeout 1 --threads 1 --subject " +
-               library(name));
-}
+Outcome judge_vq(const std::string& name, const std::string& what) { return judged(name, what, 1); }
 
 TEST(VqSubject, the_example_in_c_keeps_every_law_that_it_has_entry_points_for) {
   const Outcome o = judge_vq("vq_example", "vq");
-  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
-  for (const char* law :
-       {"vq2.region_is_map", "vq4.region_is_map", "vq2.no_other_bit", "vq4.no_other_bit", "vq2.conservative"})
-    EXPECT_THAT(o.out, HasSubstr(std::string("proved     ") + law));
-  for (const char* law : {"vq2.on_random_blocks", "vq4.on_random_blocks", "vq2.conservative_on_samples",
-                          "vq4.conservative_on_samples"})
-    EXPECT_THAT(o.out, HasSubstr(std::string("checked    ") + law));
-  // What it does not promise: vectors, fields, few substitutions.
-  for (const char* law : {"vq.vectors", "vq2.block_bits", "vq2.lossless_when_it_fits", "vq2.optimum"})
-    EXPECT_THAT(o.out, HasSubstr(std::string("n/a        ") + law));
+  expect_said(o, 0,
+              each_of("proved     ", {"vq2.region_is_map", "vq4.region_is_map", "vq2.no_other_bit",
+                                      "vq4.no_other_bit", "vq2.conservative"}));
+  expect_said(o, 0,
+              each_of("checked    ", {"vq2.on_random_blocks", "vq4.on_random_blocks",
+                                      "vq2.conservative_on_samples", "vq4.conservative_on_samples"}));
+  // It does not promise vectors, fields or few substitutions.
+  expect_said(
+      o, 0,
+      each_of("n/a        ", {"vq.vectors", "vq2.block_bits", "vq2.lossless_when_it_fits", "vq2.optimum"}));
 }
 
 // -----------------------------------------------------------------------------------------------------------------
 
-struct WrongVqAnswer {
-  friend void PrintTo(const WrongVqAnswer& w, std::ostream* out) { *out << w.name; }
-  const char *name, *law, *at, *expected;
-};
-
-class WrongVq : public testing::TestWithParam<WrongVqAnswer> {};
-
-TEST_P(WrongVq, is_refuted_and_replayed) {
+TEST(WrongVq, is_refuted_and_replayed) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  const auto& [name, law, at, expected] = GetParam();
-  const Outcome o = judge_vq(name, law);
-  expect_refuted_and_replayed(o, law);
-  EXPECT_THAT(o.out, HasSubstr(std::string("case ") + at));
-  EXPECT_THAT(o.out, HasSubstr(std::string("expected ") + expected));
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Subject, WrongVq,
-    testing::Values(
-        WrongVqAnswer{"vq_y_downwards", "vq2.region_is_map", "block:", "decoded region"},
-        WrongVqAnswer{"vq_turns_the_other_way", "vq2.region_is_map", "block:", "decoded region"},
-        WrongVqAnswer{"vq_last_region_of_br", "vq2.region_is_map", "block:", "asked for region 15,0"},
-        WrongVqAnswer{"vq_state_3", "vq2.region_is_map", "block:", "decoded region 0,0 O got 3"},
-        WrongVqAnswer{"vq_opaque_for_transparent", "vq2.conservative", "map:02000000",
-                      "region 1,0 T or C got O"},
-        WrongVqAnswer{"vq_checks_nothing", "vq2.conservative", "map:02000000", "region 0,0 O or C got T"},
-        WrongVqAnswer{"vq_promises_to_keep", "vq2.lossless_when_it_fits", "map:", "region"}),
-    [](const auto& info) { return std::string(info.param.name); });
-
-struct VqMisbehaviour {
-  friend void PrintTo(const VqMisbehaviour& m, std::ostream* out) { *out << m.name; }
-  const char *name, *law, *said, *doing;
-};
-
-class MisbehavingVq : public testing::TestWithParam<VqMisbehaviour> {};
-
-TEST_P(MisbehavingVq, is_broken_with_the_case_and_the_run_goes_on) {
-  SKIP_A_REPEAT_UNDER_SANITIZERS();
-  const auto& [name, law, said, doing] = GetParam();
-  const Outcome o = judge_vq(name, std::string(law) + " vq4.conservative");
-  EXPECT_EQ(o.exit_code, 1) << o.err;
-  EXPECT_THAT(o.out, HasSubstr(std::string("broken     ") + law));
-  EXPECT_THAT(o.out, HasSubstr(said));
-  EXPECT_THAT(o.out, HasSubstr(std::string("at level 4 ") + doing));
-  EXPECT_THAT(o.out, HasSubstr("proved     vq4.conservative")) << "the next law is judged";
+  expect_each_refuted(
+      judge_vq,
+      {{"vq_y_downwards", "vq2.region_is_map", "case block:", "expected decoded region"},
+       {"vq_turns_the_other_way", "vq2.region_is_map", "case block:", "expected decoded region"},
+       {"vq_last_region_of_br", "vq2.region_is_map", "case block:", "expected asked for region 15,0"},
+       {"vq_state_3", "vq2.region_is_map", "case block:", "expected decoded region 0,0 O got 3"},
+       {"vq_opaque_for_transparent", "vq2.conservative", "case map:02000000",
+        "expected region 1,0 T or C got O"},
+       {"vq_checks_nothing", "vq2.conservative", "case map:02000000", "expected region 0,0 O or C got T"},
+       {"vq_promises_to_keep", "vq2.lossless_when_it_fits", "case map:", "expected region"}});
 }
 
 constexpr char regions[] = "vq2.region_is_map", encodes[] = "vq2.conservative",
                out_of_vq_input[] = "it wrote to its input or read past its end";
 
-// What each does stands in tests/subjects/wrong_vq.cpp.
-INSTANTIATE_TEST_SUITE_P(
-    Subject, MisbehavingVq,
-    testing::Values(
-        VqMisbehaviour{"vq_decoder_reads_past", regions, out_of_vq_input, "decoding block:"},
-        VqMisbehaviour{"vq_decoder_unwritten", regions, "left its output unwritten", "decoding block:"},
-        VqMisbehaviour{"vq_region_crashes", regions, "crashed (signal ", "looking up x=15,y=0 in block:"},
-        VqMisbehaviour{"vq_region_loads_at_16", regions, "threw an exception: no multiple of 16",
-                       "looking up "},
-        VqMisbehaviour{"vq_encoder_overrun", encodes, "it touched memory outside its output",
-                       "encoding map:02000000"},
-        VqMisbehaviour{"vq_encoder_counts_calls", encodes, "non-deterministic, asked again: byte 31",
-                       "encoding map:02000000"},
-        VqMisbehaviour{"vq_encoder_throws", encodes, "threw an exception: no such map",
-                       "encoding map:02000000"}),
-    [](const auto& info) { return std::string(info.param.name); });
+// What each does stands in tests/subjects/wrong_vq.cpp; the next law is judged.
+TEST(MisbehavingVq, is_broken_with_the_case_and_the_run_goes_on) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  expect_each_broken(
+      judge_vq, " vq4.conservative", "proved     vq4.conservative",
+      {{"vq_decoder_reads_past", regions, out_of_vq_input, "at level 4 decoding block:"},
+       {"vq_decoder_unwritten", regions, "left its output unwritten", "at level 4 decoding block:"},
+       {"vq_region_crashes", regions, "crashed (signal ", "at level 4 looking up x=15,y=0 in block:"},
+       {"vq_region_loads_at_16", regions, "threw an exception: no multiple of 16", "at level 4 looking up "},
+       {"vq_encoder_overrun", encodes, "it touched memory outside its output",
+        "at level 4 encoding map:02000000"},
+       {"vq_encoder_counts_calls", encodes, "non-deterministic, asked again: byte 31",
+        "at level 4 encoding map:02000000"},
+       {"vq_encoder_throws", encodes, "threw an exception: no such map",
+        "at level 4 encoding map:02000000"}});
+}
 
 // -----------------------------------------------------------------------------------------------------------------
 

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tests/complaint.hpp"
+
 namespace {
 
 using namespace mmverify::flip;
@@ -317,12 +319,8 @@ TEST(Flip, the_mean_is_taken_in_binary64) {
 
 TEST(Flip, says_what_it_does_not_compare) {
   const auto complaint = [](const Picture& a, const Picture& b, double ppd = 67) {
-    try {
-      error_map(a, b, {.pixels_per_degree = ppd});
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return mmverify::tests::complaint_of<std::invalid_argument>(
+        [&] { error_map(a, b, {.pixels_per_degree = ppd}); }, "");
   };
   const Pixels p = random_pixels(4, 3, 1), turned = random_pixels(3, 4, 1);
   EXPECT_EQ(complaint(p, turned), "flip: 4 x 3 texels against 3 x 4");

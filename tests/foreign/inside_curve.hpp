@@ -9,69 +9,12 @@
 #include <utility>
 
 #include "proofs/index/subject.hpp"
+#include "tests/foreign/inside.hpp"
 
 namespace mmverify::tests::foreign {
 
 using Level = proofs::Level;
 using Integer = boost::multiprecision::cpp_int;
-
-/// What is wrong with a subject; none of a right one.
-enum class Fault {
-  none,
-  // Algorithm 4 in exact numbers
-  turned_t_keeps_tie,
-  top_flip_lost_at_depth_7,
-  w_tie_at_depth_8,
-  one_triangle_of_level_9,
-  // its readings
-  as_printed,
-  as_printed_from_level_6,
-  as_printed_up_to_level_4,
-  // numbers within a cell
-  line_moved_in_some_cells,
-  through_binary64_at_16,
-  ties_of_odd_denominators,
-  // fixed point against rationals
-  product_of_32_bits,
-  rationals_cut_to_8_bits,
-  fixed_u_tie_at_depth_7,
-  // rows against points
-  tail_repeats,
-  cut_rows_start_anew,
-  skips_between_siblings,
-  second_row_has_firsts_line,
-  // rounded arithmetic
-  computes_wider,
-  compares_the_difference,
-  wider_from_level_7,
-  // binary16 pairs
-  sum_in_binary16,
-  subnormals_are_zero,
-  v_corner_is_first,
-  // words of 64 bits
-  answer_of_16_bits,
-  parity_of_8_places,
-  parity_of_16_places,
-  v_corner_not_limited,
-  half_of_last_square,
-  answer_through_binary64,
-  limit_in_binary32,
-  sum_in_binary32,
-  low_digit_at_level_30,
-  // words of 32 bits at level 17
-  parity_of_all_places,
-  low_half_of_wide,
-  recursion_instead,
-  // figure 4
-  column_not_limited,
-  diagonal_not_limited,
-  row_squared_in_16_bits,
-  one_inverted_triangle,
-  // its square root
-  root_is_low_at_squares,
-  errs_one_index_later,
-  one_column_off,
-};
 
 enum class Reading { printed, middle, ties, names };
 
@@ -110,17 +53,17 @@ std::uint64_t recursion(const Bary<Int>& p, Level n, Reading reading, Fault faul
     const Int twice_u = u + u, twice_v = v + v, twice_w = w + w;
     const Int from_w = w - u - v, from_v = v - u - w, from_u = u - v - w;
     bool is_w = twice_w > one;
-    if (fault == Fault::w_tie_at_depth_8 && depth == 8) is_w = twice_w >= one;
-    if (fault == Fault::line_moved_in_some_cells && depth + 1 == n && depth > 3 && index % 64 == 21)
+    if (fault == "w_tie_at_depth_8"_fault && depth == 8) is_w = twice_w >= one;
+    if (fault == "line_moved_in_some_cells"_fault && depth + 1 == n && depth > 3 && index % 64 == 21)
       is_w = 64 * twice_w > 65 * one;
 
     bool v_excepted = mid && twice_v == one;
     const bool u_excepted = reading == Reading::ties ? mid && twice_u == one : v_excepted;
-    if (fault == Fault::turned_t_keeps_tie && top && depth >= 5) v_excepted = false;
-    if (fault == Fault::ties_of_odd_denominators && (one & (one - 1)) != 0) v_excepted = false;
+    if (fault == "turned_t_keeps_tie"_fault && top && depth >= 5) v_excepted = false;
+    if (fault == "ties_of_odd_denominators"_fault && (one & (one - 1)) != 0) v_excepted = false;
     bool is_u = twice_u >= one && !u_excepted;
     if constexpr (std::is_same_v<Int, std::int64_t>)
-      if (fault == Fault::fixed_u_tie_at_depth_7 && depth == 7 && twice_u == one) is_u = false;
+      if (fault == "fixed_u_tie_at_depth_7"_fault && depth == 7 && twice_u == one) is_u = false;
 
     unsigned digit = 1;
     if (is_w)
@@ -149,9 +92,9 @@ std::uint64_t recursion(const Bary<Int>& p, Level n, Reading reading, Fault faul
         if (reading == Reading::middle) std::swap(v, w);
         mid = !mid;
     }
-    if (digit == 3 && !(fault == Fault::top_flip_lost_at_depth_7 && depth == 7 && mid)) top = !top;
+    if (digit == 3 && !(fault == "top_flip_lost_at_depth_7"_fault && depth == 7 && mid)) top = !top;
   }
-  if (fault == Fault::one_triangle_of_level_9 && n == 9 && index == 262'142) return 262'141;
+  if (fault == "one_triangle_of_level_9"_fault && n == 9 && index == 262'142) return 262'141;
   return index;
 }
 
@@ -162,7 +105,7 @@ std::uint64_t vulkan(const Bary<Int>& p, Level n, Fault fault) {
   const auto inside = [&p](const Int& x) { return x < 0 ? Int(0) : x > p.one ? p.one : x; };
   Int scaled_u = inside(p.u) * Int(N), scaled_v = inside(p.v) * Int(N);
   if constexpr (std::is_same_v<Int, std::int64_t>)
-    if (fault == Fault::product_of_32_bits) {
+    if (fault == "product_of_32_bits"_fault) {
       const auto product = [N](Int x) {
         return Int{static_cast<std::int32_t>(static_cast<std::uint32_t>(x >> 6) *
                                              static_cast<std::uint32_t>(N))} *
@@ -174,9 +117,9 @@ std::uint64_t vulkan(const Bary<Int>& p, Level n, Fault fault) {
   auto iu = static_cast<std::uint64_t>(scaled_u / p.one), iv = static_cast<std::uint64_t>(scaled_v / p.one);
   const Int rest_u = scaled_u % p.one, rest_v = scaled_v % p.one;
   bool upper = rest_u + rest_v >= p.one;
-  if (fault == Fault::half_of_last_square && iu + iv == N - 2 && iu + 2 == iv)
+  if (fault == "half_of_last_square"_fault && iu + iv == N - 2 && iu + 2 == iv)
     upper = rest_u + rest_v > p.one;
-  if (fault == Fault::sum_in_binary32) {
+  if (fault == "sum_in_binary32"_fault) {
     const auto fraction = [&p](const Int& x) {
       return static_cast<float>(static_cast<double>(x) / static_cast<double>(p.one));
     };
@@ -184,8 +127,8 @@ std::uint64_t vulkan(const Bary<Int>& p, Level n, Fault fault) {
   }
 
   iu = std::min(iu, N - 1);
-  const std::uint64_t limit_v = fault == Fault::v_corner_not_limited && n == 9 ? N
-                                : fault == Fault::limit_in_binary32
+  const std::uint64_t limit_v = fault == "v_corner_not_limited"_fault && n == 9 ? N
+                                : fault == "limit_in_binary32"_fault
                                     ? static_cast<std::uint64_t>(static_cast<float>(N - 1))
                                     : N - 1;
   iv = std::min(iv, limit_v);
@@ -200,16 +143,16 @@ std::uint64_t vulkan(const Bary<Int>& p, Level n, Fault fault) {
     const std::uint64_t a = iu >> place & 1, b = iv >> place & 1, c = iw >> place & 1;
     const std::uint64_t b0 = 1 ^ a ^ c, t = (a ^ b) & b0;
     above = above << 1 | t;
-    const std::uint64_t reach = fault == Fault::parity_of_8_places    ? 0xFF
-                                : fault == Fault::parity_of_16_places ? 0xFFFF
-                                                                      : ~std::uint64_t{0};
+    const std::uint64_t reach = fault == "parity_of_8_places"_fault    ? 0xFF
+                                : fault == "parity_of_16_places"_fault ? 0xFFFF
+                                                                       : ~std::uint64_t{0};
     const std::uint64_t parity = static_cast<std::uint64_t>(__builtin_parityll(above & reach));
     index = 4 * index + b0 + 2 * (((parity ^ a) & (1 ^ b0)) | t);
   }
-  if (fault == Fault::v_corner_is_first && iv == N - 1) return 0;
-  if (fault == Fault::answer_of_16_bits) return index & 0xFFFF;
-  if (fault == Fault::answer_through_binary64) return static_cast<std::uint64_t>(static_cast<double>(index));
-  if (fault == Fault::low_digit_at_level_30 && n == 30 && iv > iu && upper) return index ^ 1;
+  if (fault == "v_corner_is_first"_fault && iv == N - 1) return 0;
+  if (fault == "answer_of_16_bits"_fault) return index & 0xFFFF;
+  if (fault == "answer_through_binary64"_fault) return static_cast<std::uint64_t>(static_cast<double>(index));
+  if (fault == "low_digit_at_level_30"_fault && n == 30 && iv > iu && upper) return index ^ 1;
   return index;
 }
 

@@ -46,7 +46,7 @@ class Exact : public Hand {
       points.clear();
       for (std::uint64_t t = 0; t < row.count; ++t) {
         GridPoint p = representative(row, t, grid);
-        if (fault == Fault::second_row_has_firsts_line && &row != rows.data() && row.kv % 4 == 1)
+        if (fault == "second_row_has_firsts_line"_fault && &row != rows.data() && row.kv % 4 == 1)
           p.v = coordinate(row.kv + 2, grid);
         points.push_back(p);
       }
@@ -57,7 +57,7 @@ class Exact : public Hand {
 
   std::uint32_t index(Level n, const RationalPoint& p) const {
     Bary<Integer> b = whole_numbers(p);
-    if ((fault == Fault::through_binary64_at_16 && n == 16) || fault == Fault::rationals_cut_to_8_bits) {
+    if ((fault == "through_binary64_at_16"_fault && n == 16) || fault == "rationals_cut_to_8_bits"_fault) {
       const int bits = n == 16 ? 53 : 8;
       b = {Integer((b.u << bits) / b.one), Integer((b.v << bits) / b.one), Integer(1) << bits};
     }
@@ -69,9 +69,9 @@ class Exact : public Hand {
   std::uint32_t at(const Bary<Int>& p, Level n) const {
     if (formula_) return static_cast<std::uint32_t>(vulkan(p, n, fault));
     Reading reading = reading_;
-    if (fault == Fault::as_printed || (fault == Fault::as_printed_from_level_6 && n >= 6))
+    if (fault == "as_printed"_fault || (fault == "as_printed_from_level_6"_fault && n >= 6))
       reading = Reading::printed;
-    if (fault == Fault::as_printed_up_to_level_4 && n <= 4) reading = Reading::printed;
+    if (fault == "as_printed_up_to_level_4"_fault && n <= 4) reading = Reading::printed;
     return static_cast<std::uint32_t>(recursion(p, n, reading, fault));
   }
 
@@ -80,11 +80,11 @@ class Exact : public Hand {
     if (row.empty()) return;
     Bary<std::int64_t> p = whole_numbers(row[0]);
     const std::int64_t stride = row.size() > 1 ? row[1].u.raw() - row[0].u.raw() : 0;
-    if (fault == Fault::cut_rows_start_anew && stride != 0) p.u %= stride;
+    if (fault == "cut_rows_start_anew"_fault && stride != 0) p.u %= stride;
     for (std::size_t t = 0; t < row.size(); ++t, p.u += stride) out[t] = at(p, n);
-    if (fault == Fault::tail_repeats && row.size() % 4 == 1 && row.size() > 1000)
+    if (fault == "tail_repeats"_fault && row.size() % 4 == 1 && row.size() > 1000)
       out[row.size() - 1] = out[row.size() - 2];
-    if (fault == Fault::skips_between_siblings && n >= 9)
+    if (fault == "skips_between_siblings"_fault && n >= 9)
       for (std::size_t t = 2; t < row.size(); t += 2)
         if (out[t] / 4 == out[t - 2] / 4) out[t - 1] = out[t - 2];
   }
@@ -109,7 +109,7 @@ class Wide : public Hand {
     const std::int64_t one = std::int64_t{4} << n;
     for (std::uint64_t t = 0; t < row.count; ++t) {
       std::int64_t ku = row.ku + static_cast<std::int64_t>(t) * row.stride;
-      if (fault == Fault::cut_rows_start_anew)
+      if (fault == "cut_rows_start_anew"_fault)
         ku = row.ku % row.stride + static_cast<std::int64_t>(t) * row.stride;
       out[t] = vulkan(Bary<std::int64_t>{ku, row.kv, one}, n, fault);
     }
@@ -136,8 +136,8 @@ class In32Bits : public Hand {
  private:
   template <class Int>
   std::uint32_t at(const Bary<Int>& p, Level n) const {
-    if (fault == Fault::low_half_of_wide) return static_cast<std::uint32_t>(vulkan(p, n, Fault::none));
-    if (fault == Fault::recursion_instead)
+    if (fault == "low_half_of_wide"_fault) return static_cast<std::uint32_t>(vulkan(p, n, Fault::none));
+    if (fault == "recursion_instead"_fault)
       return static_cast<std::uint32_t>(recursion(p, n, Reading::printed, Fault::none));
     const std::uint32_t N = std::uint32_t{1} << n;
     const Int scaled_u = p.u * N, scaled_v = p.v * N;
@@ -148,9 +148,9 @@ class In32Bits : public Hand {
     if (scaled_u % p.one + scaled_v % p.one >= p.one && s < N - 1) --iw;
     const std::uint32_t low = N - 1, b0 = ~(iu ^ iw) & low, t = (iu ^ iv) & b0;
     std::uint32_t f = t;
-    for (unsigned by = 1; by < (fault == Fault::parity_of_all_places ? 32 : 16); by *= 2) f ^= f >> by;
+    for (unsigned by = 1; by < (fault == "parity_of_all_places"_fault ? 32 : 16); by *= 2) f ^= f >> by;
     // Words of 17 bits do not fit the interleaving, whose lowest 32 bits are right without their highest.
-    const std::uint32_t kept = fault == Fault::parity_of_all_places ? 0xFFFF : low;
+    const std::uint32_t kept = fault == "parity_of_all_places"_fault ? 0xFFFF : low;
     return apart(b0 & kept) | apart((((f ^ iu) & ~b0) | t) & kept) << 1;
   }
   static std::uint32_t apart(std::uint32_t x) {
@@ -176,11 +176,11 @@ class RowOrder : public Hand {
     for (std::size_t t = 0; t < out.size(); ++t) {
       const std::uint32_t index = indices[t];
       auto root = static_cast<std::uint32_t>(std::sqrt(static_cast<float>(index)));
-      if (fault == Fault::errs_one_index_later && index <= last_float_square * last_float_square - 2)
+      if (fault == "errs_one_index_later"_fault && index <= last_float_square * last_float_square - 2)
         root = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(index)));
-      if (fault == Fault::root_is_low_at_squares && root * root == index && root == 1023) --root;
+      if (fault == "root_is_low_at_squares"_fault && root * root == index && root == 1023) --root;
       std::uint32_t column = index - root * root;
-      if (fault == Fault::one_column_off && n == 10 && index == 777'777) ++column;
+      if (fault == "one_column_off"_fault && n == 10 && index == 777'777) ++column;
       const auto vertex = [](std::uint32_t r, std::uint32_t c) { return spec::index::Vertex{r - c, c}; };
       const std::uint32_t half = column / 2;
       if (column % 2 == 0)
@@ -195,43 +195,42 @@ class RowOrder : public Hand {
     const std::int64_t one = std::int64_t{1} << 30, N = std::int64_t{1} << n;
     const auto row = std::min(N - 1, (u + v) * N / one);
     auto column = v * N / one, diagonal = (one - u) * N / one;
-    if (fault != Fault::column_not_limited) column = std::min(row, column);
-    if (fault != Fault::diagonal_not_limited) diagonal = std::min(N - 1, diagonal);
+    if (fault != "column_not_limited"_fault) column = std::min(row, column);
+    if (fault != "diagonal_not_limited"_fault) diagonal = std::min(N - 1, diagonal);
     auto square = row * row;
-    if (fault == Fault::row_squared_in_16_bits) square &= 0xFFFF;
+    if (fault == "row_squared_in_16_bits"_fault) square &= 0xFFFF;
     const auto index = square + column + (diagonal - (N - 1 - row));
-    if (fault == Fault::one_inverted_triangle && n == 8 && index == 40'001) return 40'000;
+    if (fault == "one_inverted_triangle"_fault && n == 8 && index == 40'001) return 40'000;
     return static_cast<std::uint32_t>(index);
   }
 };
 
-InsideFault steps(const char* law, const char* name, const char* wrong, Levels levels, Fault f,
+InsideFault steps(const char* law, const char* name, const char* wrong, Levels levels,
                   Reading reading = Reading::printed) {
-  return fault<Exact>(law, name, wrong, levels, reading, false, f);
+  return fault<Exact>(law, name, wrong, levels, reading, false, named(name));
 }
-InsideFault formula(const char* law, const char* name, const char* wrong, Levels levels, Fault f) {
-  return fault<Exact>(law, name, wrong, levels, Reading::printed, true, f);
+InsideFault formula(const char* law, const char* name, const char* wrong, Levels levels) {
+  return fault<Exact>(law, name, wrong, levels, Reading::printed, true, named(name));
 }
-InsideFault wide(const char* law, const char* name, const char* wrong, Levels levels, Fault f) {
-  return fault<Wide>(law, name, wrong, levels, f);
+InsideFault wide(const char* law, const char* name, const char* wrong, Levels levels) {
+  return fault<Wide>(law, name, wrong, levels, named(name));
 }
-InsideFault narrow(const char* law, const char* name, const char* wrong, Fault f) {
-  return fault<In32Bits>(law, name, wrong, {17, 17}, f);
+InsideFault narrow(const char* law, const char* name, const char* wrong) {
+  return fault<In32Bits>(law, name, wrong, {17, 17}, named(name));
 }
-InsideFault rows(const char* law, const char* name, const char* wrong, Levels levels, Fault f) {
-  return fault<RowOrder>(law, name, wrong, levels, f);
+InsideFault rows(const char* law, const char* name, const char* wrong, Levels levels) {
+  return fault<RowOrder>(law, name, wrong, levels, named(name));
 }
 
 InsideRows faults_of_step() {
   return {steps("paper.step_equals_reference", "turned_t_keeps_tie",
-                "from depth 5 on, T takes the tie on a middle triangle that is flipped at its top", {0, 10},
-                Fault::turned_t_keeps_tie),
+                "from depth 5 on, T takes the tie on a middle triangle that is flipped at its top", {0, 10}),
           steps("paper.step_equals_reference", "top_flip_lost_at_depth_7",
-                "at depth 7, T does not flip on a middle triangle", {0, 10}, Fault::top_flip_lost_at_depth_7),
+                "at depth 7, T does not flip on a middle triangle", {0, 10}),
           steps("paper.step_equals_reference", "w_tie_at_depth_8", "at depth 8, w = 1/2 is the w-corner's",
-                {0, 10}, Fault::w_tie_at_depth_8),
+                {0, 10}),
           steps("paper.step_equals_reference", "one_triangle_of_level_9",
-                "one index of level 9 is that of its neighbour", {0, 10}, Fault::one_triangle_of_level_9)};
+                "one index of level 9 is that of its neighbour", {0, 10})};
 }
 
 /// The three that follow the print where the appendix differs.
@@ -240,94 +239,80 @@ InsideRows faults_of_appendix() {
   for (const auto& [id, reading] : {std::pair{"paper.appendix_middle_differs", Reading::middle},
                                     std::pair{"paper.appendix_ties_differ", Reading::ties},
                                     std::pair{"paper.appendix_names_differ", Reading::names}}) {
-    all.push_back(steps(id, "as_printed", "it follows the print", {0, 7}, Fault::as_printed, reading));
-    all.push_back(steps(id, "as_printed_from_level_6", "it follows the print from level 6 on", {0, 7},
-                        Fault::as_printed_from_level_6, reading));
-    all.push_back(steps(id, "as_printed_up_to_level_4", "it follows the print up to level 4", {0, 7},
-                        Fault::as_printed_up_to_level_4, reading));
+    all.push_back(steps(id, "as_printed", "it follows the print", {0, 7}, reading));
+    all.push_back(
+        steps(id, "as_printed_from_level_6", "it follows the print from level 6 on", {0, 7}, reading));
+    all.push_back(
+        steps(id, "as_printed_up_to_level_4", "it follows the print up to level 4", {0, 7}, reading));
   }
   return all;
 }
 
 InsideRows faults_of_index() {
-  return {
-      steps("index.cells_decide", "line_moved_in_some_cells",
-            "in one parent of 64, the last line is a 64th off the grid's", {0, 16},
-            Fault::line_moved_in_some_cells),
-      steps("index.cells_decide", "through_binary64_at_16",
-            "at level 16, the point is rounded down to 53 bits", {0, 16}, Fault::through_binary64_at_16),
-      steps("index.cells_decide", "ties_of_odd_denominators",
-            "a tie is not seen where a denominator is no power of two", {0, 16},
-            Fault::ties_of_odd_denominators),
-      formula("index.fixed_is_rational", "product_of_32_bits",
-              "uN is formed in 32 bits of which 24 are the fraction's", {0, 8}, Fault::product_of_32_bits),
-      steps("index.fixed_is_rational", "rationals_cut_to_8_bits",
-            "rational points are rounded down to 8 bits", {8, 8}, Fault::rationals_cut_to_8_bits),
-      steps("index.fixed_is_rational", "fixed_u_tie_at_depth_7",
-            "at depth 7, fixed point leaves u = 1/2 to the middle", {0, 8}, Fault::fixed_u_tie_at_depth_7),
-      steps("index.sweep_is_spec", "tail_repeats",
-            "the last point of a row of more than 1000 gets the answer before it", {10, 10},
-            Fault::tail_repeats),
-      steps("index.sweep_is_spec", "cut_rows_start_anew",
-            "a row that is cut is answered from its uncut start", {0, 10}, Fault::cut_rows_start_anew),
-      steps("index.sweep_is_spec", "skips_between_siblings",
-            "from level 9 on, a point between two siblings is taken for the first", {0, 10},
-            Fault::skips_between_siblings),
-      formula("index.sweep_is_spec", "second_row_has_firsts_line",
-              "rows after the first lie half a line too high", {0, 10}, Fault::second_row_has_firsts_line)};
+  return {steps("index.cells_decide", "line_moved_in_some_cells",
+                "in one parent of 64, the last line is a 64th off the grid's", {0, 16}),
+          steps("index.cells_decide", "through_binary64_at_16",
+                "at level 16, the point is rounded down to 53 bits", {0, 16}),
+          steps("index.cells_decide", "ties_of_odd_denominators",
+                "a tie is not seen where a denominator is no power of two", {0, 16}),
+          formula("index.fixed_is_rational", "product_of_32_bits",
+                  "uN is formed in 32 bits of which 24 are the fraction's", {0, 8}),
+          steps("index.fixed_is_rational", "rationals_cut_to_8_bits",
+                "rational points are rounded down to 8 bits", {8, 8}),
+          steps("index.fixed_is_rational", "fixed_u_tie_at_depth_7",
+                "at depth 7, fixed point leaves u = 1/2 to the middle", {0, 8}),
+          steps("index.sweep_is_spec", "tail_repeats",
+                "the last point of a row of more than 1000 gets the answer before it", {10, 10}),
+          steps("index.sweep_is_spec", "cut_rows_start_anew",
+                "a row that is cut is answered from its uncut start", {0, 10}),
+          steps("index.sweep_is_spec", "skips_between_siblings",
+                "from level 9 on, a point between two siblings is taken for the first", {0, 10}),
+          formula("index.sweep_is_spec", "second_row_has_firsts_line",
+                  "rows after the first lie half a line too high", {0, 10})};
 }
 
 InsideRows faults_of_wide_index() {
-  return {wide("index.wide_equals_reference", "answer_of_16_bits", "digits above the eighth are lost", {0, 9},
-               Fault::answer_of_16_bits),
-          wide("index.wide_equals_reference", "parity_of_8_places", "the prefix XOR reaches over 8 places",
-               {0, 9}, Fault::parity_of_8_places),
-          wide("index.wide_equals_reference", "v_corner_not_limited", "at level 9, iv is N in the v-corner",
-               {0, 9}, Fault::v_corner_not_limited),
-          wide("index.wide_equals_reference", "half_of_last_square",
-               "in one square beside the hypotenuse's, the diagonal is the lower half's", {0, 9},
-               Fault::half_of_last_square),
-          wide("index.wide_equals_reference", "cut_rows_start_anew",
-               "a row that is cut is answered from its uncut start", {0, 9}, Fault::cut_rows_start_anew),
-          wide("index.wide_exact_on_floats", "parity_of_16_places", "the prefix XOR reaches over 16 places",
-               {17, 30}, Fault::parity_of_16_places),
-          wide("index.wide_exact_on_floats", "answer_through_binary64", "the index passes through binary64",
-               {27, 30}, Fault::answer_through_binary64),
-          wide("index.wide_exact_on_floats", "limit_in_binary32", "N-1 is rounded to binary32", {25, 30},
-               Fault::limit_in_binary32),
-          wide("index.wide_exact_on_floats", "sum_in_binary32",
-               "the sum of the fractions is rounded to binary32", {17, 30}, Fault::sum_in_binary32),
-          wide("index.wide_exact_on_floats", "low_digit_at_level_30",
-               "at level 30, upper halves have another lowest digit where iv > iu", {30, 30},
-               Fault::low_digit_at_level_30)};
+  return {
+      wide("index.wide_equals_reference", "answer_of_16_bits", "digits above the eighth are lost", {0, 9}),
+      wide("index.wide_equals_reference", "parity_of_8_places", "the prefix XOR reaches over 8 places",
+           {0, 9}),
+      wide("index.wide_equals_reference", "v_corner_not_limited", "at level 9, iv is N in the v-corner",
+           {0, 9}),
+      wide("index.wide_equals_reference", "half_of_last_square",
+           "in one square beside the hypotenuse's, the diagonal is the lower half's", {0, 9}),
+      wide("index.wide_equals_reference", "cut_rows_start_anew",
+           "a row that is cut is answered from its uncut start", {0, 9}),
+      wide("index.wide_exact_on_floats", "parity_of_16_places", "the prefix XOR reaches over 16 places",
+           {17, 30}),
+      wide("index.wide_exact_on_floats", "answer_through_binary64", "the index passes through binary64",
+           {27, 30}),
+      wide("index.wide_exact_on_floats", "limit_in_binary32", "N-1 is rounded to binary32", {25, 30}),
+      wide("index.wide_exact_on_floats", "sum_in_binary32", "the sum of the fractions is rounded to binary32",
+           {17, 30}),
+      wide("index.wide_exact_on_floats", "low_digit_at_level_30",
+           "at level 30, upper halves have another lowest digit where iv > iu", {30, 30})};
 }
 
 InsideRows faults_of_32_bits() {
   return {narrow("index.vulkan_ends_at_16", "parity_of_all_places",
-                 "the prefix XOR reaches over all places, and what does not fit is cut off",
-                 Fault::parity_of_all_places),
-          narrow("index.vulkan_ends_at_16", "low_half_of_wide", "it gives the low half of the right index",
-                 Fault::low_half_of_wide),
-          narrow("index.vulkan_ends_at_16", "recursion_instead", "it runs the recursion",
-                 Fault::recursion_instead)};
+                 "the prefix XOR reaches over all places, and what does not fit is cut off"),
+          narrow("index.vulkan_ends_at_16", "low_half_of_wide", "it gives the low half of the right index"),
+          narrow("index.vulkan_ends_at_16", "recursion_instead", "it runs the recursion")};
 }
 
 InsideRows faults_of_row_order() {
-  return {rows("paper.w_minor_holds_point", "column_not_limited", "the column is not limited to the row",
-               {0, 9}, Fault::column_not_limited),
-          rows("paper.w_minor_holds_point", "diagonal_not_limited", "the diagonal is not limited to N-1",
-               {0, 9}, Fault::diagonal_not_limited),
-          rows("paper.w_minor_holds_point", "row_squared_in_16_bits", "the row's square keeps 16 bits",
-               {0, 9}, Fault::row_squared_in_16_bits),
-          rows("paper.w_minor_holds_point", "one_inverted_triangle",
-               "one inverted triangle of level 8 is taken for its neighbour", {0, 9},
-               Fault::one_inverted_triangle),
-          rows("paper.w_minor_binary32_root_errs", "root_is_low_at_squares", "the root of 1023^2 is 1022",
-               {10, 13}, Fault::root_is_low_at_squares),
-          rows("paper.w_minor_binary32_root_errs", "errs_one_index_later",
-               "the first root that errs is one index later", {13, 13}, Fault::errs_one_index_later),
-          rows("paper.w_minor_binary32_root_errs", "one_column_off",
-               "one index of level 10 has the next column", {10, 13}, Fault::one_column_off)};
+  return {
+      rows("paper.w_minor_holds_point", "column_not_limited", "the column is not limited to the row", {0, 9}),
+      rows("paper.w_minor_holds_point", "diagonal_not_limited", "the diagonal is not limited to N-1", {0, 9}),
+      rows("paper.w_minor_holds_point", "row_squared_in_16_bits", "the row's square keeps 16 bits", {0, 9}),
+      rows("paper.w_minor_holds_point", "one_inverted_triangle",
+           "one inverted triangle of level 8 is taken for its neighbour", {0, 9}),
+      rows("paper.w_minor_binary32_root_errs", "root_is_low_at_squares", "the root of 1023^2 is 1022",
+           {10, 13}),
+      rows("paper.w_minor_binary32_root_errs", "errs_one_index_later",
+           "the first root that errs is one index later", {13, 13}),
+      rows("paper.w_minor_binary32_root_errs", "one_column_off", "one index of level 10 has the next column",
+           {10, 13})};
 }
 
 }  // namespace

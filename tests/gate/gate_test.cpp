@@ -8,6 +8,7 @@
 
 #include "delivery/gate/compare.hpp"
 #include "delivery/gate/contradictions.hpp"
+#include "tests/complaint.hpp"
 
 namespace {
 
@@ -233,12 +234,7 @@ TEST(Gate, TwoOfOneNameStayTwo) {
 
 template <class Read>
 std::string complaint(Read read) {
-  try {
-    read();
-  } catch (const NoResult& why) {
-    return why.what();
-  }
-  return "no complaint";
+  return mmverify::tests::complaint_of<NoResult>([&] { read(); }, "no complaint");
 }
 
 TEST(Gate, WhatIsNoBaseline) {

@@ -8,6 +8,7 @@
 #include "impl/array/change.hpp"
 #include "impl/array/container.hpp"
 #include "spec/array/api.hpp"
+#include "tests/complaint.hpp"
 
 namespace impl_array_test {
 
@@ -19,12 +20,7 @@ PackedMap two(Level level, const Bytes& bytes) { return {level, Format::two_stat
 
 template <class Call>
 std::string message_of(Call call) {
-  try {
-    call();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "nothing";
+  return mmverify::tests::complaint_of([&] { call(); }, "nothing");
 }
 
 TEST(Array, IsBuiltAsWorkedOutByHand) {

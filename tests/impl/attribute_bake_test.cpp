@@ -223,22 +223,6 @@ TEST(ImplAttributeBakeFloats, TheMiddleOfTwoNumbersIsTheExactOneRoundedToEven) {
   expect_middle(-0.0f, -0.0f, 0);
 }
 
-TEST(ImplAttributeBakeFloats, WhatIsSmallIsNotLostBesideWhatIsLarge) {
-  // Two texels cancel, the third is far below the last place of both.
-  PictureFloat picture(3, 1, 0);
-  picture.texels = {
-      {1e30f, 1e30f, 3e38f, 0}, {-1e30f, 1e-30f, -3e38f, -0.0f}, {1e-30f, -1e30f, 0x1p-149f, 0}};
-  const fast::AttributeBakerFloat baker(picture.view());
-  std::vector<fast::RgbaFloat> map(1);
-  // Along a line over six texels these weigh 1, 3, 5, 5, 3, 1: each of the three has a third.
-  EXPECT_EQ(baker.faces({{{0, 0.5f}, {1, 0.5f}, {2, 0.5f}}}, 0, map).exact, 1u);
-  EXPECT_EQ(map[0][0], 1e-30f / 3);
-  EXPECT_EQ(map[0][1], 1e-30f / 3);
-  EXPECT_EQ(bits(map[0][2]), 0u);
-  EXPECT_EQ(bits(map[0][3]), 0u);
-  expect_faces(picture, {{{0, 0}, {1, 0.5f}, {0, 1}}}, 3, {0, 1, 31, 32, 63});
-}
-
 TEST(ImplAttributeBakeFloats, RegionsOfOneTexelNeedNoWholeNumbers) {
   PictureFloat picture(32, 32, 0);
   for (std::uint32_t k = 0; k < 32 * 32; ++k)
@@ -326,34 +310,6 @@ TEST(ImplAttributeBake, RefusesWhatItCannotBake) {
                std::invalid_argument);
   std::vector<fast::Rgba16> map16(15);
   EXPECT_THROW(fast::AttributeBaker16(picture16.view()).faces(uv, 2, map16), std::invalid_argument);
-}
-
-TEST(ImplAttributeBake, MiddlesOf16BitsAreRoundedUp) {
-  // From code to code + 1 along u: in the middle of two texels, and over as much of both.
-  Picture16 picture(2, 1, 0);
-  for (const std::uint16_t code : std::array<std::uint16_t, 4>{0, 255, 32767, 65534}) {
-    const auto next = static_cast<std::uint16_t>(code + 1);
-    picture.texels = {{code, next, code, 0}, {next, code, code, 65535}};
-    const fast::AttributeBaker16 baker(picture.view());
-    const fast::Rgba16 middle{next, next, code, 32768};
-    std::vector<fast::Rgba16> map(3);
-    baker.vertices({{{0.5f, 0.5f}, {0.5f, 1.5f}, {0.5f, -4.5f}}}, 0, map);
-    EXPECT_EQ(map, std::vector<fast::Rgba16>(3, middle));
-    map.resize(1);
-    EXPECT_EQ(baker.faces({{{0.25f, 0}, {0.75f, 0}, {0.5f, 1}}}, 0, map).exact, 1u);
-    EXPECT_EQ(map[0], middle);
-  }
-}
-
-TEST(ImplAttributeBake, TheMeanOf16BitsOfNoDirectionIsTheSurfacesOwn) {
-  Picture16 picture(2, 1, 0);
-  picture.texels = {{0, 65535, 0, 7}, {65535, 0, 65535, 7}};
-  const fast::BaseTriangle uv{{{0.5f, 0.5f}, {0.5f, 1.5f}, {0.5f, -4.5f}}};
-  std::vector<fast::Rgba16> map(3);
-  fast::AttributeBaker16(picture.view(), {.meaning = fast::Meaning::normal}).vertices(uv, 0, map);
-  EXPECT_EQ(map[0], (fast::Rgba16{32768, 32768, 65535, 7}));
-  fast::AttributeBaker16(picture.view(), {.meaning = fast::Meaning::normal_and_length}).vertices(uv, 0, map);
-  EXPECT_EQ(map[0], (fast::Rgba16{32768, 32768, 65535, 0}));
 }
 
 TEST(ImplAttributeBake, APitchSkipsWhatIsBetweenRows) {

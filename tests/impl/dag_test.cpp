@@ -9,6 +9,7 @@
 
 #include "impl/dag/container.hpp"
 #include "spec/dag/words.hpp"
+#include "tests/complaint.hpp"
 #include "tests/impl/largest_allocation.hpp"
 
 namespace impl_dag_test {
@@ -34,12 +35,7 @@ Bytes with(Bytes bytes, std::size_t at, std::uint32_t word) {
 }
 
 std::string complaint(const Bytes& bytes) {
-  try {
-    load(bytes);
-  } catch (const BadContainer& bad) {
-    return bad.what();
-  }
-  return "none";
+  return mmverify::tests::complaint_of<BadContainer>([&] { load(bytes); });
 }
 
 Dag example() {

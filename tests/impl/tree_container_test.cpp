@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "impl/tree/container.hpp"
+#include "tests/complaint.hpp"
 #include "tests/impl/largest_allocation.hpp"
 #include "tests/tree_cases.hpp"
 
@@ -42,12 +43,7 @@ Bytes sealed(Bytes bytes) {
 }
 
 std::string complaint(const Bytes& bytes) {
-  try {
-    read(bytes);
-  } catch (const BadContainer& bad) {
-    return bad.what();
-  }
-  return "none";
+  return complaint_of<BadContainer>([&] { read(bytes); });
 }
 
 const Bytes header_flat{'m', 'm', 't', 'r', 1, 2, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0};

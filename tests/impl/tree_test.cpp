@@ -1,4 +1,4 @@
-// impl/tree/stream.hpp and impl/tree/tree.hpp against the flat map, the exact specification and trees by hand.
+// impl/tree/tree.hpp where no law goes: every pair of depths, counts of every size, spans of every length, memory.
 #include "impl/tree/tree.hpp"
 
 #include <gtest/gtest.h>
@@ -9,15 +9,10 @@
 #include <numeric>
 #include <random>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
-#include "impl/index/index.hpp"
-#include "impl/tree/container.hpp"
 #include "impl/tree/layout.hpp"
 #include "impl/tree/stream.hpp"
-#include "spec/fixed.hpp"
-#include "spec/tree/tree.hpp"
 #include "tests/impl/every_target.hpp"
 #include "tests/sanitized.hpp"
 #include "tests/tree_cases.hpp"
@@ -26,106 +21,9 @@ namespace impl_tree_test {
 
 using namespace mmverify::impl::tree;
 using namespace mmverify::tests;
-namespace spec = mmverify::spec;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr Format both[] = {Format::two_state, Format::four_state};
-
-std::vector<bool> bits_of(const Bytes& bytes, std::uint64_t count) {
-  std::vector<bool> bits;
-  for (std::uint64_t t = 0; t < count; ++t) bits.push_back((bytes[t / 8] >> (t % 8) & 1) != 0);
-  return bits;
-}
-
-spec::tree::Succinct specified(const States& states, Level n) {
-  std::vector<spec::micromap::State> map;
-  for (const std::uint8_t state : states) map.push_back(static_cast<spec::micromap::State>(state));
-  return spec::tree::encode(map, n);
-}
-
-// The stream is the specification's, bit for bit.
-void expect_specified(const States& states, Level n, Format b, const Stream& s) {
-  const spec::tree::Succinct expected = specified(states, n);
-  ASSERT_EQ(s.nodes, expected.tree.size());
-  ASSERT_EQ(s.leaves, expected.data.size());
-  const auto format =
-      b == Format::two_state ? spec::micromap::Format::two_state : spec::micromap::Format::four_state;
-  Bytes all = s.tree;
-  all.insert(all.end(), s.data.begin(), s.data.end());
-  ASSERT_EQ(all, spec::tree::bytes(expected, format));
-}
-
-// Every form gives the map back, and each of its states.
-void expect_all_forms(const States& states, Level n, Format b) {
-  const Bytes map = packed(states, b);
-  Bytes out(map.size(), 0xee);
-  const Stream s = encode_stream(n, b, map);
-  ASSERT_TRUE(decode_stream(n, b, s, out));
-  ASSERT_EQ(out, map);
-
-  const Tree tree = Tree::encode(n, b, map);
-  out.assign(map.size(), 0xee);
-  tree.decode(out);
-  ASSERT_EQ(out, map);
-  ASSERT_EQ(tree.level(), n);
-  ASSERT_EQ(tree.format(), b);
-
-  std::vector<std::uint32_t> index(states.size());
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    index[k] = static_cast<std::uint32_t>(k);
-    ASSERT_EQ(lookup_stream(n, b, s, k), states[k]) << "index " << k;
-    ASSERT_EQ(tree[k], states[k]) << "index " << k;
-  }
-  States found(states.size(), 0xee);
-  tree.lookup(index, found);
-  ASSERT_EQ(found, states);
-
-  ASSERT_EQ(read(write(n, b, map)).map, map);
-}
-
-// -----------------------------------------------------------------------------------------------------------
-// By hand
-// -----------------------------------------------------------------------------------------------------------
-
-TEST(ImplTree, WorkedExample) {
-  const Bytes map = packed(by_hand, Format::four_state);
-  EXPECT_EQ(map, (Bytes{0b01010101, 0b01000000, 0b10101010, 0b11111101}));
-  const Stream s = encode_stream(2, Format::four_state, map);
-  EXPECT_EQ(s.nodes, 13u);
-  EXPECT_EQ(s.leaves, 10u);
-  EXPECT_EQ(s.tree, (Bytes{0b00000101, 0b00000001}));
-  EXPECT_EQ(s.data, (Bytes{0b00000001, 0b11011001, 0b00001111}));
-  EXPECT_EQ(bits_of(s.tree, 13), (std::vector<bool>{true, false, true, false, false, false, false, false,
-                                                    true, false, false, false, false}));
-  expect_all_forms(by_hand, 2, Format::four_state);
-  expect_specified(by_hand, 2, Format::four_state, s);
-}
-
-TEST(ImplTree, UniformMapIsOneLeaf) {
-  for (const Format b : both)
-    for (Level n = 0; n <= 6; ++n)
-      for (std::uint8_t state = 0; state < 2 * width(b); ++state) {
-        const Stream s = encode_stream(n, b, packed(States(micro_triangles(n), state), b));
-        EXPECT_EQ(s, (Stream{{0}, {state}, 1, 1}));
-      }
-}
-
-TEST(ImplTree, PaddingBitsAreIgnoredAndWrittenAsZeros) {
-  // Level 1, two states: four bits of eight; level 0: one or two of eight.
-  EXPECT_EQ(encode_stream(1, Format::two_state, Bytes{0xf5}),
-            encode_stream(1, Format::two_state, Bytes{0x05}));
-  EXPECT_EQ(encode_stream(0, Format::two_state, Bytes{0xfe}), (Stream{{0}, {0}, 1, 1}));
-  EXPECT_EQ(encode_stream(0, Format::four_state, Bytes{0xfe}), (Stream{{0}, {2}, 1, 1}));
-  Bytes out(1);
-  Tree::encode(1, Format::two_state, Bytes{0xf5}).decode(out);
-  EXPECT_EQ(out, Bytes{0x05});
-  Tree::encode(0, Format::four_state, Bytes{0xfe}).decode(out);
-  EXPECT_EQ(out, Bytes{0x02});
-}
-
-// -----------------------------------------------------------------------------------------------------------
-// Samples
-// -----------------------------------------------------------------------------------------------------------
 
 // No form has more than 2^25 nodes; a quotient that only grows is right where it is right at each end.
 TEST(ImplTree, TheWordOfANodeIsAQuotient) {
@@ -251,58 +149,6 @@ TEST(ImplTree, SpansEqualTheSingleLookupAtEveryLength) {
       for (std::size_t k = 0; k < count; ++k) ASSERT_EQ(found[k], maps[one][index[k]]);
     }
   });
-}
-
-// -----------------------------------------------------------------------------------------------------------
-// The largest
-// -----------------------------------------------------------------------------------------------------------
-
-// No two siblings alike: the paper's figure 10, every node internal.
-TEST(ImplTree, WorstCaseOfEveryLevel) {
-  for (const Format b : both)
-    for (Level n = 0; n <= max_level; ++n) {
-      States states(micro_triangles(n));
-      for (std::size_t k = 0; k < states.size(); ++k)
-        states[k] = static_cast<std::uint8_t>(k & (width(b) == 1 ? 1 : 3));
-      const Bytes map = packed(states, b);
-      const Stream s = encode_stream(n, b, map);
-      // 1 + 4 + ... + 4^n nodes.
-      ASSERT_EQ(s.nodes, (micro_triangles(n + 1) - 1) / 3) << n;
-      ASSERT_EQ(s.leaves, micro_triangles(n)) << n;
-      Bytes out(map.size());
-      ASSERT_TRUE(decode_stream(n, b, s, out));
-      ASSERT_EQ(out, map);
-      const Tree tree = Tree::encode(n, b, map);
-      out.assign(map.size(), 0xee);
-      tree.decode(out);
-      ASSERT_EQ(out, map);
-      if (n >= 6) {
-        EXPECT_LE(tree.bits(), s.nodes + s.leaves * width(b)) << n;
-      }
-      const std::uint64_t stride = n < 8 ? 1 : 4093;
-      for (std::uint64_t k = 0; k < states.size(); k += stride)
-        ASSERT_EQ(tree[k], states[k]) << n << ' ' << k;
-      ASSERT_EQ(tree[states.size() - 1], states.back());
-      EXPECT_EQ(lookup_stream(n, b, s, states.size() - 1), states.back());
-      EXPECT_EQ(write(n, b, map).size(), container_header + (n == 0 ? 1 : map.size()));
-    }
-}
-
-TEST(ImplTree, LevelTwelveOfRuns) {
-  for (const Format b : both)
-    for (const std::uint64_t longest : {30u, 3000u}) {
-      const States states = runs(12, b, longest, 3);
-      const Bytes map = packed(states, b);
-      Bytes out(map.size());
-      ASSERT_TRUE(decode_stream(12, b, encode_stream(12, b, map), out));
-      ASSERT_EQ(out, map);
-      const Tree tree = Tree::encode(12, b, map);
-      out.assign(map.size(), 0xee);
-      tree.decode(out);
-      ASSERT_EQ(out, map);
-      for (std::uint64_t k = 0; k < states.size(); k += 61) ASSERT_EQ(tree[k], states[k]) << k;
-      ASSERT_EQ(read(write(12, b, map)).map, map);
-    }
 }
 
 }  // namespace impl_tree_test

@@ -11,6 +11,7 @@
 
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/kinds.hpp"
+#include "tests/complaint.hpp"
 #include "tests/folder.hpp"
 #include "tests/proofs/counting_law.hpp"
 #include "tests/sanitized.hpp"
@@ -28,12 +29,7 @@ void write(const fs::path& file, const std::string& text) {
 }
 
 std::string refusal(const fs::path& file, const Identity& ours = identity) {
-  try {
-    const Journal journal(file, ours);
-  } catch (const BadJournal& why) {
-    return why.what();
-  }
-  return {};
+  return complaint_of<BadJournal>([&] { const Journal journal(file, ours); }, "");
 }
 
 Report journaled(const Law& law, const SubjectPtr& subject, const fs::path& file, unsigned threads = 2) {

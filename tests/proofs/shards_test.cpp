@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/complaint.hpp"
 #include "tests/proofs/counting_law.hpp"
 
 namespace {
@@ -47,12 +48,7 @@ Report merged(std::vector<ShardRun> shards, Method method = Method::exhaustive) 
 }
 
 std::string complaint(std::vector<ShardRun> shards) {
-  try {
-    merged(std::move(shards));
-  } catch (const ShardsDoNotAddUp& why) {
-    return why.what();
-  }
-  return {};
+  return complaint_of<ShardsDoNotAddUp>([&] { merged(std::move(shards)); }, "");
 }
 
 class Shards : public testing::Test {

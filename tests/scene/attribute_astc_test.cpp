@@ -15,6 +15,7 @@
 #include "scene/attribute/reduced_texture.hpp"
 #include "scene/write/png.hpp"
 #include "subjects/program/program.hpp"
+#include "tests/complaint.hpp"
 #include "tests/environment.hpp"
 #include "tests/folder.hpp"
 
@@ -281,12 +282,8 @@ ColourImage waves(std::uint32_t width, std::uint32_t height) {
 TEST(AstcEncoder, MissingIsSaidWithItsPackage) {
   const Folder empty;
   const Environment path("PATH", empty.path());
-  try {
-    astc_coder({});
-    FAIL();
-  } catch (const NoProgram& error) {
-    EXPECT_STREQ(error.what(), "--astc needs astcenc, which is not here: install the Debian package astcenc");
-  }
+  EXPECT_EQ(mmverify::tests::complaint_of<NoProgram>([&] { astc_coder({}); }),
+            "--astc needs astcenc, which is not here: install the Debian package astcenc");
 }
 
 /// A program astcenc that is this script, on a PATH of its own; what it leaves in the folder of temporary files.

@@ -11,6 +11,7 @@
 #include "bench/scene/bc7enc.hpp"
 #include "scene/write/png.hpp"
 #include "subjects/program/program.hpp"
+#include "tests/complaint.hpp"
 #include "tests/environment.hpp"
 #include "tests/folder.hpp"
 
@@ -29,12 +30,8 @@ using testing::HasSubstr;
 TEST(Bc7Encoder, MissingIsSaidWithItsPackage) {
   const Folder empty;
   const Environment path("PATH", empty.path());
-  try {
-    bc7_coder({});
-    FAIL();
-  } catch (const NoProgram& error) {
-    EXPECT_THAT(error.what(), HasSubstr("npm install -g @gpu-tex-enc/bc"));
-  }
+  EXPECT_THAT(mmverify::tests::complaint_of<NoProgram>([&] { bc7_coder({}); }),
+              HasSubstr("npm install -g @gpu-tex-enc/bc"));
 }
 
 /// What is said of 8 x 8 texels by an encoder that is this script.

@@ -9,6 +9,7 @@
 
 #include "scene/plan/plan.hpp"
 #include "scene/read/bad_scene.hpp"
+#include "tests/complaint.hpp"
 #include "tests/scene/gltf_file.hpp"
 
 namespace mmverify::scene {
@@ -28,12 +29,7 @@ class SceneFolder : public testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << bytes;
   }
   std::string complaint() {
-    try {
-      load_textures(folder_.string());
-    } catch (const BadScene& error) {
-      return error.what();
-    }
-    return {};
+    return mmverify::tests::complaint_of<BadScene>([&] { load_textures(folder_.string()); }, "");
   }
 
   fs::path folder_;

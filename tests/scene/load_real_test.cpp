@@ -4,6 +4,7 @@
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/load.hpp"
 #include "scene/read/triangles.hpp"
+#include "tests/complaint.hpp"
 #include "tests/folder.hpp"
 
 namespace {
@@ -67,12 +68,7 @@ TEST(SceneLoad, TheTwoBadScenes) {
   if (!fs::exists(helmet) || !fs::exists(tokyo))
     GTEST_SKIP() << "there is no " << helmet << " or no " << tokyo;
   const auto message = [](const std::string& file) -> std::string {
-    try {
-      load(file);
-    } catch (const BadScene& bad) {
-      return bad.what();
-    }
-    return "loaded";
+    return complaint_of<BadScene>([&] { load(file); }, "loaded");
   };
   EXPECT_EQ(message(helmet),
             helmet +

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "tests/complaint.hpp"
 #include "tests/scene/loaded_scene.hpp"
 
 namespace {
@@ -315,12 +316,7 @@ TEST(SceneLoad, FilesOutOfTheFolder) {
     const bool buffer = std::string_view(kind) == "buffers";
     const fs::path path = folder / (buffer ? "leaf.gltf" : "leaf.glb");
     GltfFile::write(path, buffer ? file.json.dump() : file.glb());
-    try {
-      load(path);
-    } catch (const BadScene& bad) {
-      return bad.what();
-    }
-    return "loaded";
+    return complaint_of<BadScene>([&] { load(path); }, "loaded");
   };
   for (const char* kind : {"buffers", "images"}) {
     const std::string name = kind == std::string_view("buffers") ? "secret" : "secret.png";

@@ -3,6 +3,7 @@
 
 #include "subjects/source/encode/encode.hpp"
 #include "subjects/source/program.hpp"
+#include "tests/complaint.hpp"
 
 namespace mmverify::source {
 namespace {
@@ -29,12 +30,7 @@ TEST(SourceProgram, IsItsText) {
 
 TEST(SourceProgram, WhatIsNoneIsNamed) {
   const auto why = [](const std::string& text) -> std::string {
-    try {
-      read_program(text);
-    } catch (const BadProgram& error) {
-      return error.what();
-    }
-    return "taken";
+    return mmverify::tests::complaint_of<BadProgram>([&] { read_program(text); }, "taken");
   };
   EXPECT_EQ(why("input_u f32\n"), "it has no result");
   EXPECT_EQ(why("input_u f32\nresult 0\n"), "line 2: no word's number");
@@ -52,12 +48,10 @@ TEST(SourceProgram, WhatIsNoneIsNamed) {
 TEST(SourceProgram, ADivisionThatHasNoFormulaIsNamedWithItsPlace) {
   const Program program =
       read_program("input_u f32\ninput_v f32\nfdiv f32 0 1 @ mine.c:12\nfptoui i32 2\nresult 3\n");
-  try {
-    encode(program, {false, 120, 120}, {false, 0, 90}, "u", "v");
-    FAIL();
-  } catch (const NotEncoded& why) {
-    EXPECT_STREQ(why.what(), "mine.c:12: fdiv: by what is no power of two");
-  }
+  EXPECT_EQ(mmverify::tests::complaint_of<NotEncoded>([&] {
+              encode(program, {false, 120, 120}, {false, 0, 90}, "u", "v");
+            }),
+            "mine.c:12: fdiv: by what is no power of two");
 }
 
 TEST(SourceProgram, WhatNeverHappensIsNoCause) {

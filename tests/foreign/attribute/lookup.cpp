@@ -275,7 +275,6 @@ std::uint32_t interpolated(VertexOrder order, Level n, std::span<const std::uint
     for (std::size_t k = 0; k < 3; ++k) {
       const double code = map[x[k]] >> 8 * c & 0xff;
       double share = static_cast<double>(w[k]);
-      if (wrong == rgba8_weights_of_8_bits) share = std::round(share * 256) / 256;
       if (wrong == rgba8_weights_of_10_bits) share = std::round(share * 1024) / 1024;
       sum += share * code;
     }

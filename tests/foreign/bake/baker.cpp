@@ -163,10 +163,7 @@ class Baker {
                               (has(last_is_known) && level >= 4 && k == last) ||
                               (has(one_is_known) && level == 5 && k == 777);
       if (made_known) s -= 2;
-      const std::uint32_t w = case_.width;
-      if ((has(known_when_wide_32) && w > 32) || (has(known_when_wide_64) && w > 64) ||
-          (has(known_when_wide_256) && w > 256))
-        s = opaque;
+      if (has(known_when_wide_256) && case_.width > 256) s = opaque;
       if (has(known_when_high_32) && case_.height > 32) s = transparent;
     } else {
       const bool made_unknown = (has(last_is_unknown) && level >= 4 && k == last) ||

@@ -12,7 +12,6 @@ unsigned Sampled<T>::nearest_signs(const std::vector<Point<T>>& polygon, const F
   unsigned seen = 0;
   Index last = box.bottom;
   if (has(rows_up_to_256)) last = std::min(last, box.top + 255);
-  if (has(rows_up_to_16)) last = std::min(last, box.top + 15);
   for (Index j = box.top; j <= last; ++j) {
     // the strip j <= y < j + 1; the first and last distinct rows have no end
     const bool has_low = j > rows_.low, has_high = j < rows_.high;

@@ -59,7 +59,6 @@ unsigned Sampled<T>::rough_signs(const std::vector<Point<T>>& polygon, const Fie
   spend(box.bottom - box.top);
   Index last = box.bottom;
   if (has(rows_up_to_256)) last = std::min(last, box.top + 255);
-  if (has(rows_up_to_16)) last = std::min(last, box.top + 15);
   for (std::size_t e = 0; e < p.size(); ++e) {
     const Point<double>&a = p[e], &b = p[(e + 1) % p.size()];
     const double dx = b.x - a.x, dy = b.y - a.y;

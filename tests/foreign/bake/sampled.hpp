@@ -81,8 +81,6 @@ class Sampled {
       y = y < 0 ? (j + origin_[1] < 0 ? 0 : mip_.height - 1) : y;
     }
     if (has(column_in_8_bits)) x &= 255;
-    if (has(column_in_6_bits)) x &= 63;
-    if (has(column_in_5_bits)) x &= 31;
     if (has(row_in_5_bits)) y &= 31;
     if (has(rows_from_bottom)) y = mip_.height - 1 - y;
     Index offset = y * (has(stride_is_height) ? mip_.height : mip_.width) + x;

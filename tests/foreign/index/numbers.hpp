@@ -56,8 +56,7 @@ Scaled<Real> scaled(Word level, Real x) {
   const auto whole = static_cast<Word>(xn);
   Scaled<Real> s{whole, xn - static_cast<Real>(whole)};
   if constexpr (std::is_same_v<Real, float>) {
-    if (!rows && has(shift_in_5_bits)) s.whole = shifted(x, level, 5);
-    if (has(rows ? rows_shift_in_6_bits : shift_in_6_bits)) s.whole = shifted(x, level, 6);
+    if (rows && has(rows_shift_in_6_bits)) s.whole = shifted(x, level, 6);
     if (!rows && has(shift_in_7_bits)) s.whole = shifted(x, level, 7);
   }
   return s;

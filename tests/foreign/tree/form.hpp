@@ -27,7 +27,6 @@ inline std::size_t data_begins(std::size_t tree_bits, unsigned level) {
 
 inline std::size_t code_size_of(std::size_t tree_bits, std::size_t data_bits, unsigned level) {
   std::size_t size = bytes_of(data_begins(tree_bits, level) + data_bits);
-  if (has(form_a_spare_byte) && level >= 2 && data_bits % 8 == 0) ++size;
   if (has(form_a_spare_byte_from_level_5) && level >= 5 && data_bits % 8 == 0) ++size;
   if (has(form_data_of_whole_words) && level >= 3)
     size = bytes_of(tree_bits) + (bytes_of(data_bits) + 3) / 4 * 4;

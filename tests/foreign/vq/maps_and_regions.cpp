@@ -97,7 +97,6 @@ void regions(const Format& f, StateAt state_at, const std::uint8_t* block, const
   Place last{-1, -1};
   for (std::size_t k = 0; k < count; ++k) {
     std::size_t from = k;
-    if (has(region_batch_over_256)) from = k & 255u;
     if (has(region_batch_over_1024)) from = k & 1023u;
     auto [i, j] = by_cached_vector(f, {static_cast<int>(x[from]), static_cast<int>(y[from])}, last, k == 0);
     // Rows are expected in order.
