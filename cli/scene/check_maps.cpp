@@ -139,7 +139,11 @@ std::optional<proofs::scene::Cause> cause_of(const CheckMapsOptions& options, co
   const Buffers buffers(document);
   proofs::scene::Judged judged{scene, maps, options.margin, options.states == 2};
   judged.uvs = [&](const Primitive& primitive, const BaseColorTexture& texture) {
-    return read_uvs(document, buffers, primitive, texture);
+    try {
+      return read_uvs(document, buffers, primitive, texture);
+    } catch (const BadScene&) {
+      return std::vector<Uv>();  // that set, or these UVs, cannot be read: no baker took them
+    }
   };
   return proofs::scene::cause_of(judged);
 }
@@ -225,7 +229,8 @@ int check_maps(const CheckMapsOptions& options) {
   const proofs::Report report = run_jobs(laws.jobs, run, [&](const proofs::Result& r) { text.add(r); });
   text.finish(report, false);
   std::string cause_json;
-  if (std::any_of(report.results.begin(), report.results.end(),
+  if (!report.interrupted &&
+      std::any_of(report.results.begin(), report.results.end(),
                   [](const proofs::Result& r) { return r.verdict == proofs::Verdict::refuted; })) {
     const std::optional<proofs::scene::Cause> cause = cause_of(options, scene, maps);
     print_cause(out, cause);

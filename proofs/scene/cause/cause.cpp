@@ -7,6 +7,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "proofs/engine/interrupt.hpp"
@@ -24,6 +26,8 @@ using mmverify::scene::VertexOrder;
 /// A change is tried on so many triangles, of so many micro-triangles in all; the best one is then judged by all.
 constexpr std::size_t most_tried = 64;
 constexpr std::uint64_t most_micro_triangles = std::uint64_t{1} << 18;
+/// Micro-triangles of the triangles that are looked at, at most; beyond it every n-th triangle is.
+constexpr std::uint64_t most_looked_at = std::uint64_t{1} << 24;
 /// A change has to agree with so many known states: few states fit many changes by chance.
 constexpr std::uint64_t least_equal = 8;
 
@@ -36,13 +40,14 @@ struct Candidate {
 class Search {
  public:
   explicit Search(const Judged& judged) : judged_(judged), inputs_(inputs_of(judged)) {
-    for (std::size_t k = 0; k < judged.maps.links.size(); ++k) all_.push_back(k);
-    stored_ = stored(all_);
-    right_ = expected(judged, inputs_, all_);
+    find_distinct();
+    const std::vector<States> right = expected(judged, inputs_, all_);
     for (std::size_t k = 0; k < all_.size(); ++k) {
-      fits_.push_back(fit(stored_[k], right_[k]));
-      as_stored_ += fits_.back();
-      wrong_ += fits_.back().wrong + fits_.back().needless != 0 ? 1 : 0;
+      stored_[all_[k]] = states_of(judged.maps.baked.triangles[all_[k]]);
+      right_[all_[k]] = right[k];
+      const Fit here = fits_[all_[k]] = fit(stored_[all_[k]], right[k]);
+      as_stored_ += here;
+      wrong_ += here.wrong + here.needless != 0 ? times_[all_[k]] : 0;
     }
     choose();
   }
@@ -63,10 +68,25 @@ class Search {
   }
 
  private:
-  std::vector<States> stored(const std::vector<std::size_t>& triangles) const {
-    std::vector<States> all;
-    for (const std::size_t k : triangles) all.push_back(states_of(judged_.maps.baked.triangles[k]));
-    return all;
+  /// Finds the triangles to look at: one of those that have equal UVs, surface and map.
+  void find_distinct() {
+    const auto& links = judged_.maps.links;
+    std::map<std::tuple<mmverify::scene::UvTriangle, std::uint32_t, std::size_t, std::size_t,
+                        std::optional<std::uint64_t>, Level>,
+             std::size_t>
+        seen;
+    std::vector<std::size_t> distinct;
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      const auto& planned = judged_.maps.plan.triangles[k];
+      const auto [at, is_new] = seen.try_emplace(
+          {planned.uvs, planned.surface, links[k].primitive, links[k].array, links[k].record, level(k)}, k);
+      if (is_new) distinct.push_back(k);
+      ++times_[at->second];
+    }
+    std::uint64_t micro_triangles = 0;
+    for (const std::size_t k : distinct) micro_triangles += impl::micromap::micro_triangles(level(k));
+    const std::uint64_t step = 1 + (micro_triangles - 1) / most_looked_at;
+    for (std::size_t k = 0; k < distinct.size(); k += step) all_.push_back(distinct[k]);
   }
 
   Level level(std::size_t k) const { return judged_.maps.baked.triangles[k].level; }
@@ -74,7 +94,7 @@ class Search {
   /// Chooses the triangles that changes are tried on: three wrong ones for a right one.
   void choose() {
     std::vector<std::size_t> wrong, right;
-    for (std::size_t k = 0; k < all_.size(); ++k)
+    for (const std::size_t k : all_)
       (fits_[k].wrong + fits_[k].needless + fits_[k].side != 0 ? wrong : right).push_back(k);
     std::uint64_t micro_triangles = 0;
     const auto take = [&](const std::vector<std::size_t>& from, std::size_t most) {
@@ -105,13 +125,13 @@ class Search {
     std::map<std::size_t, std::array<Sum, 2>> of_primitive;
     for (std::size_t k = 0; k < triangles.size(); ++k) {
       auto& [now, changed] = of_primitive[judged_.maps.links[triangles[k]].primitive];
-      const Fit& was = fits_[triangles[k]];
+      const Fit& was = fits_.at(triangles[k]);
       const Fit is = fit(maps.stored[k], maps.expected[k]);
       now.fit += was;
       now.all_right = now.all_right && was.is_right();
       changed.fit += is;
       changed.all_right = changed.all_right && is.wrong == 0;
-      changed.explained += was.wrong + was.needless != 0 && is.wrong == 0 ? 1 : 0;
+      changed.explained += was.wrong + was.needless != 0 && is.wrong == 0 ? times_.at(triangles[k]) : 0;
     }
     Sum all;
     for (const auto& [primitive, both] : of_primitive) {
@@ -133,13 +153,21 @@ class Search {
 
   Fit as_stored(const std::vector<std::size_t>& triangles) const {
     Fit all;
-    for (const std::size_t k : triangles) all += fits_[k];
+    for (const std::size_t k : triangles) all += fits_.at(k);
     return all;
   }
 
   /// Tries a change; keeps it if it explains all triangles, better than those before.
   void attempt(const std::string& code, const std::string& says, const Make& make) {
     if (interrupted()) throw Interrupted();
+    try {
+      attempt_within_domain(code, says, make);
+    } catch (const std::invalid_argument&) {
+      // The changed UVs, or factors, are beyond what can be baked: no baker made these maps so.
+    }
+  }
+
+  void attempt_within_domain(const std::string& code, const std::string& says, const Make& make) {
     const Sum here = sum(tried_, make(tried_));
     if (!explains(here, as_stored(tried_))) return;
     if (best_ != nullptr && !(here.fit < tried_fit_)) return;
@@ -149,10 +177,10 @@ class Search {
     best_ = std::make_unique<Candidate>(Candidate{{code, says, 0, everywhere.explained}, everywhere.fit});
   }
 
-  std::vector<States> picked(const std::vector<States>& from,
+  std::vector<States> picked(const std::map<std::size_t, States>& from,
                              const std::vector<std::size_t>& triangles) const {
     std::vector<States> some;
-    for (const std::size_t k : triangles) some.push_back(from[k]);
+    for (const std::size_t k : triangles) some.push_back(from.at(k));
     return some;
   }
 
@@ -182,7 +210,7 @@ class Search {
           fits[turn] = fit(turns[turn], maps.expected[k]);
           if (fits[turn] < fits[best]) best = turn;
         }
-        ++counts[best];
+        counts[best] += times_[triangles[k]];
         maps.stored.push_back(turns[best]);
       }
       return maps;
@@ -204,7 +232,6 @@ class Search {
     for (const LinkChange& change : link_changes(judged_))
       attempt(change.code, change.says, [&](const std::vector<std::size_t>& triangles) {
         Maps maps;
-        std::vector<std::size_t> other_levels;
         for (const std::size_t k : triangles) {
           maps.stored.push_back(change.maps[k] ? states_of(*change.maps[k]) : stored_[k]);
           maps.expected.push_back(right_at(k, change.maps[k] ? change.maps[k]->level : level(k)));
@@ -252,7 +279,7 @@ class Search {
     std::vector<std::pair<std::size_t, std::string>> found;
     constexpr std::size_t most = 256;
     Fit all;
-    for (std::size_t k = 0; k < all_.size(); ++k) {
+    for (const std::size_t k : all_) {
       if (fits_[k].is_right()) continue;
       if (found.size() == most) return;
       const auto record = fitting_record(k);
@@ -285,10 +312,10 @@ class Search {
   /// All wrong triangles have special indices.
   void try_special() {
     std::uint64_t wrong = 0;
-    for (std::size_t k = 0; k < all_.size(); ++k) {
+    for (const std::size_t k : all_) {
       if (fits_[k].is_right()) continue;
       if (judged_.maps.links[k].record) return;
-      ++wrong;
+      wrong += times_[k];
     }
     if (wrong == 0 || as_stored_.equal < least_equal) return;
     best_ = std::make_unique<Candidate>(
@@ -300,7 +327,8 @@ class Search {
   }
 
   void try_texture() {
-    const std::optional<std::string> says = older_texture(judged_, stored_, right_);
+    const std::optional<std::string> says =
+        older_texture(judged_, all_, picked(stored_, all_), picked(right_, all_));
     if (says)
       best_ = std::make_unique<Candidate>(Candidate{{"texture_changed", *says, 0, wrong_}, as_stored_});
   }
@@ -308,8 +336,10 @@ class Search {
   const Judged& judged_;
   const Inputs inputs_;
   std::vector<std::size_t> all_, tried_;
-  std::vector<States> stored_, right_;  ///< by triangle
-  std::vector<Fit> fits_;               ///< by triangle
+  // By triangle that is looked at.
+  std::map<std::size_t, std::uint64_t> times_;  ///< the triangles that it stands for
+  std::map<std::size_t, States> stored_, right_;
+  std::map<std::size_t, Fit> fits_;
   Fit as_stored_, tried_fit_;
   std::uint64_t wrong_ = 0;
   std::map<std::pair<std::size_t, Level>, States> at_level_;

@@ -15,7 +15,8 @@ bool is_unknown(State s) { return s == State::UT || s == State::UO; }
 
 class CutoffSearch {
  public:
-  CutoffSearch(const Judged& judged, const std::vector<std::size_t>& triangles, const std::vector<States>& stored)
+  CutoffSearch(const Judged& judged, const std::vector<std::size_t>& triangles,
+               const std::vector<States>& stored)
       : judged_(judged), triangles_(triangles), stored_(stored), inputs_(inputs_of(judged)) {}
 
   /// The greatest step without such a micro-triangle, if 0 has none.  Domain: their number grows with the cutoff.

@@ -54,14 +54,15 @@ void add(Box& box, const mmverify::scene::UvTriangle& uvs, std::uint32_t k, Leve
 
 }  // namespace
 
-std::optional<std::string> older_texture(const Judged& judged, const std::vector<States>& stored,
+std::optional<std::string> older_texture(const Judged& judged, const std::vector<std::size_t>& triangles,
+                                         const std::vector<States>& stored,
                                          const std::vector<States>& right) {
   std::uint64_t known = 0, equal = 0, opposite = 0;
   Box wrong, all;
   for (std::size_t t = 0; t < stored.size(); ++t) {
-    const Level n = judged.maps.baked.triangles[t].level;
+    const Level n = judged.maps.baked.triangles[triangles[t]].level;
     if (touch(stored[t], n)) return {};
-    const auto& uvs = judged.maps.plan.triangles[t].uvs;
+    const auto& uvs = judged.maps.plan.triangles[triangles[t]].uvs;
     for (const auto& uv : uvs) all.add({uv[0], uv[1]});
     for (std::uint32_t k = 0; k < stored[t].size(); ++k) {
       const State is = stored[t][k], should = right[t][k];

@@ -13,8 +13,8 @@ namespace mmverify::proofs::scene {
 ///   - no T touches an O, which no texture allows;
 ///   - three of four known states are right, and two are the opposite of the right ones;
 ///   - the wrong ones lie within half of the UVs' bounding box.
-/// Domain: maps by triangle; no other change explains them.
-std::optional<std::string> older_texture(const Judged& judged, const std::vector<States>& stored,
-                                         const std::vector<States>& right);
+/// Domain: maps of these triangles; no other change explains them.
+std::optional<std::string> older_texture(const Judged& judged, const std::vector<std::size_t>& triangles,
+                                         const std::vector<States>& stored, const std::vector<States>& right);
 
 }  // namespace mmverify::proofs::scene
