@@ -101,8 +101,12 @@ void write_maps(const std::string& folder, const StoredAttributes& stored) {
   std::replace(set.begin(), set.end(), '+', '_');
   const impl::attribute::AttributeMaps& maps = stored.maps;
   const char* const kind = maps.at == impl::attribute::MapAt::faces ? "faces" : "vertices";
-  const std::vector<std::uint8_t> bytes =
-      stored.packed.empty() ? write_attributes(maps) : write_attributes(maps, stored.packed);
+  if (stored.packed.empty() && !maps.codes.empty())
+    throw UsageError(
+        fmt::format("--files: {} of level {} has {} codes, and a file has less than 2^31; "
+                    "take a lower --level",
+                    set, maps.level, maps.codes.size()));
+  const std::vector<std::uint8_t> bytes = write_attributes(maps, stored.packed);
   OutputFile file(
       (std::filesystem::path(folder) / fmt::format("{}_{}_level{}.mmat", set, kind, maps.level)).string());
   file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});

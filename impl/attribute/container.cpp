@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "impl/common/crc32c.hpp"
+
 namespace mmverify::impl::attribute {
 namespace {
 
@@ -37,21 +39,9 @@ enum At : std::size_t {
 
 std::string told(std::uint64_t x) { return std::to_string(x); }
 
-/// CRC-32C (Castagnoli), reflected polynomial 0x82f63b78, of all bytes but its own four.
+/// CRC-32C of all bytes but its own four.  Domain: a header or more.
 std::uint32_t file_checksum(std::span<const std::uint8_t> bytes) {
-  static constexpr std::array<std::uint32_t, 256> table = [] {
-    std::array<std::uint32_t, 256> all{};
-    for (std::uint32_t byte = 0; byte < 256; ++byte) {
-      std::uint32_t crc = byte;
-      for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ ((crc & 1) != 0 ? 0x82f63b78u : 0u);
-      all[byte] = crc;
-    }
-    return all;
-  }();
-  std::uint32_t crc = ~std::uint32_t{0};
-  for (std::size_t k = 0; k < bytes.size(); ++k)
-    if (k < at_crc || k >= attribute_header) crc = crc >> 8 ^ table[(crc ^ bytes[k]) & 255];
-  return ~crc;
+  return crc32c(bytes.subspan(attribute_header), crc32c(bytes.first(at_crc)));
 }
 
 std::uint64_t number_at(std::span<const std::uint8_t> bytes, std::size_t at, std::size_t width) {

@@ -80,7 +80,8 @@ TEST(ArrayChanges, a_reader_may_refuse_what_is_no_array) {
 
 TEST(ArrayChanges, that_are_missing_are_named) {
   const Outcome o = judge_changes("saves_alone", "array.reorder array.files array.compact");
-  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
+  EXPECT_EQ(o.exit_code, 2) << o.out << o.err;
+  EXPECT_THAT(o.err, HasSubstr("array.files was asked for, and nothing was judged"));
   EXPECT_THAT(o.out, HasSubstr("proved     array.reorder"));
   EXPECT_THAT(o.out, HasSubstr("n/a        array.files"));
   EXPECT_THAT(o.out, HasSubstr("n/a        array.compact"));

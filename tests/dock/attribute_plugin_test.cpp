@@ -78,8 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongAttributeAnswer{"attribute_halves_go_up", "mip_rounding", "0", "case "},
         WrongAttributeAnswer{"lockstep_face_mip", "mip_rounding", "0", "case "},
         WrongAttributeAnswer{"lockstep_face_mip", "mip_on_samples", "0", ", G: the mean of "},
-        WrongAttributeAnswer{"attribute_alpha_of_the_first_child", "mip_on_samples", "0",
-                             ", A: the mean of "},
+        WrongAttributeAnswer{"attribute_second_child_is_grey", "mip_on_samples", "0", ": the mean of "},
         WrongAttributeAnswer{"attribute_second_child_without_alpha_is_black", "mip_on_samples", "0",
                              ": the mean of "}),
     [](const auto& info) { return std::string(info.param.name) + "_" + info.param.law; });

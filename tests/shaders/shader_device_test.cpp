@@ -113,6 +113,8 @@ void main() {}
 
 TEST_F(ShaderOnDevice, that_hangs_costs_its_time_and_no_more) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
+  if (judge(ours("index.glsl"), "index.corners --levels 0").out.find("llvmpipe") != std::string::npos)
+    GTEST_SKIP() << "llvmpipe leaves a loop after 2^16 turns";
   const std::string file = write("hang.glsl", R"(uint index(uint level, float u, float v) {
   uint k = mmverify_word(0);
   while (k != 77u) k = (k * 5u + 2u) & ~1u;
@@ -142,8 +144,8 @@ void main() {
 }
 )");
   const std::string spirv = (folder_ / "whole.spv").string();
-  const Outcome made =
-      shell("glslangValidator -I" MMVERIFY_ROOT " -V --target-env vulkan1.1 -o " + spirv + " " + file);
+  const Outcome made = shell("glslangValidator -I" MMVERIFY_ROOT "/subjects -V --target-env vulkan1.1 -o " +
+                             spirv + " " + file);
   ASSERT_EQ(made.exit_code, 0) << made.out << made.err;
   for (const std::string& subject : {file, spirv}) {
     const Outcome o = judge(subject, "index.corners --levels 0..4", "--entry corners");

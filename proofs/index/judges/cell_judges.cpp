@@ -84,19 +84,30 @@ Tally equals_reference(const IndexSubject& s, Level n, const Run& run) {
 
 namespace {
 
-/// The subject's index at the point of a text.  A zero with a minus sign in the text is asked as -0 in binary32.
+/// A coordinate as a number; -0 for a zero whose text has a minus sign.
+template <class F>
+std::array<F, 1> signed_number(const Rational& x, bool negative) {
+  const auto near = static_cast<F>(nearest(x));
+  return {negative && near == 0 ? -F{0} : near};
+}
+
+/// The subject's index at the point of a text, in the subject's own arithmetic.
 std::uint32_t index_at_text(const IndexSubject& s, Level n, const RationalPoint& p, const std::string& at) {
-  const auto is_negative = [&](const char* zero) { return at.find(zero) != std::string::npos; };
-  const bool u_is = is_negative("u=-0"), v_is = is_negative("v=-0");
-  if ((!u_is && !v_is) || !s.functions.index_floats) return s.functions.index_at(n, p);
-  const auto asked = [](const Rational& x, bool negative) {
-    const auto near = static_cast<float>(nearest(x));
-    return std::array{negative && near == 0 ? -0.0f : near};
-  };
-  const std::array u = asked(p.u, u_is), v = asked(p.v, v_is);
+  const bool u_is = at.find("u=-0") != std::string::npos, v_is = at.find("v=-0") != std::string::npos;
   std::array<std::uint32_t, 1> got{};
-  s.functions.index_floats(n, FloatBatch{u, v}, got);
-  return got[0];
+  if (u_is || v_is) {
+    if (s.functions.arithmetic == Arithmetic::binary64 && s.functions.index_doubles) {
+      const auto u = signed_number<double>(p.u, u_is), v = signed_number<double>(p.v, v_is);
+      s.functions.index_doubles(n, DoubleBatch{u, v}, got);
+      return got[0];
+    }
+    if (s.functions.arithmetic == Arithmetic::binary32 && s.functions.index_floats) {
+      const auto u = signed_number<float>(p.u, u_is), v = signed_number<float>(p.v, v_is);
+      s.functions.index_floats(n, FloatBatch{u, v}, got);
+      return got[0];
+    }
+  }
+  return s.functions.index_at(n, p);
 }
 
 }  // namespace

@@ -425,7 +425,9 @@ class Encoder {
     const bool up = node.op == Op::shl;
     const char* back = up && nsw && !nuw ? "bvashr" : up ? "bvlshr" : "bvshl";
     const Bits result = d.binary(up ? "bvshl" : node.op == Op::lshr ? "bvlshr" : "bvashr", a, b);
-    const auto returns = [&](const char* head) { return d.equal(d.binary(head, result, b), a); };
+    const auto returns = [&, by = b, before = a](const char* head) {
+      return d.equal(d.binary(head, result, by), before);
+    };
     if (up && nuw) poison_where(negated(returns("bvlshr")));
     if (up && nsw) poison_where(negated(returns("bvashr")));
     if (!up && whole) poison_where(negated(returns(back)));
