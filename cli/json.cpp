@@ -65,7 +65,8 @@ Json result(const Result& r) {
 }  // namespace
 
 std::string to_json(const Report& report, std::uint64_t seed, const std::optional<Shard>& shard,
-                    const Identity& identity, const std::string& scene, const std::vector<RunsOn>& runs_on) {
+                    const Identity& identity, const std::string& scene, const std::vector<RunsOn>& runs_on,
+                    const std::string& cause) {
   Json j{{"schema", "mmverify.result/1"},
          {"tool", tool({{"threads", report.threads}, {"seed", seed}})},
          {"results", Json::array()},
@@ -83,6 +84,7 @@ std::string to_json(const Report& report, std::uint64_t seed, const std::optiona
     j["runs_on"].push_back({{"subject", one.subject}, {"about", about}, {"warnings", one.warnings}});
   }
   if (!scene.empty()) j["scene"] = Json::parse(scene);
+  if (!cause.empty()) j["cause"] = Json::parse(cause);
   for (const Result& r : report.results) j["results"].push_back(result(r));
   for (const Diagnosis& d : report.diagnoses)
     j["diagnoses"].push_back({{"law", d.law}, {"subject", d.subject}, {"lines", d.lines}});

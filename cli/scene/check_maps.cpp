@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "cli/arguments.hpp"
@@ -19,9 +21,11 @@
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
+#include "proofs/scene/cause/cause.hpp"
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/file.hpp"
 #include "scene/read/load.hpp"
+#include "scene/read/primitives.hpp"
 #include "scene/validate/micromaps.hpp"
 #include "scene/validate/stored_maps.hpp"
 
@@ -128,6 +132,37 @@ void print_maps(std::FILE* out, const std::string& file, const Scene& scene, con
         scene.primitives[n.primitive].number, grouped(n.triangles), sentence(n.why));
 }
 
+/// The cause of wrong maps, if one change explains all of them.
+std::optional<proofs::scene::Cause> cause_of(const CheckMapsOptions& options, const Scene& scene,
+                                             const StoredMaps& maps) {
+  const Document document = open_document(options.file);
+  const Buffers buffers(document);
+  proofs::scene::Judged judged{scene, maps, options.margin, options.states == 2};
+  judged.uvs = [&](const Primitive& primitive, const BaseColorTexture& texture) {
+    try {
+      return read_uvs(document, buffers, primitive, texture);
+    } catch (const BadScene&) {
+      return std::vector<Uv>();  // that set, or these UVs, cannot be read: no baker took them
+    }
+  };
+  return proofs::scene::cause_of(judged);
+}
+
+std::string json_of(const std::optional<proofs::scene::Cause>& cause) {
+  if (!cause) return "null";
+  return nlohmann::json{
+      {"code", cause->code}, {"says", cause->says}, {"wrong", cause->wrong}, {"explained", cause->explained}}
+      .dump();
+}
+
+void print_cause(std::FILE* out, const std::optional<proofs::scene::Cause>& cause) {
+  if (!cause)
+    say(out, "cause: no single change explains these maps\n");
+  else
+    say(out, "cause: {}: {}; it explains {} of {} wrong triangles\n", cause->code, cause->says,
+        grouped(cause->explained), grouped(cause->wrong));
+}
+
 int replayed(const proofs::scene::SceneLaws& laws, const CheckMapsOptions& options) {
   const auto colon = options.at.find('@');
   if (colon == std::string::npos) throw UsageError("--case " + options.at + ": write LEVEL@CASE");
@@ -193,7 +228,15 @@ int check_maps(const CheckMapsOptions& options) {
   run.mutants = false;
   const proofs::Report report = run_jobs(laws.jobs, run, [&](const proofs::Result& r) { text.add(r); });
   text.finish(report, false);
-  json.write([&] { return to_json(report, options.seed); });
+  std::string cause_json;
+  if (!report.interrupted &&
+      std::any_of(report.results.begin(), report.results.end(),
+                  [](const proofs::Result& r) { return r.verdict == proofs::Verdict::refuted; })) {
+    const std::optional<proofs::scene::Cause> cause = cause_of(options, scene, maps);
+    print_cause(out, cause);
+    cause_json = json_of(cause);
+  }
+  json.write([&] { return to_json(report, options.seed, {}, {}, {}, {}, cause_json); });
   if (junit) junit->commit(to_junit(report));
   if (laws.jobs.empty()) refuse_nothing({});
   return exit_code(report);

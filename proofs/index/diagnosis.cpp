@@ -3,12 +3,11 @@
 #include <numeric>
 
 #include "proofs/index/judges/judges.hpp"
+#include "proofs/index/known_orders.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
 
-using Permutation = std::array<std::uint32_t, 4>;
-constexpr Permutation identity{0, 1, 2, 3};
 constexpr std::uint32_t unknown = 4;
 
 /// A micro-triangle of the level, with its index by the subject.
@@ -32,35 +31,6 @@ std::vector<Given> ask_all(Level n, const TriangleIndex& index) {
 template <class Order>
 bool is(const std::vector<Given>& given, Order order) {
   return std::all_of(given.begin(), given.end(), [&](const Given& g) { return order(g.point) == g.index; });
-}
-
-/// U-major order as BaryFile numbers faces: 2 N iu - iu^2 + 2 iv, and 1 more in the upper half of the square.  The
-/// rows run along v, the longest, at u = 0, first.
-std::uint32_t in_u_major(const GridPoint& p, Level n) {
-  const Fixed64 u = times(side(n), p.u), v = times(side(n), p.v);
-  const std::uint32_t iu = whole(u), iv = whole(v);
-  const bool upper = !(u - Fixed64(iu) + (v - Fixed64(iv)) < Fixed64(1));
-  return 2 * side(n) * iu - iu * iu + 2 * iv + (upper ? 1 : 0);
-}
-
-/// Algorithm 4 without its flips or without the turn of its middle triangle: a common mistake of implementations.
-std::uint32_t simplified(GridPoint p, Level n, bool flips, bool turns) {
-  using spec::index::Reading;
-  auto s = spec::index::first_step(p);
-  for (Level depth = 0; depth < n; ++depth) {
-    const bool top_flip = s.top_flip;
-    auto next = spec::index::next_step<Reading::printed>(s);
-    // Unturned, the middle triangle keeps u, v and w on the corners opposite to them.
-    if (!turns && next.index % 4 == 1) {
-      const Fixed64 one(1);
-      next.u = one - times(2, s.u);
-      next.v = one - times(2, s.v);
-      next.w = one - times(2, s.w);
-    }
-    if (!flips) next.top_flip = top_flip;
-    s = next;
-  }
-  return s.index;
 }
 
 /// The permutation of children at each depth that turns one order's digits into the other's; nothing if there is
@@ -87,14 +57,6 @@ std::optional<std::vector<Permutation>> digit_permutations(const std::vector<Giv
   return at_depth;
 }
 
-std::string name(const Permutation& p) {
-  std::vector<std::uint32_t> moved;
-  for (std::uint32_t child = 0; child < 4; ++child)
-    if (p[child] != child) moved.push_back(child);
-  if (moved.size() == 2) return fmt::format("children {} and {} change places", moved[0], moved[1]);
-  return fmt::format("children 0, 1, 2, 3 are numbered {}, {}, {}, {}", p[0], p[1], p[2], p[3]);
-}
-
 /// The permutations as text, "children 0 and 2 change places from digit 2 on".  The first digit is the highest; each
 /// stretch of depths with the same permutation makes one clause.
 std::string name(const std::vector<Permutation>& at_depth) {
@@ -108,17 +70,11 @@ std::string name(const std::vector<Permutation>& at_depth) {
                                 : to_the_end            ? fmt::format("from digit {} on", from + 1)
                                 : to == from + 1        ? fmt::format("in digit {}", from + 1)
                                                         : fmt::format("in digits {} to {}", from + 1, to);
-      clauses.push_back(name(at_depth[from]) + " " + where);
+      clauses.push_back(text_of_children(at_depth[from]) + " " + where);
     }
     from = to;
   }
   return fmt::format("{}", fmt::join(clauses, "; "));
-}
-
-/// The point with its barycentrics (w, u, v) permuted.
-GridPoint rearranged(const GridPoint& p, const std::array<int, 3>& order) {
-  const std::array<Fixed64, 3> wuv{Fixed64(1) - p.u - p.v, p.u, p.v};
-  return {wuv[static_cast<std::size_t>(order[1])], wuv[static_cast<std::size_t>(order[2])]};
 }
 
 std::uint64_t wrong(const CountByKind& counts, Kind kind) {
@@ -159,10 +115,8 @@ std::string name_order(Level n, const TriangleIndex& index) {
   if (is(given, u_major)) return "U-major, rows from the edge u = 0 on, not the curve";
 
   std::array<int, 3> order{0, 1, 2};
-  const char letters[] = {'w', 'u', 'v'};
   while (std::next_permutation(order.begin(), order.end())) {
-    const std::string read =
-        fmt::format("({}, {}, {})", letters[order[0]], letters[order[1]], letters[order[2]]);
+    const std::string read = letters_of(order);
     if (is(given, [&](const GridPoint& p) { return reference(rearranged(p, order)); }))
       return fmt::format("the curve, with (w, u, v) taken as {}", read);
     if (is(given, [&](const GridPoint& p) { return rows(rearranged(p, order)); }))

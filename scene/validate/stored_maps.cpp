@@ -50,16 +50,12 @@ BakedTriangle uniform(micromap::State state) {
   return t;
 }
 
-BakedTriangle map_of(const Build& in, const micromap::Record& record) {
-  BakedTriangle t;
-  t.level = record.level;
-  t.format = static_cast<micromap::Format>(record.format);
-  const std::uint64_t count = micromap::micro_triangles(t.level),
-                      bytes = micromap::packed_bytes(count, t.format);
-  const auto from = in.data.subspan(record.offset, static_cast<std::size_t>(bytes));
-  t.map.assign(from.begin(), from.end());
-  t.states = micromap::count_states(t.map, t.format, count);
-  return t;
+/// The records and data of a build.
+micromap::Array array_of(const Build& in) {
+  micromap::Array array;
+  for (std::uint64_t k = 0; k < in.record_count; ++k) array.records.push_back(record_of(in, k));
+  array.data.assign(in.data.begin(), in.data.end());
+  return array;
 }
 
 /// A collector of the stored maps of primitives.
@@ -69,7 +65,13 @@ class Collector {
     all_.plan.surfaces = planned_.surfaces;
   }
 
-  void add(std::size_t primitive, const Build& in) {
+  /// The number of another array.
+  std::size_t add(const Build& array) {
+    all_.arrays.push_back(array_of(array));
+    return all_.arrays.size() - 1;
+  }
+
+  void add(std::size_t primitive, const Build& in, std::size_t array) {
     const auto planned =
         std::find_if(planned_.primitives.begin(), planned_.primitives.end(),
                      [primitive](const PlannedPrimitive& p) { return p.primitive == primitive; });
@@ -85,8 +87,11 @@ class Collector {
       const std::uint32_t code = code_of(in, t);
       const auto special = in.indexed ? micromap::special_state(code, in.encoding) : std::nullopt;
       all_.special += special ? 1 : 0;
-      all_.baked.triangles.push_back(
-          special ? uniform(*special) : map_of(in, record_of(in, std::uint64_t{code} + in.base_triangle)));
+      MapLink link{primitive, static_cast<std::size_t>(t), array, in.base_triangle, {}};
+      if (!special) link.record = std::uint64_t{code} + in.base_triangle;
+      all_.baked.triangles.push_back(special ? uniform(*special)
+                                             : stored_map(all_.arrays[array], *link.record));
+      all_.links.push_back(link);
       PlannedTriangle triangle;
       triangle.surface = planned->surface;
       for (std::size_t vertex = 0; vertex < 3; ++vertex)
@@ -110,21 +115,39 @@ std::span<const unsigned char> view_of(const Buffers& buffers, const Json& micro
 
 }  // namespace
 
+BakedTriangle stored_map(const micromap::Array& array, std::uint64_t number) {
+  const micromap::Record& record = array.records.at(static_cast<std::size_t>(number));
+  BakedTriangle t;
+  t.level = record.level;
+  t.format = static_cast<micromap::Format>(record.format);
+  const std::uint64_t count = micromap::micro_triangles(t.level),
+                      bytes = micromap::packed_bytes(count, t.format);
+  const auto from = array.data.begin() + record.offset;
+  t.map.assign(from, from + static_cast<std::ptrdiff_t>(bytes));
+  t.states = micromap::count_states(t.map, t.format, count);
+  return t;
+}
+
 StoredMaps stored_maps(const std::string& file, const Scene& scene) {
   const Document document = open_document(file);
   const Buffers buffers(document);
   Collector collector(scene);
+  const auto build_of = [&](const Json& micromap) {
+    Build in;
+    in.records = view_of(buffers, micromap, "triangles");
+    in.record_count = in.records.size() / micromap::record_bytes;
+    in.data = view_of(buffers, micromap, "data");
+    return in;
+  };
+  const Json& micromaps = member(extension(document.json, micromap_extension), "micromaps");
+  for (const Json& micromap : micromaps) collector.add(build_of(micromap));
   const Json& meshes = member(document.json, "meshes");
   for (std::size_t p = 0; p < scene.primitives.size(); ++p) {
     const Json& primitive = meshes[scene.primitives[p].mesh]["primitives"][scene.primitives[p].number];
     const Json& given = extension(primitive, micromap_extension);
     if (given.empty()) continue;
-    const Json& micromap =
-        extension(document.json, micromap_extension)["micromaps"][given["micromap"].get<std::size_t>()];
-    Build in;
-    in.records = view_of(buffers, micromap, "triangles");
-    in.record_count = in.records.size() / micromap::record_bytes;
-    in.data = view_of(buffers, micromap, "data");
+    const auto array = given["micromap"].get<std::size_t>();
+    Build in = build_of(micromaps[array]);
     in.triangles = scene.primitives[p].triangles.size();
     in.base_triangle = given.value("micromapBaseTriangle", std::uint32_t{0});
     MicromapIndices indices;
@@ -138,14 +161,14 @@ StoredMaps stored_maps(const std::string& file, const Scene& scene) {
       in.index_stride = micromap::width(indices.encoding) / 8;
       in.indices = indices.bytes;
     }
-    collector.add(p, in);
+    collector.add(p, in, array);
   }
   return collector.taken();
 }
 
 StoredMaps stored_maps(const impl::micromap::Input& input, const Scene& scene, std::size_t primitive) {
   Collector collector(scene);
-  collector.add(primitive, input);
+  collector.add(primitive, input, collector.add(input));
   return collector.taken();
 }
 

@@ -1,0 +1,353 @@
+#include "proofs/scene/cause/cause.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "proofs/engine/interrupt.hpp"
+#include "proofs/scene/cause/changes.hpp"
+#include "proofs/scene/cause/cutoff.hpp"
+#include "proofs/scene/cause/links.hpp"
+#include "proofs/scene/cause/texture_age.hpp"
+
+namespace mmverify::proofs::scene {
+namespace {
+
+using mmverify::scene::BakedTriangle;
+using mmverify::scene::VertexOrder;
+
+/// A change is tried on so many triangles, of so many micro-triangles in all; the best one is then judged by all.
+constexpr std::size_t most_tried = 64;
+constexpr std::uint64_t most_micro_triangles = std::uint64_t{1} << 18;
+/// Micro-triangles of the triangles that are looked at, at most; beyond it every n-th triangle is.
+constexpr std::uint64_t most_looked_at = std::uint64_t{1} << 24;
+/// A change has to agree with so many known states: few states fit many changes by chance.
+constexpr std::uint64_t least_equal = 8;
+
+/// A cause with the fit that it gives.
+struct Candidate {
+  Cause cause;
+  Fit fit;
+};
+
+class Search {
+ public:
+  explicit Search(const Judged& judged) : judged_(judged), inputs_(inputs_of(judged)) {
+    find_distinct();
+    const std::vector<States> right = expected(judged, inputs_, all_);
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      stored_[all_[k]] = states_of(judged.maps.baked.triangles[all_[k]]);
+      right_[all_[k]] = right[k];
+      const Fit here = fits_[all_[k]] = fit(stored_[all_[k]], right[k]);
+      as_stored_ += here;
+      wrong_ += here.wrong + here.needless != 0 ? times_[all_[k]] : 0;
+    }
+    choose();
+  }
+
+  std::optional<Cause> cause() {
+    if (as_stored_.wrong + as_stored_.needless + as_stored_.side == 0) return {};
+    try_maps();
+    try_corners();
+    try_links();
+    try_inputs();
+    if (best_ == nullptr) try_cutoff();
+    if (best_ == nullptr) try_special();
+    if (best_ == nullptr) try_other_triangles();
+    if (best_ == nullptr) try_texture();
+    if (best_ == nullptr) return {};
+    best_->cause.wrong = wrong_;
+    return best_->cause;
+  }
+
+ private:
+  /// Finds the triangles to look at: one of those that have equal UVs, surface and map.
+  void find_distinct() {
+    const auto& links = judged_.maps.links;
+    std::map<std::tuple<mmverify::scene::UvTriangle, std::uint32_t, std::size_t, std::size_t,
+                        std::optional<std::uint64_t>, Level>,
+             std::size_t>
+        seen;
+    std::vector<std::size_t> distinct;
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      const auto& planned = judged_.maps.plan.triangles[k];
+      const auto [at, is_new] = seen.try_emplace(
+          {planned.uvs, planned.surface, links[k].primitive, links[k].array, links[k].record, level(k)}, k);
+      if (is_new) distinct.push_back(k);
+      ++times_[at->second];
+    }
+    std::uint64_t micro_triangles = 0;
+    for (const std::size_t k : distinct) micro_triangles += impl::micromap::micro_triangles(level(k));
+    const std::uint64_t step = 1 + (micro_triangles - 1) / most_looked_at;
+    for (std::size_t k = 0; k < distinct.size(); k += step) all_.push_back(distinct[k]);
+  }
+
+  Level level(std::size_t k) const { return judged_.maps.baked.triangles[k].level; }
+
+  /// Chooses the triangles that changes are tried on: three wrong ones for a right one.
+  void choose() {
+    std::vector<std::size_t> wrong, right;
+    for (const std::size_t k : all_)
+      (fits_[k].wrong + fits_[k].needless + fits_[k].side != 0 ? wrong : right).push_back(k);
+    std::uint64_t micro_triangles = 0;
+    const auto take = [&](const std::vector<std::size_t>& from, std::size_t most) {
+      const std::size_t step = std::max<std::size_t>(1, from.size() / most);
+      for (std::size_t k = 0; k < from.size() && most-- != 0; k += step) {
+        micro_triangles += stored_[from[k]].size();
+        if (!tried_.empty() && micro_triangles > most_micro_triangles) return;
+        tried_.push_back(from[k]);
+      }
+    };
+    take(wrong, most_tried - most_tried / 4);
+    take(right, most_tried - tried_.size());
+  }
+
+  /// The maps of a change, in the order of `triangles`: the stored ones and the expected ones.
+  struct Maps {
+    std::vector<States> stored, expected;
+  };
+  using Make = std::function<Maps(const std::vector<std::size_t>&)>;
+
+  /// The sum of fits, primitive by primitive: a primitive that is better as it is stored stays so.
+  struct Sum {
+    Fit fit;
+    std::uint64_t explained = 0;
+    bool all_right = true;
+  };
+  Sum sum(const std::vector<std::size_t>& triangles, const Maps& maps) const {
+    std::map<std::size_t, std::array<Sum, 2>> of_primitive;
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+      auto& [now, changed] = of_primitive[judged_.maps.links[triangles[k]].primitive];
+      const Fit& was = fits_.at(triangles[k]);
+      const Fit is = fit(maps.stored[k], maps.expected[k]);
+      now.fit += was;
+      now.all_right = now.all_right && was.is_right();
+      changed.fit += is;
+      changed.all_right = changed.all_right && is.wrong == 0;
+      changed.explained += was.wrong + was.needless != 0 && is.wrong == 0 ? times_.at(triangles[k]) : 0;
+    }
+    Sum all;
+    for (const auto& [primitive, both] : of_primitive) {
+      const Sum& better = both[1].fit < both[0].fit ? both[1] : both[0];
+      all.fit += better.fit;
+      all.explained += better.explained;
+      all.all_right = all.all_right && better.all_right;
+    }
+    return all;
+  }
+
+  /// Whether the sum is right, and decidedly better than the maps as they are stored.
+  bool explains(const Sum& is, const Fit& was) const {
+    if (is.fit.wrong != 0 || !is.all_right || is.fit.equal < least_equal) return false;
+    if (was.wrong != 0) return is.fit.needless <= is.fit.equal / 4;
+    if (was.needless != 0) return 4 * is.fit.needless <= was.needless;
+    return 4 * is.fit.side <= was.side;
+  }
+
+  Fit as_stored(const std::vector<std::size_t>& triangles) const {
+    Fit all;
+    for (const std::size_t k : triangles) all += fits_.at(k);
+    return all;
+  }
+
+  /// Tries a change; keeps it if it explains all triangles, better than those before.
+  void attempt(const std::string& code, const std::string& says, const Make& make) {
+    if (interrupted()) throw Interrupted();
+    try {
+      attempt_within_domain(code, says, make);
+    } catch (const std::invalid_argument&) {
+      // The changed UVs, or factors, are beyond what can be baked: no baker made these maps so.
+    }
+  }
+
+  void attempt_within_domain(const std::string& code, const std::string& says, const Make& make) {
+    const Sum here = sum(tried_, make(tried_));
+    if (!explains(here, as_stored(tried_))) return;
+    if (best_ != nullptr && !(here.fit < tried_fit_)) return;
+    const Sum everywhere = tried_.size() == all_.size() ? here : sum(all_, make(all_));
+    if (!explains(everywhere, as_stored_)) return;
+    tried_fit_ = here.fit;
+    best_ = std::make_unique<Candidate>(Candidate{{code, says, 0, everywhere.explained}, everywhere.fit});
+  }
+
+  std::vector<States> picked(const std::map<std::size_t, States>& from,
+                             const std::vector<std::size_t>& triangles) const {
+    std::vector<States> some;
+    for (const std::size_t k : triangles) some.push_back(from.at(k));
+    return some;
+  }
+
+  void try_maps() {
+    for (const MapChange& change : map_changes())
+      attempt(change.code, change.says, [&](const std::vector<std::size_t>& triangles) {
+        Maps maps{picked(stored_, triangles), picked(right_, triangles)};
+        for (std::size_t k = 0; k < triangles.size(); ++k)
+          maps.stored[k] = change.undo(maps.stored[k], level(triangles[k]));
+        return maps;
+      });
+  }
+
+  void try_corners() {
+    static constexpr VertexOrder orders[] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                             {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    std::array<std::uint64_t, 6> counts{};
+    const auto make = [&](const std::vector<std::size_t>& triangles) {
+      Maps maps{{}, picked(right_, triangles)};
+      counts = {};
+      for (std::size_t k = 0; k < triangles.size(); ++k) {
+        std::size_t best = 0;
+        std::array<States, 6> turns;
+        std::array<Fit, 6> fits;
+        for (std::size_t turn = 0; turn < 6; ++turn) {
+          turns[turn] = turned(stored_[triangles[k]], level(triangles[k]), orders[turn]);
+          fits[turn] = fit(turns[turn], maps.expected[k]);
+          if (fits[turn] < fits[best]) best = turn;
+        }
+        counts[best] += times_[triangles[k]];
+        maps.stored.push_back(turns[best]);
+      }
+      return maps;
+    };
+    const Candidate* const before = best_.get();
+    attempt("corners", "", make);
+    if (best_.get() == before) return;
+    make(all_);
+    std::vector<std::string> parts;
+    for (std::size_t turn = 1; turn < 3; ++turn)
+      if (counts[turn] != 0) parts.push_back(fmt::format("{} turned by {}", counts[turn], turn));
+    if (const std::uint64_t wound = counts[3] + counts[4] + counts[5]; wound != 0)
+      parts.push_back(fmt::format("{} wound the other way", wound));
+    best_->cause.says =
+        fmt::format("the corners of triangles are not those of their maps: {}", fmt::join(parts, ", "));
+  }
+
+  void try_links() {
+    for (const LinkChange& change : link_changes(judged_))
+      attempt(change.code, change.says, [&](const std::vector<std::size_t>& triangles) {
+        Maps maps;
+        for (const std::size_t k : triangles) {
+          maps.stored.push_back(change.maps[k] ? states_of(*change.maps[k]) : stored_[k]);
+          maps.expected.push_back(right_at(k, change.maps[k] ? change.maps[k]->level : level(k)));
+        }
+        return maps;
+      });
+  }
+
+  /// The expected map of a triangle at another level.
+  const States& right_at(std::size_t k, Level n) {
+    if (n == level(k)) return right_[k];
+    States& states = at_level_[{k, n}];
+    if (states.empty()) states = expected_at(judged_, inputs_, k, n);
+    return states;
+  }
+
+  void try_inputs() {
+    for (const InputChange& change : input_changes(judged_))
+      attempt(change.code, change.says, [&](const std::vector<std::size_t>& triangles) {
+        Inputs changed = inputs_;
+        change.make(changed);
+        return Maps{picked(stored_, triangles), expected(judged_, changed, triangles)};
+      });
+  }
+
+  void try_cutoff() {
+    const std::optional<CutoffRange> range = cutoffs(judged_, tried_, picked(stored_, tried_));
+    if (!range) return;
+    const bool blend = std::any_of(inputs_.surfaces.begin(), inputs_.surfaces.end(), [](const auto& surface) {
+      return surface.mode == mmverify::scene::AlphaMode::blend;
+    });
+    const double middle = (range->least + range->greatest) / 2;
+    attempt(
+        blend ? "blend_by_cutoff" : "cutoff",
+        fmt::format("{}: all maps are right under any from {:.4f} to {:.4f}",
+                    blend ? "alphaMode BLEND was baked by a cutoff" : "the baker had another cutoff",
+                    range->least, range->greatest),
+        [&](const std::vector<std::size_t>& triangles) {
+          return Maps{picked(stored_, triangles), expected(judged_, with_cutoff(inputs_, middle), triangles)};
+        });
+  }
+
+  /// Each wrong triangle has a map that fits one record of the file.
+  void try_other_triangles() {
+    std::vector<std::pair<std::size_t, std::string>> found;
+    constexpr std::size_t most = 256;
+    Fit all;
+    for (const std::size_t k : all_) {
+      if (fits_[k].is_right()) continue;
+      if (found.size() == most) return;
+      const auto record = fitting_record(k);
+      if (!record) return;
+      all += record->second;
+      found.emplace_back(k, record->first);
+    }
+    if (found.empty() || all.equal < least_equal) return;
+    best_ = std::make_unique<Candidate>(
+        Candidate{{"other_triangles",
+                   fmt::format("triangles have each other's maps: triangle {} fits {}", found[0].first,
+                               found[0].second),
+                   0, found.size()},
+                  all});
+  }
+
+  std::optional<std::pair<std::string, Fit>> fitting_record(std::size_t k) {
+    constexpr std::uint64_t most = 4096;
+    for (std::size_t a = 0; a < judged_.maps.arrays.size(); ++a)
+      for (std::uint64_t r = 0; r < std::min<std::uint64_t>(most, judged_.maps.arrays[a].records.size());
+           ++r) {
+        const BakedTriangle map = mmverify::scene::stored_map(judged_.maps.arrays[a], r);
+        const Fit is = fit(states_of(map), right_at(k, map.level));
+        if (is.is_right() && is.equal >= least_equal)
+          return std::pair(fmt::format("record {} of micromap {}", r, a), is);
+      }
+    return {};
+  }
+
+  /// All wrong triangles have special indices.
+  void try_special() {
+    std::uint64_t wrong = 0;
+    for (const std::size_t k : all_) {
+      if (fits_[k].is_right()) continue;
+      if (judged_.maps.links[k].record) return;
+      wrong += times_[k];
+    }
+    if (wrong == 0 || as_stored_.equal < least_equal) return;
+    best_ = std::make_unique<Candidate>(
+        Candidate{{"special_index",
+                   fmt::format("{} triangle{} a special index that is another's; all maps are right", wrong,
+                               wrong == 1 ? " has" : "s have"),
+                   0, wrong},
+                  as_stored_});
+  }
+
+  void try_texture() {
+    const std::optional<std::string> says =
+        older_texture(judged_, all_, picked(stored_, all_), picked(right_, all_));
+    if (says)
+      best_ = std::make_unique<Candidate>(Candidate{{"texture_changed", *says, 0, wrong_}, as_stored_});
+  }
+
+  const Judged& judged_;
+  const Inputs inputs_;
+  std::vector<std::size_t> all_, tried_;
+  // These have an entry for each triangle that is looked at.
+  std::map<std::size_t, std::uint64_t> times_;  ///< the triangles that it stands for
+  std::map<std::size_t, States> stored_, right_;
+  std::map<std::size_t, Fit> fits_;
+  Fit as_stored_, tried_fit_;
+  std::uint64_t wrong_ = 0;
+  std::map<std::pair<std::size_t, Level>, States> at_level_;
+  std::unique_ptr<Candidate> best_;
+};
+
+}  // namespace
+
+std::optional<Cause> cause_of(const Judged& judged) { return Search(judged).cause(); }
+
+}  // namespace mmverify::proofs::scene

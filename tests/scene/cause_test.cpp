@@ -1,0 +1,423 @@
+// [release] The cause of wrong maps: each single fault of a baker or a tool is named, and no other one.
+#include "proofs/scene/cause/cause.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "impl/micromap/reorder.hpp"
+#include "proofs/engine/random.hpp"
+#include "scene/bake/bake.hpp"
+
+namespace mmverify::tests {
+namespace {
+
+using namespace mmverify::scene;
+using impl::micromap::Array;
+using impl::micromap::Format;
+using impl::micromap::State;
+using proofs::scene::Cause;
+using proofs::scene::Judged;
+
+constexpr unsigned level = 4;
+constexpr std::size_t triangles_each = 6;
+
+/// Spots of alpha, with soft rims, nowhere symmetric.
+Image spots(std::uint32_t side, std::uint64_t seed) {
+  Image image{"spots", side, side, std::vector<std::uint8_t>(std::size_t{side} * side)};
+  proofs::Random random(seed, 0, 0);
+  std::vector<std::array<double, 3>> all(6);
+  for (auto& spot : all)
+    for (double& x : spot) x = static_cast<double>(random.below(1000)) / 1000;
+  const double size = static_cast<double>(side);
+  for (std::uint32_t y = 0; y < side; ++y)
+    for (std::uint32_t x = 0; x < side; ++x) {
+      double most = 0;
+      for (const auto& [cx, cy, r] : all)
+        most = std::max(most, (0.06 + 0.2 * r) - std::hypot(x / size - cx, y / size - cy));
+      std::get<0>(image.alpha)[x + std::size_t{side} * y] =
+          static_cast<std::uint8_t>(std::clamp(255 * (0.35 + 9 * most), 0.0, 255.0));
+    }
+  return image;
+}
+
+/// Two primitives of one material, with triangles of all sizes, some of them beyond the texture's edge.
+Scene leaves() {
+  Scene s;
+  s.file = "leaves.gltf";
+  s.images = {spots(32, 1), spots(32, 2)};
+  Material material;
+  material.mode = AlphaMode::mask;
+  material.cutoff = 0.4f;
+  material.base_color_alpha = 0.75f;
+  material.texture = BaseColorTexture{0, 0, {Wrap::mirrored_repeat, Wrap::clamp_to_edge, {}, {}, {}}, {}};
+  s.materials = {material};
+  s.meshes = {{"leaves", 1, {1, {}}}};
+  proofs::Random random(7, 0, 0);
+  for (std::size_t number = 0; number < 2; ++number) {
+    Primitive p;
+    p.number = number;
+    p.material = 0;
+    p.vertex_alpha = VertexAlpha{0.875f, 0.875f};
+    for (std::uint32_t k = 0; k < triangles_each; ++k) {
+      const auto at = [&] { return static_cast<float>(random.below(1 << 12)) / (1 << 12); };
+      const Uv corner{at() * 0.9f, at() * 0.7f};
+      p.uvs.insert(p.uvs.end(), {corner,
+                                 {corner[0] + 0.3f + 0.4f * at(), corner[1] + 0.2f * at()},
+                                 {corner[0] + 0.2f * at(), corner[1] + 0.3f + 0.4f * at()}});
+      p.positions.resize(p.uvs.size());
+      p.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+    }
+    s.primitives.push_back(p);
+  }
+  return s;
+}
+
+/// The maps of a scene, each triangle's in the array of its primitive.
+StoredMaps stored(const Scene& scene, unsigned n = level) {
+  StoredMaps maps;
+  maps.plan = plan(scene);
+  const std::vector<unsigned> levels(maps.plan.triangles.size(), n);
+  maps.baked = bake(scene, maps.plan, levels);
+  for (std::size_t p = 0; p < scene.primitives.size(); ++p) {
+    Array array;
+    for (std::size_t t = 0; t < scene.primitives[p].triangles.size(); ++t) {
+      BakedTriangle& map = maps.baked.triangles[maps.links.size()];
+      const std::uint64_t count = impl::micromap::micro_triangles(n);
+      std::vector<State> states(count);
+      if (map.uniform)
+        states.assign(count, *map.uniform);
+      else
+        impl::micromap::unpack(map.map, map.format, states);
+      map = BakedTriangle{n, Format::four_state, map.states, {}, {}};
+      map.map.resize(impl::micromap::packed_bytes(count, Format::four_state));
+      impl::micromap::pack(states, Format::four_state, map.map);
+      array.records.push_back(
+          {static_cast<std::uint32_t>(array.data.size()), static_cast<std::uint16_t>(n), 2});
+      array.data.insert(array.data.end(), map.map.begin(), map.map.end());
+      maps.links.push_back({p, t, p, 0, t});
+    }
+    maps.arrays.push_back(array);
+  }
+  return maps;
+}
+
+/// The maps that a baker with a fault makes of the scene, beside the true plan.
+StoredMaps baked_from(const Scene& scene, const std::function<void(Scene&)>& fault) {
+  Scene other = scene;
+  fault(other);
+  StoredMaps maps = stored(other);
+  maps.plan = plan(scene);
+  return maps;
+}
+
+std::optional<Cause> cause(const Scene& scene, const StoredMaps& maps) {
+  return proofs::scene::cause_of(Judged{scene, maps});
+}
+
+std::string code(const Scene& scene, const StoredMaps& maps) {
+  const std::optional<Cause> found = cause(scene, maps);
+  return found ? found->code : "none";
+}
+
+/// Puts other states in the place of a triangle's.
+void set(StoredMaps& maps, std::size_t k, const std::vector<State>& states) {
+  impl::micromap::pack(states, Format::four_state, maps.baked.triangles[k].map);
+  Array& array = maps.arrays[maps.links[k].array];
+  std::copy(maps.baked.triangles[k].map.begin(), maps.baked.triangles[k].map.end(),
+            array.data.begin() + array.records[*maps.links[k].record].offset);
+}
+
+std::vector<State> states(const StoredMaps& maps, std::size_t k) {
+  std::vector<State> all(impl::micromap::micro_triangles(level));
+  impl::micromap::unpack(maps.baked.triangles[k].map, Format::four_state, all);
+  return all;
+}
+
+/// Reads triangle k from another record.
+void link(StoredMaps& maps, std::size_t k, std::size_t array, std::uint64_t record) {
+  maps.links[k].array = array;
+  maps.links[k].record = record;
+  maps.baked.triangles[k] = stored_map(maps.arrays[array], record);
+}
+
+TEST(Cause, RightMapsHaveNone) {
+  const Scene scene = leaves();
+  EXPECT_EQ(code(scene, stored(scene)), "none");
+}
+
+TEST(Cause, NamesOtherInputs) {
+  struct Fault {
+    const char* code;
+    std::function<void(Scene&)> make;
+  };
+  const auto uvs = [](Uv (*change)(const Uv&)) {
+    return [change](Scene& s) {
+      for (Primitive& p : s.primitives)
+        for (Uv& uv : p.uvs) uv = change(uv);
+    };
+  };
+  const Fault faults[] = {
+      {"v_flipped", uvs([](const Uv& uv) {
+         return Uv{uv[0], 1 - uv[1]};
+       })},
+      {"u_flipped", uvs([](const Uv& uv) {
+         return Uv{1 - uv[0], uv[1]};
+       })},
+      {"uv_exchanged", uvs([](const Uv& uv) {
+         return Uv{uv[1], uv[0]};
+       })},
+      {"factor_left_out", [](Scene& s) { s.materials[0].base_color_alpha = 1; }},
+      {"vertex_alpha_left_out",
+       [](Scene& s) {
+         for (Primitive& p : s.primitives) p.vertex_alpha = {};
+       }},
+      {"wrap", [](Scene& s) { s.materials[0].texture->sampler.wrap_u = Wrap::repeat; }},
+      {"wrap", [](Scene& s) { s.materials[0].texture->sampler.wrap_v = Wrap::mirrored_repeat; }},
+      {"filter", [](Scene& s) { s.materials[0].texture->sampler.magnification = Filter::nearest; }},
+      {"texture", [](Scene& s) { s.materials[0].texture->image = 1; }},
+      {"cutoff", [](Scene& s) { s.materials[0].cutoff = 0.45f; }},
+      {"cutoff", [](Scene& s) { s.materials[0].cutoff = 0.33f; }},
+  };
+  const Scene scene = leaves();
+  for (const Fault& fault : faults) {
+    SCOPED_TRACE(fault.code);
+    const std::optional<Cause> found = cause(scene, baked_from(scene, fault.make));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->code, fault.code) << found->says;
+    EXPECT_EQ(found->explained, found->wrong);
+  }
+}
+
+TEST(Cause, NamesTheCutoffsUnderWhichAllIsRight) {
+  const Scene scene = leaves();
+  const std::optional<Cause> found =
+      cause(scene, baked_from(scene, [](Scene& s) { s.materials[0].cutoff = 0.45f; }));
+  ASSERT_TRUE(found);
+  double least = 0, greatest = 0;
+  ASSERT_EQ(std::sscanf(found->says.substr(found->says.find("from ")).c_str(), "from %lf to %lf", &least,
+                        &greatest),
+            2)
+      << found->says;
+  EXPECT_LE(least, 0.4501);
+  EXPECT_GE(greatest, 0.4499);
+  EXPECT_LT(greatest - least, 0.05);
+}
+
+TEST(Cause, NamesBlendBakedByACutoff) {
+  Scene scene = leaves();
+  scene.materials[0].mode = AlphaMode::blend;
+  EXPECT_EQ(code(scene, baked_from(scene, [](Scene& s) { s.materials[0].mode = AlphaMode::mask; })),
+            "blend_by_cutoff");
+}
+
+TEST(Cause, NamesMaskBakedAsBlend) {
+  Scene scene = leaves();
+  scene.materials[0].base_color_alpha = 1;
+  for (Primitive& p : scene.primitives) p.vertex_alpha = {};
+  for (std::uint8_t& alpha : std::get<0>(scene.images[0].alpha)) alpha = alpha < 96 ? 0 : alpha;
+  EXPECT_EQ(code(scene, baked_from(scene, [](Scene& s) { s.materials[0].mode = AlphaMode::blend; })),
+            "mask_as_blend");
+}
+
+TEST(Cause, NamesTransformsAndSets) {
+  Scene scene = leaves();
+  const Scene raw = scene;
+  const TextureTransform transform{{0.125f, 0.0625f}, {0.5f, 0.75f}, 0.5f};
+  scene.materials[0].texture->transform = transform;
+  const auto of = [&](const TextureTransform& t) {
+    return [t, &raw](Scene& s) {
+      for (std::size_t p = 0; p < s.primitives.size(); ++p)
+        for (std::size_t k = 0; k < raw.primitives[p].uvs.size(); ++k)
+          s.primitives[p].uvs[k] = transformed(t, raw.primitives[p].uvs[k]);
+    };
+  };
+  of(transform)(scene);
+  const auto read = [&](const Primitive& p, const BaseColorTexture& texture) {
+    std::vector<Uv> uvs;
+    if (texture.uv_set > 1) return uvs;
+    for (Uv uv : raw.primitives[p.number].uvs) {
+      if (texture.uv_set == 1) uv = {uv[1], 0.5f * uv[0]};
+      uvs.push_back(transformed(texture.transform, uv));
+    }
+    return uvs;
+  };
+  const auto named = [&](const std::function<void(Scene&)>& fault) {
+    const StoredMaps maps = baked_from(scene, fault);
+    const std::optional<Cause> found = proofs::scene::cause_of(Judged{scene, maps, 0, false, read});
+    return found ? found->code : std::string("none");
+  };
+  EXPECT_EQ(named(of({})), "transform_left_out");
+  EXPECT_EQ(named(of({{0, 0}, transform.scale, transform.rotation})), "transform_offset_left_out");
+  EXPECT_EQ(named(of({transform.offset, {1, 1}, transform.rotation})), "transform_scale_left_out");
+  EXPECT_EQ(named(of({transform.offset, transform.scale, 0})), "transform_rotation_left_out");
+  EXPECT_EQ(named(of({transform.offset, transform.scale, -transform.rotation})),
+            "transform_rotation_reversed");
+  EXPECT_EQ(named([&](Scene& s) {
+              for (Primitive& p : s.primitives) {
+                BaseColorTexture texture = *scene.materials[0].texture;
+                texture.uv_set = 1;
+                p.uvs = read(p, texture);
+              }
+            }),
+            "uv_set");
+}
+
+TEST(Cause, NamesTurnedCorners) {
+  const Scene scene = leaves();
+  StoredMaps maps = stored(scene);
+  const std::array<std::uint8_t, 3> orders[] = {{1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {0, 1, 2}};
+  for (std::size_t k = 0; k < maps.links.size(); ++k) {
+    impl::micromap::Bytes out(maps.baked.triangles[k].map.size());
+    impl::micromap::reorder(maps.baked.triangles[k].map, level, Format::four_state, orders[k % 4], out);
+    maps.baked.triangles[k].map = out;
+  }
+  const std::optional<Cause> found = cause(scene, maps);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->code, "corners");
+  EXPECT_THAT(found->says,
+              testing::ContainsRegex("[23] turned by 1, [23] turned by 2, [123] wound the other way"));
+}
+
+TEST(Cause, NamesStatesAndOrders) {
+  const Scene scene = leaves();
+  const auto named = [&](const std::function<std::vector<State>(const std::vector<State>&)>& change) {
+    StoredMaps maps = stored(scene);
+    for (std::size_t k = 0; k < maps.links.size(); ++k) set(maps, k, change(states(maps, k)));
+    const std::optional<Cause> found = cause(scene, maps);
+    return found ? found->code + ": " + found->says : std::string("none");
+  };
+  const auto recode = [](std::array<State, 4> to) {
+    return [to](std::vector<State> all) {
+      for (State& s : all) s = to[static_cast<std::size_t>(s)];
+      return all;
+    };
+  };
+  EXPECT_THAT(named(recode({State::O, State::T, State::UT, State::UO})),
+              testing::StartsWith("states: T and O are"));
+  EXPECT_THAT(named(recode({State::T, State::O, State::UO, State::UT})), testing::StartsWith("unknown_side"));
+  EXPECT_THAT(named(recode({State::T, State::UT, State::O, State::UO})),
+              testing::StartsWith("states: the two bits"));
+  // Children 0 and 3 change places in every digit.
+  EXPECT_THAT(named([](const std::vector<State>& all) {
+                std::vector<State> moved = all;
+                for (std::uint32_t k = 0; k < all.size(); ++k) {
+                  std::uint32_t to = 0;
+                  for (unsigned digit = 0; digit < level; ++digit) {
+                    const std::uint32_t d = k >> 2 * digit & 3;
+                    to |= (d == 0 ? 3 : d == 3 ? 0 : d) << 2 * digit;
+                  }
+                  moved[to] = all[k];
+                }
+                return moved;
+              }),
+              testing::HasSubstr("children 0 and 3 change places in every digit"));
+}
+
+TEST(Cause, NamesLinks) {
+  const Scene scene = leaves();
+  const auto named = [&](const std::function<void(StoredMaps&)>& fault) {
+    StoredMaps maps = stored(scene);
+    fault(maps);
+    return code(scene, maps);
+  };
+  EXPECT_EQ(named([](StoredMaps& maps) {
+              for (std::size_t k = 0; k < maps.links.size(); ++k) link(maps, k, maps.links[k].array, 0);
+            }),
+            "indices_equal");
+  EXPECT_EQ(named([](StoredMaps& maps) {
+              for (Array& array : maps.arrays)
+                for (auto& record : array.records) record.offset = 0;
+              for (std::size_t k = 0; k < maps.links.size(); ++k)
+                link(maps, k, maps.links[k].array, *maps.links[k].record);
+            }),
+            "offsets_equal");
+  EXPECT_EQ(named([](StoredMaps& maps) {
+              for (std::size_t k = 0; k < maps.links.size(); ++k)
+                link(maps, k, 1 - maps.links[k].array, *maps.links[k].record);
+            }),
+            "micromaps_exchanged");
+  EXPECT_EQ(named([](StoredMaps& maps) {
+              for (std::size_t k = triangles_each; k < maps.links.size(); ++k)
+                link(maps, k, 0, *maps.links[k].record);
+            }),
+            "other_micromap");
+  EXPECT_EQ(named([](StoredMaps& maps) {
+              for (std::size_t k = 0; k < maps.links.size(); ++k)
+                link(maps, k, maps.links[k].array, triangles_each - 1 - *maps.links[k].record);
+            }),
+            "triangles_reversed");
+  EXPECT_EQ(named([](StoredMaps& maps) {
+              link(maps, 1, 0, 3);
+              link(maps, 3, 0, 1);
+            }),
+            "other_triangles");
+  EXPECT_EQ(named([](StoredMaps& maps) {
+              for (auto& array : maps.arrays) {  // a record that nobody has is before the others
+                array.records.insert(array.records.begin(), array.records[2]);
+              }
+              for (std::size_t k = 0; k < maps.links.size(); ++k)
+                link(maps, k, maps.links[k].array, *maps.links[k].record);
+            }),
+            "base_triangle");
+  EXPECT_EQ(named([](StoredMaps& maps) {
+              maps.links[2].record = {};
+              maps.baked.triangles[2] = BakedTriangle{0, Format::four_state, {0, 1, 0, 0}, State::O, {}};
+            }),
+            "special_index");
+}
+
+TEST(Cause, NamesAChangedTexture) {
+  const Scene scene = leaves();
+  const StoredMaps maps = baked_from(scene, [](Scene& s) {
+    auto& alpha = std::get<0>(s.images[0].alpha);
+    for (std::size_t y = 8; y < 16; ++y)
+      for (std::size_t x = 8; x < 16; ++x) alpha[x + 32 * y] = alpha[x + 32 * y] < 128 ? 255 : 0;
+  });
+  EXPECT_EQ(code(scene, maps), "texture_changed");
+}
+
+TEST(Cause, NamesNoneOfRandomMaps) {
+  const Scene scene = leaves();
+  StoredMaps maps = stored(scene);
+  proofs::Random random(3, 0, 0);
+  for (std::size_t k = 0; k < maps.links.size(); ++k) {
+    std::vector<State> all(impl::micromap::micro_triangles(level));
+    for (State& s : all) s = static_cast<State>(random.below(4));
+    set(maps, k, all);
+  }
+  EXPECT_EQ(code(scene, maps), "none");
+}
+
+TEST(Cause, NamesNoneOfOneWrongState) {
+  const Scene scene = leaves();
+  StoredMaps maps = stored(scene);
+  for (std::size_t k = 0; k < maps.links.size(); ++k) {
+    std::vector<State> all = states(maps, k);
+    const auto found = std::find(all.begin(), all.end(), State::UT);
+    if (found == all.end()) continue;
+    *found = State::O;
+    set(maps, k, all);
+    EXPECT_EQ(code(scene, maps), "none");
+    return;
+  }
+  FAIL() << "no map has a UT";
+}
+
+TEST(Cause, NamesNoneOfTwoFaultsAtOnce) {
+  const Scene scene = leaves();
+  const StoredMaps maps = baked_from(scene, [](Scene& s) {
+    s.materials[0].texture->sampler.magnification = Filter::nearest;
+    for (Primitive& p : s.primitives)
+      for (Uv& uv : p.uvs) uv[1] = 1 - uv[1];
+  });
+  EXPECT_EQ(code(scene, maps), "none");
+}
+
+}  // namespace
+}  // namespace mmverify::tests
