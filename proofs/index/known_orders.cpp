@@ -86,10 +86,10 @@ const std::vector<KnownOrder>& known_orders() {
          [](const GridPoint& p, Level n) { return simplified(p, n, false, false); }});
     Permutation children = identity;
     while (std::next_permutation(children.begin(), children.end()))
-      orders.push_back(
-          {"the curve, but " + text_of_children(children) + " in every digit", [children](const GridPoint& p, Level n) {
-             return with_children(children, spec::index::reference(p, n), n);
-           }});
+      orders.push_back({"the curve, but " + text_of_children(children) + " in every digit",
+                        [children](const GridPoint& p, Level n) {
+                          return with_children(children, spec::index::reference(p, n), n);
+                        }});
     return orders;
   }();
   return all;
