@@ -60,7 +60,7 @@ TEST(ArrayChanges, a_reader_may_refuse_what_is_no_array) {
 TEST(ArrayChanges, that_are_missing_are_named) {
   const Outcome o = judge_changes("saves_alone", "array.reorder array.files array.compact");
   expect_said(o, 2, {"proved     array.reorder", "n/a        array.files", "n/a        array.compact"});
-  EXPECT_THAT(o.err, HasSubstr("array.files was asked for, and nothing was judged"));
+  EXPECT_THAT(o.err, testing::HasSubstr("array.files was asked for, and nothing was judged"));
 }
 
 }  // namespace array_changes_plugin_test
