@@ -233,8 +233,9 @@ class Search {
       attempt(change.code, change.says, [&](const std::vector<std::size_t>& triangles) {
         Maps maps;
         for (const std::size_t k : triangles) {
-          maps.stored.push_back(change.maps[k] ? states_of(*change.maps[k]) : stored_[k]);
-          maps.expected.push_back(right_at(k, change.maps[k] ? change.maps[k]->level : level(k)));
+          const std::optional<BakedTriangle> map = change.map(k);
+          maps.stored.push_back(map ? states_of(*map) : stored_.at(k));
+          maps.expected.push_back(right_at(k, map ? map->level : level(k)));
         }
         return maps;
       });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 
 namespace mmverify::proofs::scene {
@@ -59,19 +60,14 @@ class Links {
     return Place{link.array, *link.record};
   }
 
-  /// Adds the reading, unless it changes nothing.
-  void add(std::string code, std::string says, const Rule& rule) {
-    LinkChange change{std::move(code), std::move(says), {}};
-    bool changes = false;
-    for (const MapLink& link : maps_.links) {
-      change.maps.emplace_back();
-      if (!link.record) continue;
-      const std::optional<Place> place = rule(link);
-      if (!place || place->record >= maps_.arrays[place->array].records.size()) continue;
-      change.maps.back() = mmverify::scene::stored_map(maps_.arrays[place->array], place->record);
-      changes = changes || place->array != link.array || place->record != *link.record;
-    }
-    if (changes) all_.push_back(std::move(change));
+  void add(std::string code, std::string says, Rule rule) {
+    all_.push_back({std::move(code), std::move(says),
+                    [&maps = maps_, rule = std::move(rule)](std::size_t k) -> std::optional<BakedTriangle> {
+                      if (!maps.links[k].record) return {};
+                      const std::optional<Place> place = rule(maps.links[k]);
+                      if (!place || place->record >= maps.arrays[place->array].records.size()) return {};
+                      return mmverify::scene::stored_map(maps.arrays[place->array], place->record);
+                    }});
   }
 
   /// Records that all point to one place, read as if their maps lay one after another.
@@ -94,13 +90,13 @@ class Links {
       changes = true;
     }
     if (!changes) return;
-    LinkChange change{
-        "offsets_equal", "the offsets of all records are equal; their maps lie one after another", {}};
-    for (const MapLink& link : maps_.links)
-      change.maps.push_back(link.record
-                                ? std::optional(mmverify::scene::stored_map(arrays[link.array], *link.record))
-                                : std::nullopt);
-    all_.push_back(std::move(change));
+    all_.push_back(
+        {"offsets_equal", "the offsets of all records are equal; their maps lie one after another",
+         [&maps = maps_, arrays = std::move(arrays)](std::size_t k) -> std::optional<BakedTriangle> {
+           const MapLink& link = maps.links[k];
+           if (!link.record) return {};
+           return mmverify::scene::stored_map(arrays[link.array], *link.record);
+         }});
   }
 
   void equal_indices() {
@@ -167,6 +163,13 @@ class Links {
 
 }  // namespace
 
-std::vector<LinkChange> link_changes(const Judged& judged) { return Links(judged).all(); }
+std::vector<LinkChange> link_changes(const Judged& judged) {
+  const auto links = std::make_shared<Links>(judged);
+  std::vector<LinkChange> all = links->all();
+  // The rules read the links.
+  for (LinkChange& change : all)
+    change.map = [links, map = std::move(change.map)](std::size_t triangle) { return map(triangle); };
+  return all;
+}
 
 }  // namespace mmverify::proofs::scene
