@@ -1,4 +1,4 @@
-// What a call is refused with.
+// The message of a refused call.
 #pragma once
 
 #include <exception>
@@ -6,7 +6,7 @@
 
 namespace mmverify::tests {
 
-/// What the exception says that ends the call, an Error; `none` where it ends without.
+/// The message of the Error that ends the call; `none` if none does.
 template <class Error = std::exception, class Call>
 std::string complaint_of(Call call, const std::string& none = "none") {
   try {

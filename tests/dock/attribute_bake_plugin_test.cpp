@@ -38,7 +38,7 @@ TEST(AttributeBaker, above_the_level_that_it_declares_is_not_asked) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-// What each does stands in tests/subjects/wrong_attribute_bake.cpp.
+// tests/subjects/wrong_attribute_bake.cpp says what each does.
 TEST(WrongAttributeBaker, is_refuted_and_replayed) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   expect_each_refuted(

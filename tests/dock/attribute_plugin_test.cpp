@@ -34,7 +34,7 @@ TEST(AttributeSubject, at_level_16_products_leave_32_bits_and_the_example_keeps_
 
 // -----------------------------------------------------------------------------------------------------------------
 
-// What each does stands in tests/subjects/wrong_attribute.cpp, and at which level.
+// tests/subjects/wrong_attribute.cpp says what each does, and at which level.
 TEST(WrongAttribute, is_refuted_and_replayed) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   expect_each_refuted(

@@ -37,7 +37,7 @@ TEST(WrongBake, is_refuted_and_replayed) {
                                     "case texels=u8:2x2:00000000", "expected micro-triangle 0 T"}});
 }
 
-// What each does stands in tests/subjects/wrong_bake.cpp.  Its first case is within the first of 16 shares.
+// tests/subjects/wrong_bake.cpp says what each does.  Its first case is within the first of 16 shares.
 TEST(MisbehavingBake, is_broken_with_the_case) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   expect_each_broken(

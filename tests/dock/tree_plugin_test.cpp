@@ -63,7 +63,7 @@ constexpr char encoding[] = "at level 1 encoding 2-state:0110",
                out_of_output[] = "it touched memory outside its output",
                out_of_tree_input[] = "it wrote to its input or read past its end";
 
-// What each does stands in tests/subjects/wrong_tree.cpp; the next law is judged.
+// tests/subjects/wrong_tree.cpp says what each does; the next law is judged.
 TEST(MisbehavingTree, is_broken_with_the_case_and_the_run_goes_on) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   expect_each_broken(

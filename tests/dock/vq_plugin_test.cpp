@@ -44,7 +44,7 @@ TEST(WrongVq, is_refuted_and_replayed) {
 constexpr char regions[] = "vq2.region_is_map", encodes[] = "vq2.conservative",
                out_of_vq_input[] = "it wrote to its input or read past its end";
 
-// What each does stands in tests/subjects/wrong_vq.cpp; the next law is judged.
+// tests/subjects/wrong_vq.cpp says what each does; the next law is judged.
 TEST(MisbehavingVq, is_broken_with_the_case_and_the_run_goes_on) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   expect_each_broken(

@@ -20,7 +20,7 @@ std::string error_of(Make make) {
   return mmverify::tests::complaint_of<std::invalid_argument>([&] { make(); });
 }
 
-/// What a baker of one texture of four floats is made of.
+/// The inputs of a baker of one texture of four floats.
 struct Parts {
   std::vector<float> texels{0, 1, 0, 1};
   std::size_t mips = 1;

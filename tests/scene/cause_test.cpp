@@ -409,6 +409,75 @@ TEST(Cause, NamesNoneOfOneWrongState) {
   FAIL() << "no map has a UT";
 }
 
+TEST(Cause, NamesNoneOfAStateThatABakerTookForKnown) {
+  const Scene scene = leaves();
+  const StoredMaps right = stored(scene);
+  std::size_t tried = 0;
+  for (std::size_t k = 0; k < right.links.size(); ++k) {
+    const std::vector<State> all = states(right, k);
+    for (std::size_t at = 0; at < all.size() && tried < 80; ++at) {
+      if (all[at] != State::UO) continue;
+      ++tried;
+      StoredMaps maps = right;
+      std::vector<State> changed = all;
+      changed[at] = State::O;
+      set(maps, k, changed);
+      EXPECT_EQ(code(scene, maps), "none") << "triangle " << k << " micro-triangle " << at;
+    }
+  }
+  EXPECT_GT(tried, 20u);
+}
+
+TEST(Cause, NamesNoneOfOppositeStatesAmongOthers) {
+  const Scene scene = leaves();
+  StoredMaps maps = stored(scene);
+  std::vector<State> all = states(maps, 0);
+  std::size_t left = 3;
+  for (State& s : all)
+    if (s == State::T && left != 0) s = State::O, --left;
+  ASSERT_EQ(left, 0u);
+  set(maps, 0, all);
+  EXPECT_EQ(code(scene, maps), "none");
+}
+
+TEST(Cause, NamesNoneOfFewStates) {
+  Scene scene = leaves();
+  scene.primitives.resize(1);
+  scene.materials[0].cutoff = 0;  // all is O
+  StoredMaps maps = stored(scene, 0);
+  for (std::size_t k = 0; k < maps.links.size(); ++k) {
+    const std::vector<State> transparent{State::T};
+    set(maps, k, transparent);
+  }
+  EXPECT_EQ(code(scene, maps), "none") << "six states fit an exchange by chance";
+}
+
+TEST(Cause, NamesNoneOfMapsThatAreUnknownAlmostEverywhere) {
+  const Scene scene = leaves();
+  StoredMaps maps = baked_from(scene, [](Scene& s) {
+    for (Primitive& p : s.primitives)
+      for (Uv& uv : p.uvs) uv[1] = 1 - uv[1];
+  });
+  for (std::size_t k = 0; k < maps.links.size(); ++k) {
+    std::vector<State> all = states(maps, k);
+    for (std::size_t at = 0; at < all.size(); ++at)
+      if (at % 4 != 0 && all[at] < State::UT) all[at] = all[at] == State::T ? State::UT : State::UO;
+    set(maps, k, all);
+  }
+  EXPECT_EQ(code(scene, maps), "none");
+}
+
+TEST(Cause, NamesNoneOfATextureThatChangedAllOver) {
+  const Scene scene = leaves();
+  const StoredMaps maps = baked_from(scene, [](Scene& s) {
+    auto& alpha = std::get<0>(s.images[0].alpha);
+    for (std::size_t y = 0; y < 32; ++y)
+      for (std::size_t x = 0; x < 32; ++x)
+        if ((x % 28 < 4 && y % 28 < 4) || (x / 4 == 4 && y / 4 == 4)) alpha[x + 32 * y] ^= 0xff;
+  });
+  EXPECT_EQ(code(scene, maps), "none");
+}
+
 TEST(Cause, NamesNoneOfTwoFaultsAtOnce) {
   const Scene scene = leaves();
   const StoredMaps maps = baked_from(scene, [](Scene& s) {

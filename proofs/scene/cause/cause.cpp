@@ -283,6 +283,8 @@ class Search {
     for (const std::size_t k : all_) {
       if (fits_[k].is_right()) continue;
       if (found.size() == most) return;
+      // A map that is nearly right is its triangle's: nearly uniform maps fit many triangles.
+      if (16 * (fits_[k].wrong + fits_[k].needless) < stored_[k].size()) return;
       const auto record = fitting_record(k);
       if (!record) return;
       all += record->second;
