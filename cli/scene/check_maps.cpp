@@ -206,8 +206,12 @@ int check_maps(const CheckMapsOptions& options) {
     for (const std::string& line : malformed.lines) say(out, "  {}\n", line);
     return failed;
   }
-  if (maps.baked.triangles.empty() && maps.not_judged.empty())
-    throw UsageError(fmt::format("{}: no primitive has a micromap", options.file));
+  for (const std::string& note : scene.notes) say(out, "note: {}\n", printable(note));
+  if (maps.baked.triangles.empty() && maps.not_judged.empty()) {
+    const std::string other = names_used(options.file).other;
+    throw UsageError(fmt::format("{}: no primitive has a micromap{}", options.file,
+                                 other.empty() ? "" : "; it has " + other + ", which is not read here"));
+  }
   print_maps(out, options.file, scene, maps);
   const SceneArrays no_arrays;
   const Pairs no_pairs;
