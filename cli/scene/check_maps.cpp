@@ -26,6 +26,7 @@
 #include "scene/read/file.hpp"
 #include "scene/read/load.hpp"
 #include "scene/read/primitives.hpp"
+#include "scene/validate/issues.hpp"
 #include "scene/validate/micromaps.hpp"
 #include "scene/validate/stored_maps.hpp"
 
@@ -43,7 +44,8 @@ struct Malformed {
 
 StoredMaps of_file(const CheckMapsOptions& options, const Scene& scene) {
   Malformed malformed;
-  for (const FileViolation& v : validate_micromaps(options.file)) malformed.lines.push_back(describe(v));
+  for (const FileViolation& v : validate_micromaps(options.file))
+    if (issue_of(v.rule).severity == Severity::error) malformed.lines.push_back(describe(v));
   if (!malformed.lines.empty()) throw malformed;
   return stored_maps(options.file, scene);
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/bc7.hpp"
 #include "scene/read/image.hpp"
 
 namespace mmverify::scene {
@@ -11,7 +12,18 @@ namespace {
 
 using DdsBytes = std::span<const unsigned char>;
 
-enum class DdsFormat { bc1, bc2, bc3, no_alpha_8, no_alpha_16, alpha_byte, no_alpha_24, no_alpha_32, unread };
+enum class DdsFormat {
+  bc1,
+  bc2,
+  bc3,
+  bc7,
+  no_alpha_8,
+  no_alpha_16,
+  alpha_byte,
+  no_alpha_24,
+  no_alpha_32,
+  unread
+};
 
 struct DdsHeader {
   std::uint32_t width = 0, height = 0;
@@ -49,7 +61,14 @@ DdsFormat of_dxgi(std::uint32_t number) {
     case 82:
     case 83:
     case 84:
+    case 94:
+    case 95:
+    case 96:
       return DdsFormat::no_alpha_16;
+    case 97:
+    case 98:
+    case 99:
+      return DdsFormat::bc7;
     case 27:
     case 28:
     case 29:
@@ -125,7 +144,8 @@ std::optional<DdsHeader> header_of(DdsBytes bytes) {
 /// Bytes of a block of 4 x 4 texels; 0 for texels without blocks.
 std::size_t block_bytes(DdsFormat format) {
   if (format == DdsFormat::bc1 || format == DdsFormat::no_alpha_8) return 8;
-  if (format == DdsFormat::bc2 || format == DdsFormat::bc3 || format == DdsFormat::no_alpha_16) return 16;
+  constexpr DdsFormat of_16[] = {DdsFormat::bc2, DdsFormat::bc3, DdsFormat::bc7, DdsFormat::no_alpha_16};
+  if (std::find(std::begin(of_16), std::end(of_16), format) != std::end(of_16)) return 16;
   return 0;
 }
 
@@ -223,6 +243,9 @@ void decode_dds_alpha(DdsBytes bytes, Image& image, const std::string& file, con
       return;
     case DdsFormat::bc3:
       image.alpha = of_blocks<std::uint16_t>(*header, data, alpha_of_bc3);
+      return;
+    case DdsFormat::bc7:
+      image.alpha = of_blocks<std::uint8_t>(*header, data, alpha_of_bc7);
       return;
     case DdsFormat::alpha_byte: {
       std::vector<std::uint8_t> alpha(texels);

@@ -1,4 +1,4 @@
-// The alpha of a DDS, blocks of BC1 to BC5 and plain texels.
+// The alpha of a DDS, blocks of BC1 to BC7 and plain texels.
 #pragma once
 
 #include <array>
@@ -17,9 +17,10 @@ std::optional<std::string> why_unread_dds(std::span<const unsigned char> bytes);
 /// The alpha of a DDS's largest level: 16 bits for BC3, else 8.
 ///   BC1: 0 for the code 3 of a block with colour 0 <= colour 1, else 1
 ///   BC2: code / 15                                 BC3: alpha_of_bc3()
-///   BC4, BC5: 1, since they have no alpha          RGBA8, BGRA8: its byte / 255
+///   BC7: alpha_of_bc7()                            RGBA8, BGRA8: its byte / 255
+///   BC4, BC5, BC6H: 1, since they have no alpha
 /// Errors: BadScene if it is cut off, or a side is 0 or above longest_side; precondition: why_unread_dds() is none.
-/// Source: Khronos Data Format Specification 1.3, 20 (S3TC), 21 (RGTC); DDS_HEADER of Direct3D.
+/// Source: Khronos Data Format Specification 1.3, 20 (S3TC), 21 (RGTC), 22 (BPTC); DDS_HEADER of Direct3D.
 void decode_dds_alpha(std::span<const unsigned char> bytes, Image& image, const std::string& file,
                       const std::string& place);
 
