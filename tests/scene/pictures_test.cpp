@@ -156,8 +156,8 @@ TEST(ScenePictures, AlphaOfBc7IsThatOfAnotherDecoder) {
     const std::uint64_t words[] = {next(), next()};
     unsigned char block[16];
     std::memcpy(block, words, 16);
-    const unsigned mode = k % 8;
-    block[0] = static_cast<unsigned char>((block[0] >> (mode + 1) << (mode + 1)) | 1u << mode);
+    const unsigned mode = k % 8, others = block[0];
+    block[0] = static_cast<unsigned char>((others >> (mode + 1) << (mode + 1)) | 1u << mode);
     const auto alpha = alpha_of_bc7(block);
     crc.process_bytes(alpha.data(), alpha.size());
   }
