@@ -38,7 +38,7 @@ Count4 lost_by(const Search4& search) {
 constexpr Search2 all2{};
 constexpr Search4 all4{}, plain4{.identity_alone = true};
 
-/// Of a map, C at every region of a vector that is not uniform.
+/// Codes uniform vectors only; every other vector becomes C throughout.
 template <class Format>
 Encoded<Format> uniform_alone(const Map<Format>& map) {
   Format block{};
@@ -78,7 +78,8 @@ InsideFault effort2(const char* name, const char* wrong, Encode2 encode, Count2 
           {level_of<Vq2>, level_of<Vq2>}};
 }
 
-/// Where a vector loses something, O or T throughout if it has more of that than of all else: no promise is kept.
+/// Each vector that the search left as C throughout becomes O throughout, or T where it has more T than O. Its C
+/// regions are then guesses, so no promise is kept, and the count of lost regions is too low.
 template <class Format, class Search>
 Encoded<Format> guessed(const Map<Format>& map, const Search& search) {
   auto s = solved(map, search);
