@@ -378,7 +378,7 @@ TEST(MicromapValidate, AStrideOfZeroIsOneIndexForAll) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What no sane file says
+// Numbers that no sane file has
 // ---------------------------------------------------------------------------------------------------------------------
 
 TEST(MicromapValidate, AbsurdNumbersAreJudgedAtOnce) {

@@ -69,7 +69,7 @@ class SceneValidateMutants : public testing::Test {
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What the specification says of bytes
+// The specification's verdict on bytes
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// An array and its geometries, for the specification's validator.
