@@ -1,4 +1,4 @@
-// VQ2 and VQ4: maps of 16x16 regions in 256 bits and of 32x32 in 512.  A block is decoded whole, or one region at a time.
+// VQ2 and VQ4: maps of 16x16 regions in 256 bits and of 32x32 in 512.  A block is decoded whole, or region by region.
 // Each format has the paper's encoders.  VQ2 also has one with the fewest substitutions that the format allows; VQ4 has
 // one with few, and one that proves a lower bound.  Axes, codes and the order of the bits are those of
 // spec/vq/block.hpp: x from the left, y from the bottom.
@@ -62,8 +62,8 @@ struct Encoded4 {
 Encoded2 encode_paper(const Map2& map);
 Encoded4 encode_paper(const Map4& map);
 
-/// Algorithm 1 as its authors probably meant it.  The print sorts vectors by their sums of C, the highest first, and then
-/// takes the lowest; this encoder takes the highest, the frequent ones (among equal scores still the last of the list).
+/// Algorithm 1 as its authors probably meant it.  The print sorts vectors by their sums of C, the highest first, and
+/// then takes the lowest; this encoder takes the highest, the frequent ones (among equal scores still the last).
 /// Law: vq2.conservative
 Encoded2 encode_paper_highest_first(const Map2& map);
 

@@ -78,8 +78,8 @@ InsideFault effort2(const char* name, const char* wrong, Encode2 encode, Count2 
           {level_of<Vq2>, level_of<Vq2>}};
 }
 
-/// Each vector that the search left as C throughout becomes O throughout, or T where it has more T than O.  Its C regions
-/// are then guesses, so no promise is kept, and none of its O and T count as lost.
+/// Each vector that the search left as C throughout becomes O throughout, or T where it has more T than O.  Its C
+/// regions are then guesses, so no promise is kept, and none of its O and T count as lost.
 template <class Format, class Search>
 Encoded<Format> guessed(const Map<Format>& map, const Search& search) {
   auto s = solved(map, search);
@@ -132,8 +132,8 @@ std::pair<std::uint32_t, std::uint32_t> both(const Map<Vq4>& map, std::uint32_t 
   }
   return {o, t};
 }
-/// A lower bound on the loss: a 2x2 that holds O and T has one palette, so it loses the fewer of the two.  Faults take the
-/// more, or windows that are not aligned (step 1).
+/// A lower bound on the loss: a 2x2 that holds O and T has one palette, so it loses the fewer of the two.  Faults take
+/// the more, or windows that are not aligned (step 1).
 std::uint32_t minis(const Map<Vq4>& map, bool the_more, std::uint32_t step) {
   std::uint32_t sum = 0;
   for (std::uint32_t y = 0; y < 31; y += step)
