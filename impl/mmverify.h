@@ -73,7 +73,7 @@ int mmverify_tree_lookup(const mmverify_tree* tree, const uint32_t* index, uint8
 int mmverify_tree_decode(const mmverify_tree* tree, uint8_t* map);
 
 /* Square maps: a byte a region, T 0, C 1, O 2, region (x, y) at x + 16 y or x + 32 y, y from the bottom; blocks
- * of VQ2 have 32 bytes, of VQ4 64 (docs/VQ.md).  All bytes are a block; an encoder takes every map.
+ * of VQ2 have 32 bytes, of VQ4 64 (docs/VQ.md).  Any bytes are a block; an encoder takes any map.
  * Law: vq2.region_is_map, vq4.region_is_map, vq2.conservative */
 int mmverify_vq2_decode(const uint8_t* block, uint8_t* map);
 int mmverify_vq4_decode(const uint8_t* block, uint8_t* map);

@@ -1,4 +1,5 @@
-// The whole library: indices, maps, trees, graphs, square maps, the bakers.  Installed as <mmverify/mmverify.hpp>.
+// The whole library: indices, maps and arrays of them, trees, graphs, square maps, attribute maps, bakers, and the
+// decisions of traversal.  Installed as <mmverify/mmverify.hpp>.
 #pragma once
 
 #include "impl/array/api.hpp"

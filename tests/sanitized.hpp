@@ -1,4 +1,4 @@
-// What the sanitized build does less of: it takes tens of times as long, and the release build does all.
+// The sanitized build takes tens of times as long, so it skips work that the release build does in full.
 #pragma once
 
 #ifdef __has_feature

@@ -16,7 +16,7 @@ namespace vq = impl::vq;
 template <class Map>
 constexpr std::uint32_t side_of = std::tuple_size_v<Map> == 256 ? 16 : 32;
 
-/// Where a shape is well inside O, well outside T, else C: continuous where `band` allows.
+/// A shape: O well inside, T well outside, else C; continuous where `band` allows.
 template <class Map>
 Map blob(std::mt19937& random, double band) {
   constexpr std::uint32_t side = side_of<Map>;

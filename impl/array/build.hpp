@@ -28,9 +28,9 @@ struct Built {
 
 /// Appends a geometry's maps, in their order, to an array that has one record for each map of `before`.
 ///   With `share`, a map takes the first equal record, from record `base` on.  With bound > 0, a 4-state map without an
-///   equal record joins the first record of its level that this build has made and that admits it.  In the joined
-///   record an unknown state replaces a known one, and T beside O becomes UO; UT beside UO cannot be joined.  No
-///   triangle's record may differ from its map in more than `bound` micro-triangles.
+///   equal record joins the first record of its level, made by this build, that can be joined.  Where the two differ,
+///   the joined record is unknown: an unknown state replaces a known one, and T beside O becomes UO.  UT beside UO
+///   cannot be joined, nor can maps whose record would differ from one of them in more than `bound` micro-triangles.
 /// Time: linear in the bytes if bound = 0.  Else each map is compared with each record of its level, mostly by the
 /// first words alone.
 /// Domain: maps as PackedMap has them, levels up to 12, base at most before.size(), an encoding that the API takes; else

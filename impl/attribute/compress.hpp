@@ -27,7 +27,7 @@ struct PackedShape {
   std::uint32_t channels = 4;  ///< 1..4
   std::uint32_t maps = 1;      ///< all of this shape; maps x values x channels below 2^31
   std::array<std::uint8_t, 4> error =
-      {};  ///< the most that a code of each channel may be off, 0..127; of no channel 0
+      {};  ///< greatest error of a code, by channel: 0..127; 0 for absent channels
   friend bool operator==(const PackedShape&, const PackedShape&) = default;
 };
 

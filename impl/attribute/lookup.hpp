@@ -1,7 +1,8 @@
 // A hit's micro-triangle, the indices of its three vertices, the hit's weights, and the RGBA8 value that they
 // interpolate.
 //
-// Each comes once for a single point, inline, and once for spans, in SIMD chosen at run time; both give the same bits.
+// Each function has two forms, which give the same bits: inline for a single point; for spans, in SIMD chosen at run
+// time.
 // IEEE arithmetic must be rounded to nearest without contraction (-ffp-contract=off for the inline ones).
 #pragma once
 

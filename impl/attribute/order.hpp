@@ -4,7 +4,8 @@
 //   vertices   W-minor, U-major, Bird
 //   faces      the curve of the Vulkan specification, rows (Gruen et al.), U-major
 //
-// Each comes once for a single value, inline, and once for spans, in SIMD chosen at run time; both give the same bits.
+// Each function has two forms, which give the same bits: inline for a single value; for spans, in SIMD chosen at run
+// time.
 // Every index up to level 16 fits 32 bits, and so does every product here: r(r+1)/2 is formed as ((r+1)/2) (r|1).
 #pragma once
 

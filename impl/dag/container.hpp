@@ -45,8 +45,8 @@ std::vector<std::uint8_t> save(const Dag& dag);
 
 /// The graph of a container, to which maps can be added as to the saved one: save(load(bytes)) == bytes.
 /// Domain: any bytes; throws BadContainer for bytes that save() cannot have written.  Time and memory are proportional
-/// to the bytes unless somebody made hashes collide on purpose.  A second record of a flat map takes as long as adding
-/// the map, if tiles or nodes were added in between.
+/// to the bytes unless somebody made hashes collide on purpose.  A flat map that has a second record is added again if
+/// tiles or nodes came in between.
 /// Law: dag.canonical, dag.malformed, dag.malformed_on_samples
 Dag load(std::span<const std::uint8_t> bytes);
 

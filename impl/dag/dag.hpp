@@ -49,6 +49,9 @@ static_assert(sizeof(Record) == 8);
 /// The graph of a scene's maps: maps are added, and looked up at any time.
 class Dag {
  public:
+  /// An empty graph of maps in format b.
+  /// Domain: a format that exists, else std::invalid_argument.
+  /// Law: dag.equals_spec
   explicit Dag(Format b);
   ~Dag();
   Dag(Dag&&) noexcept;

@@ -6,7 +6,8 @@
 //   w_minor             index in row order (Gruen et al.)
 //   w_minor_corners     the micro-triangle that carries an index of row order
 //
-// Each comes once for a single value, inline, and once for spans, in SIMD chosen at run time; both give the same bits.
+// Each function has two forms, which give the same bits: inline for a single value; for spans, in SIMD chosen at run
+// time.
 // IEEE arithmetic must be rounded to nearest, the default (no -ffast-math).  Flushing subnormals to zero changes no
 // answer: a subnormal u or v completes no sum to 1, and before the first grid line dia is N-1 with or without it.
 #pragma once

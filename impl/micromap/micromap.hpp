@@ -83,6 +83,9 @@ struct Substitutions {
   /// Law: lossy.judges, lossy.judges_on_samples
   bool force2_stable() const noexcept;
 };
+/// Counts the changes from one packed 4-state map to another, micro-triangle by micro-triangle.
+/// Domain: both have packed_bytes(count, four_state) bytes or more, else std::invalid_argument.
+/// Law: lossy.judges, lossy.judges_on_samples
 Substitutions substitutions(std::span<const std::uint8_t> was, std::span<const std::uint8_t> is,
                             std::uint64_t count);
 
@@ -90,12 +93,16 @@ Substitutions substitutions(std::span<const std::uint8_t> was, std::span<const s
 // Special indices
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The encoding of an index buffer's indices.  Vulkan and DirectX have the unsigned ones only, glTF all five.
+/// The encoding of an index buffer.  Vulkan and DirectX allow the three unsigned ones, glTF all five.
 enum class Encoding : std::uint8_t { u8, u16, u32, i16, i32 };
 
+/// The bits of a code in this encoding.
+/// Law: micromap.special_indices, micromap.special_indices_32
 constexpr unsigned width(Encoding e) noexcept {
   return e == Encoding::u8 ? 8 : e == Encoding::u16 || e == Encoding::i16 ? 16 : 32;
 }
+/// Whether codes are signed numbers in two's complement.
+/// Law: micromap.special_indices, micromap.special_indices_32
 constexpr bool is_signed(Encoding e) noexcept { return e == Encoding::i16 || e == Encoding::i32; }
 
 /// The number of plain indices: 2^w - 4 for an unsigned encoding of w bits, 2^(w-1) for a signed one.

@@ -19,7 +19,7 @@ struct Limits {
   std::uint64_t triangles = std::numeric_limits<std::uint64_t>::max();  ///< maxMicromapTriangles
 };
 
-/// An array, and a geometry that refers to it, from somebody else: nothing in it is trusted.
+/// An untrusted array, and a geometry that refers to it.
 struct Input {
   Sets sets = all_sets;  ///< specifications whose rules apply
   Limits limits = {};

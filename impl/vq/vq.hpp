@@ -1,7 +1,7 @@
-// VQ2 and VQ4: maps of 16x16 regions in 256 bits and of 32x32 in 512, decoded at random or whole.  The encoders: those
-// of the paper; for VQ2 one with the fewest substitutions that the format allows; for VQ4 one with few, and one with a
-// lower bound on them.  Axes, codes and the order of the bits are those of spec/vq/block.hpp: x from the left, y from
-// the bottom.
+// VQ2 and VQ4: maps of 16x16 regions in 256 bits and of 32x32 in 512.  A block is decoded whole, or region by region.
+// Each format has the paper's encoders.  VQ2 also has one with the fewest substitutions that the format allows; VQ4 has
+// one with few, and one that proves a lower bound.  Axes, codes and the order of the bits are those of
+// spec/vq/block.hpp: x from the left, y from the bottom.
 //
 // Source: Compressed Opacity Maps, 4, 4.1 and 5.1, tables 1 and 2, figures 4 and 11.
 #pragma once
@@ -41,7 +41,7 @@ Map2 decode(const Block2& block) noexcept;
 Map4 decode(const Block4& block) noexcept;
 
 // The encoders.  All substitute C for some O and T, and nothing else: every other region stays the same.  If O and T
-// meet in an aligned 2x2 of regions, a code has one of them or neither.
+// meet in an aligned 2x2 of regions, a code can keep only one of them.
 // Domain: every map of T, C and O.
 
 /// A block of VQ2, and its loss.
@@ -62,12 +62,13 @@ struct Encoded4 {
 Encoded2 encode_paper(const Map2& map);
 Encoded4 encode_paper(const Map4& map);
 
-/// Algorithm 1 read kindly.  As printed it sorts vectors by their sums of C, the highest first, and then takes the
-/// lowest; here the highest, the frequent ones, are taken first (among equal scores still the last of the sorted list).
+/// Algorithm 1 as its authors probably meant it.  The print sorts vectors by their sums of C, the highest first, and
+/// then takes the lowest; this encoder takes the highest, the frequent ones (among equal scores still the last).
 /// Law: vq2.conservative
 Encoded2 encode_paper_highest_first(const Map2& map);
 
-/// Algorithm 2 read kindly: the partition that stays all C takes none of the 13 entries, as index 1 is all C.
+/// Algorithm 2 as its authors probably meant it: the partition that stays all C takes none of the 13 entries, since
+/// index 1 is all C.
 /// Law: vq4.conservative
 Encoded4 encode_paper_free_c(const Map4& map);
 
@@ -79,8 +80,8 @@ Encoded2 encode_optimal(const Map2& map);
 /// The effort of an encoder of VQ4; more is never worse.
 enum class Effort : std::uint8_t { fast, balanced, thorough };
 
-/// A block without substitutions if the map fits, whatever the effort.  Else one with few, and never more than with
-/// less effort.
+/// A block without substitutions if the format can hold the map, at any effort.  Else a block with few substitutions,
+/// and never more than with less effort.
 /// Law: vq4.conservative, vq4.lossless_when_it_fits, vq4.effort
 Encoded4 encode(const Map4& map, Effort effort = Effort::balanced);
 
@@ -90,8 +91,8 @@ struct Proved4 {
   std::uint32_t least;  ///< no block has fewer substitutions
 };
 
-/// A block of more than thorough effort, with a bound for every choice of transforms.  On continuous maps the two are
-/// most often equal, and the block then is the best possible.  A tenth of a second a map; for noise, a minute.
+/// A block of more than thorough effort, with a bound over every choice of transforms.  On continuous maps the loss and
+/// the bound are mostly equal, which proves the block optimal.  Time: a tenth of a second a map; a minute for noise.
 /// Law: vq4.bound
 Proved4 encode_proved(const Map4& map);
 

@@ -15,8 +15,8 @@ using TriangleIndex = std::function<std::uint32_t(const MicroTriangle&)>;
 /// Empty for any other order.  Calls `index` once for each of the 4^n micro-triangles.  Domain: n in 1..10.
 std::string name_order(Level n, const TriangleIndex& index);
 
-/// Lines about a subject by its results of index.equals_reference, from the lowest level on.  Domain: one of them is
-/// refuted.
+/// Lines that name a subject's mistake.  Domain: its results of index.equals_reference, from the lowest level on; one
+/// of them is refuted.
 std::vector<std::string> diagnose(const IndexSubject& subject, const std::vector<Result>& results);
 
 /// A cell by its representative, (ku, kv) / 4N, with the right answer and the subject's.

@@ -35,7 +35,7 @@ void add_formats(SceneLaws& all, const Data& data) {
     all.left_out.push_back({"4-state", "not tested: no map that is stored has unknown micro-triangles"});
 }
 
-/// A hash of everything that the laws read.
+/// A fingerprint of the scene and of all its maps: whatever the laws read.
 std::string fingerprint_of(const Data& data) {
   Hash hash;
   hash.numbers(data.arrays.array.data);

@@ -1,8 +1,32 @@
-"""docs/IMPLEMENTATIONS.md of what was found."""
+"""Writes docs/IMPLEMENTATIONS.md from the results."""
 import re
 import textwrap
 
+MOST = 120  # characters a line
 WEAKEST_FIRST = ["broken", "refuted", "incomplete", "checked", "proved", "not_applicable"]
+
+
+def command(text):
+    """The lines of a command.  A shell joins lines at a backslash, in the middle of a word, too: so long cases are cut."""
+    lines, line = [], ""
+    for word in re.split(r" (?=--)", text):
+        if line and len(line) + 1 + len(word) > MOST - 2:
+            lines.append(line + " \\")
+            line = "  " + word
+        else:
+            line += " " * bool(line) + word
+        while len(line) > MOST - 2:
+            at = line.rfind(",", 0, MOST - 2) + 1
+            at = at if at > 60 else MOST - 2
+            lines.append(line[:at] + "\\")
+            line = line[at:]
+    return [*lines, line]
+
+
+def message(text):
+    """The lines of a message, further ones indented."""
+    indent = " " * (len(text) - len(text.lstrip()) + 2)
+    return textwrap.wrap(text, MOST, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
 def by_law(results):
@@ -25,7 +49,7 @@ def broken_case(one):
 
 
 def simplest(results):
-    """Of each law the case that refutes it, and one without an answer, at its lowest such level: lines of text."""
+    """For each law the case that refutes it, and one without an answer, at its lowest such level: lines of text."""
     found = []
     for of_law in by_law(results).values():
         for verdict in ("refuted", "broken"):
@@ -33,9 +57,12 @@ def simplest(results):
             case = one and one.get("counterexample")
             if case:
                 told = f"{one['law']} level {case['level']}: expected {case['expected']}; got {case['got']}"
-                found.append([told, case["replay"]])
+                found.append([*message(told), *command(case["replay"])])
             elif one:
-                found.append([f"{one['law']}: {one.get('reason', verdict)}", *broken_case(one)])
+                replay, reason = broken_case(one), one.get("reason", verdict)
+                if replay:
+                    reason = re.sub(r"(baking|on case) \S+", r"\1 this:", reason)
+                found.append([*message(f"{one['law']}: {reason}"), *(line for text in replay for line in command(text))])
     return found
 
 
@@ -55,13 +82,13 @@ def overall(found):
 
 
 def summary(found_all):
-    lines = ["| implementation | version | what was asked | verdict | laws |", "|---|---|---|---|---|"]
+    lines = ["| implementation | version | entry points | verdict | laws |", "|---|---|---|---|---|"]
     for found in found_all:
         counts = ", ".join(f"{n} {verdict}" for verdict, n in verdicts(found["results"]).items()
                            if verdict != "not_applicable")
         recipe = found["recipe"]
-        lines.append("| " + " | ".join(map(cell, [recipe["name"], found["version"], recipe["asked"], overall(found),
-                                                  counts])) + " |")
+        names = re.sub(r": .*|, as a baker", "", recipe["asked"])  # the section has it in full
+        lines.append("| " + " | ".join(map(cell, [recipe["name"], found["version"], names, overall(found), counts])) + " |")
     return lines
 
 
@@ -85,8 +112,9 @@ def scenes_of(found_all, levels):
     if not rows:
         return []
     lines = ["", "## On scenes", "",
-             "A state is wrong where it is O or T and the texture under it is not, by what the baker declares, and",
-             "needless where it is unknown and need not be. Triangles outside of what the adapter declares are not asked.",
+             "A state is wrong if it is O or T and the texture under it is not, by the baker's own declaration. It is needless",
+             "if it is unknown, and one state holds on the whole micro-triangle. The column `outside` counts triangles beyond",
+             "the adapter's limits; they are not baked.",
              "",
              "| implementation | scene | level | triangles | outside | declined | states | wrong a million | needless |",
              "|---|---|---|---|---|---|---|---|---|"]
@@ -97,19 +125,20 @@ def scenes_of(found_all, levels):
             f"{row['micro_triangles']:,}", f"{row['wrong_per_million']:.1f}" if judged else "-",
             f"{100 * row['needless_share']:.3f} %" if judged else "-"])) + " |")
     subjects = list(dict.fromkeys((scene, subject) for _, scene, _, subject in rows))
-    lines += ["", "Again, with the scene's own path:", "", "```"]
-    lines += [f"mmverify bench bake --scene {scene} --levels {levels} --subject {subject}" for scene, subject in subjects]
+    lines += ["", "These commands, with the path of the scene, measure again:", "", "```"]
+    for scene, subject in subjects:
+        lines += command(f"mmverify bench bake --scene {scene} --levels {levels} --subject {subject}")
     return lines + ["```"]
 
 
 def speeds_of(found_all, ours):
-    """Of bakers and of indices, beside this project's own."""
+    """The times of bakers and of indices, beside this project's own."""
     lines = []
     bakers = [found for found in found_all if found["times"]]
     if bakers:
-        lines += ["", "## Speed", "", "Of bakers: processor time of a state, one thread, in one process with the library, 128 triangles of a texture",
-                  "of 128 x 128 texels; ours is exact. Speeds differ from run to run, and so does where the time limit stops a law;",
-                  "nothing else in this document does. The command above takes them again.", "",
+        lines += ["", "## Speed", "", "Bakers: the processor time of a state, on one thread, in one process with the library, for 128 triangles of a",
+                  "texture of 128 x 128 texels. Our baker is exact. Speeds differ from run to run, and a law may reach its time limit",
+                  "at another case; everything else in this document stays the same. The command above measures again.", "",
                   "| implementation | level | ns a state | ours | x ours |", "|---|---|---|---|---|"]
         for found in bakers:
             for level, ns in found["times"].items():
@@ -117,7 +146,7 @@ def speeds_of(found_all, ours):
                              f"{ns / ours[level]:.2f} |")
     timed = [found for found in found_all if found["index"]]
     if timed:
-        lines += ["", "Of barycentrics to index: at level 9, one thread, a bare loop over batches of 4096.", "",
+        lines += ["", "Barycentrics to index: level 9, one thread, a bare loop over batches of 4096.", "",
                   "| implementation | ns an index | ours, one by one | ours, in batches |", "|---|---|---|---|"]
     for found in timed:
         theirs, own = found["index"]
@@ -131,19 +160,19 @@ def speeds_of(found_all, ours):
 
 def sections(found):
     recipe = found["recipe"]
-    points = [f"Version: {found['version']}.", f"Asked: {recipe['asked']}.", f"Within: {recipe['limits']}.",
-              f"What it says of itself: {recipe['says']}.",
+    points = [f"Version: {found['version']}.", f"Entry points: {recipe['asked']}.", f"Limits: {recipe['limits']}.",
+              f"Its own claim: {recipe['says']}.",
               f"Adapter: [{recipe['id']}](../examples/adapters/{recipe['id']}/recipe)."]
     lines = ["", f"## {recipe['name']}", ""]
     for point in points:
-        lines += textwrap.wrap("- " + point, 120, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False)
+        lines += message("- " + point)
     lines += ["", *laws_of(found)]
     if not found["whole"]:
-        lines += ["", "The time limit came before the last of the laws."]
+        lines += ["", "The time limit ended the run before its last law."]
     for text in simplest(found["results"]):
         lines += ["", "```", *text, "```"]
     if found["diagnoses"]:
-        lines += ["", "```", *found["diagnoses"], "```"]
+        lines += ["", "```", *(line for text in found["diagnoses"] for line in message(text)), "```"]
     return lines
 
 
@@ -152,14 +181,15 @@ def document(found_all, tool, options, ours):
     if options.scene:
         words.insert(1, f"--levels {options.levels}")
     lines = ["# Implementations that exist", "",
-             "What the laws say of implementations by others, each built from a checkout and asked through an adapter of",
-             "[examples/adapters](../examples/adapters). This file is written by `./run implementations`; a verdict is about",
-             "the version and the limits that stand beside it, and about nothing else. A law may ask for more than an",
-             "implementation promises: what each says of itself stands with it. How to add one, and what a recipe is:",
-             "[SUBJECTS.md](SUBJECTS.md#implementations-that-exist).", "",
+             "The laws judge implementations by others. `./run implementations` builds each from a checkout, calls it through an",
+             "adapter of [examples/adapters](../examples/adapters), and writes this file. A verdict is about one version, within",
+             "the limits beside it, and about nothing else. A law may demand more than an implementation promises, so each",
+             "section quotes the implementation's own claim. [SUBJECTS.md](SUBJECTS.md#implementations-that-exist) explains",
+             "recipes, and how to add an implementation.", "",
              f"mmverify {tool['version']}, specification `{tool['spec_hash'][:16]}`, {tool['cpu']}, {tool['compiler']}.", "",
              "```", f"./run implementations {' '.join(words)} DIR...", "```", "",
-             "The replay lines hold from the checkout's root, once that has run.", "", *summary(found_all)]
+             "After that command the `mmverify replay` lines below work from the root of this repository. A shell joins a line",
+             "that ends in a backslash with the next one.", "", *summary(found_all)]
     lines += scenes_of(found_all, options.levels) + speeds_of(found_all, ours)
     for found in found_all:
         lines += sections(found)

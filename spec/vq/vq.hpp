@@ -157,6 +157,7 @@ constexpr Vector<2> decode_mini(std::uint32_t code) {
   return v;
 }
 
+/// The 5 bits of a 2x2 vector; none if it holds O beside T.  All C has palette 0.
 constexpr std::optional<std::uint32_t> encode_mini(const Vector<2>& v) {
   const auto palette = palette_of(v);
   if (!palette) return std::nullopt;

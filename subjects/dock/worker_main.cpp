@@ -27,11 +27,11 @@ int main(int argc, char** argv) {
     std::fputs("mmverify-worker is started by mmverify\n", stderr);
     return 2;
   }
-  // The tool handles Ctrl-C; if it dies, so do its workers; a crash leaves no core file.
+  // Ctrl-C is for the tool to handle.  Workers die with the tool, and leave no core file.
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGPIPE, SIG_DFL);
   std::signal(SIGXFSZ, SIG_DFL);
-  // A limit of processor time is the user's; it ends the worker by SIGKILL a moment later.
+  // The user's limit of processor time ends the worker anyway: SIGKILL follows SIGXCPU a moment later.
   std::signal(SIGXCPU, SIG_IGN);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const rlimit no_core{0, 0};

@@ -27,7 +27,7 @@ TEST(BenchBake, FiguresKeepTheirOrder) {
     }
     EXPECT_EQ(level.of(Baker::ours).wrong + level.of(Baker::ours).needless, 0u);
     EXPECT_EQ(level.of(Baker::centre).needless, 0u) << "it calls nothing unknown";
-    // What is unknown and what is not are all: a baker that settles everything is wrong on each unknown one.
+    // The centre baker settles every micro-triangle, so it is wrong on exactly the unknown ones.
     EXPECT_DOUBLE_EQ(level.of(Baker::centre).wrong_per_million(), 1e6 * level.unknown);
     EXPECT_GT(level.of(Baker::corners).wrong, 0u);
     EXPECT_LT(level.of(Baker::rasterised).wrong_per_million(), 1000);

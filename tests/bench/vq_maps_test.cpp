@@ -22,7 +22,7 @@ bool valid(const States& states) {
   return spec::valid<side>(v);
 }
 
-/// What holds of O and T on a region holds on the four that it is cut into.
+/// A region that is O or T has the same state in each of the four regions that it is cut into.
 template <std::size_t side, class Coarse, class Fine>
 void expect_nested(const Coarse& coarse, const Fine& fine) {
   for (std::size_t y = 0; y < 2 * side; ++y)
@@ -87,7 +87,7 @@ TEST(BenchVqMaps, SavingsAreTheShareOfOpaqueAndTransparent) {
   EXPECT_EQ(savings(states), 0.75);
 }
 
-// Of real foliage, where the checkout has it beside it.
+// Real foliage textures, skipped where the checkout has none beside it.
 TEST(BenchVqMaps, RealTexturesAreSound) {
   const std::string folder = MMVERIFY_ALPHA_TEXTURES;
   if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no textures in " << folder;

@@ -26,7 +26,7 @@ using mmverify::impl::vq::Map4;
 
 constexpr std::uint32_t enough = 1 << 14;
 
-/// Of the reader's T, C and O, rows from the bottom.
+/// The map that a string of T, C and O spells, rows from the bottom; spaces are for the reader.
 Map map_of(const std::string& states) {
   Map map;
   for (const char s : states)
@@ -128,7 +128,7 @@ TEST(BenchVqRivals, TreesGiveLeavesBack) {
     }
 }
 
-/// What can become of a square: its bits above those of the node, and its loss.
+/// One way to code a square: its bits beyond those of its node, and its loss.
 struct Choice {
   std::uint32_t bits, loss;
 };

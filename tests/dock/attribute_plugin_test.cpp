@@ -83,7 +83,7 @@ TEST(AttributeSubject, indices_may_come_alone) {
                "n/a        attribute.triangle_vertices"});
 }
 
-// By itself each order is right: only who asks for two of them sees it.
+// Each order is right alone; a law sees the fault only if it asks for two orders.
 TEST(AttributeSubject, that_keeps_the_first_order_it_was_asked_for_is_refuted) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   expect_said(judge_attribute("attribute_order_of_before", "attribute.order_inverse --levels 0..6"), 1,

@@ -132,7 +132,7 @@ TEST(DeclaredBaker, that_says_nothing_and_declines_most_is_not_called_checked) {
 
 TEST(DeclaredBaker, is_held_to_its_own_rules) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
-  // What meets the cutoff is opaque to it, and it said that it is not.
+  // The baker calls alpha equal to the cutoff opaque, but declares opaque=above.
   const Outcome cutoff = judge_bake("bake_declares_meets_the_cutoff", "bake.conservative --levels 0");
   expect_refuted_and_replayed(cutoff, "bake.conservative");
   EXPECT_THAT(cutoff.out, HasSubstr("opaque=above"));

@@ -38,7 +38,7 @@ TEST(WrongDag, is_refuted_and_replayed) {
        {"dag_promises_the_container", "dag.canonical --levels 0", "expected "}});
 }
 
-// Of more than 65,536 maps some hundred have such numbers; encoding them takes a busy machine its time.
+// The scene has just over 65,536 maps, so some numbers exceed 16 bits; a busy machine takes long to encode it.
 TEST(DagSubject, that_takes_one_of_many_maps_for_another_is_refuted) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   for (const char* name : {"dag_looks_for_257_in_the_first", "dag_numbers_of_16_bits"}) {
@@ -65,7 +65,7 @@ TEST(DagSubject, what_it_does_in_place_of_an_answer_is_told_with_the_case) {
   EXPECT_THAT(o.out, HasSubstr("looking up map=0,k=255"));
 }
 
-// Of a form of its own: the container's laws do not ask it.
+// The decoder has a form of its own, so the container's laws do not ask it.
 TEST(DagSubject, a_decoder_that_does_not_come_back_from_a_damaged_code_is_broken) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   expect_said(judge_dag("dag_decoder_reads_past_its_code", "dag.damaged_codes --levels 1"), 1,

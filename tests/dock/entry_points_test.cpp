@@ -69,7 +69,7 @@ TEST(EntryPoints, take_what_the_header_declares) {
   }
 }
 
-// What no type in the header says.
+// How many numbers one answer has: the header's types do not tell.
 TEST(EntryPoints, numbers_of_an_answer) {
   const std::pair<const char*, std::size_t> several[] = {{"corners", 6},
                                                          {"row_corners", 6},

@@ -70,7 +70,7 @@ Said ask(const std::string& name, const Options& with = options()) {
 }
 
 TEST(Hostile, WhatItMayNotDoIsRefused) {
-  // As a program that was started by another one has them.
+  // This descriptor stands for one inherited from a parent process: no library may find it.
   const int inherited = fcntl(STDERR_FILENO, F_DUPFD, 20);
   for (const char* name :
        {"ends_itself", "signals_the_tool", "leaves_its_group", "reaches_the_tool", "looks_for_descriptors",

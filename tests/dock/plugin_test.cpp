@@ -169,7 +169,7 @@ TEST(Subject, a_crash_on_every_case_ends_the_law_with_the_first) {
   }
 }
 
-// What each does, at u = 3/8, v = 1/4 of level 7, stands in tests/subjects/misbehaving.cpp.
+// tests/subjects/misbehaving.cpp says how each one misbehaves, at u = 3/8, v = 1/4 of level 7.
 INSTANTIATE_TEST_SUITE_P(
     Subject, Misbehaving,
     testing::Values(Misbehaviour{"crash", "crashed (signal ", true},
@@ -240,7 +240,7 @@ TEST(Subject, what_it_does_to_others_has_no_effect) {
   }
 }
 
-// Of files that a process may have open, some number is enough to load the library and too few for a second worker.
+// Some limit on open files is enough to load the library and too low for a second worker.
 TEST(Subject, a_machine_without_room_is_no_fault_of_its) {
   if (sanitized) GTEST_SKIP() << "a sanitizer needs more files than a second worker";
   for (int files = 5; files < 40; ++files) {
@@ -338,7 +338,7 @@ TEST(Subject, that_is_killed_from_outside_has_no_verdict) {
   EXPECT_THAT(o.out, Not(HasSubstr("broken")));
 }
 
-// What was judged before is taken back: nobody knows which of the two it was.
+// Verdicts given before the change are withdrawn too: nobody knows which of the two libraries they are about.
 TEST(Subject, that_is_rebuilt_during_the_run_has_no_verdict) {
   const Folder folder;
   const fs::path file = folder / "mine.so";
@@ -390,7 +390,7 @@ TEST(Subject, its_texts_are_words_in_a_line_and_in_json) {
 
 // -----------------------------------------------------------------------------------------------------------------
 
-// What it says of a reader that stopped is left out.
+// Python's complaint about a reader that stopped is discarded.
 const std::string python = std::string("python3 2>/dev/null ") + MMVERIFY_EXAMPLES + "/pipe/index.py";
 
 Outcome piped(const std::string& filter, int level = 5, const std::string& more = "") {

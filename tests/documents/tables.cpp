@@ -30,7 +30,7 @@ namespace {
 using namespace mmverify::proofs;
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What each reading of the paper comes to
+// Verdicts on each reading of the paper
 // ---------------------------------------------------------------------------------------------------------------------
 
 std::string row(const Result& r) {
@@ -60,7 +60,7 @@ std::string readings() {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What one bit a state costs
+// The cost of one bit a state
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// -sum p log2 p, in bits.
@@ -80,7 +80,7 @@ std::string modes() {
   for (const Level n : {3u, 5u, 7u, 9u}) {
     micromap::StateCounts sum{};
     for (std::uint64_t k = 0; k < discs; ++k) {
-      // Of ten samples in a row the fourth is a disc in four states.
+      // Every tenth sample, from the fourth on, is a disc in four states.
       const mmverify::proofs::micromap::Map map = mmverify::proofs::micromap::sample_map(n, seed, 10 * k + 3);
       const auto states =
           micromap::count_states(map.packed, micromap::Format::four_state, micromap::micro_triangles(n));
@@ -98,7 +98,7 @@ std::string modes() {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What becomes of a candidate hit
+// Decisions on a candidate hit
 // ---------------------------------------------------------------------------------------------------------------------
 
 namespace flow = mmverify::spec::traverse;
@@ -106,7 +106,7 @@ namespace flow = mmverify::spec::traverse;
 /// The outcomes of all combinations that share a row and a column, which should be one.
 using Cell = std::set<flow::Outcome>;
 
-/// What a decision reads before any flag that overrides it.
+/// The state or flag that a decision starts from, before any flag overrides it.
 std::string read_in(const flow::Combination& c) {
   if (!flow::consulted(c))
     return c.candidate.geometry_opaque ? "no micromap, opaque geometry" : "no micromap, geometry not opaque";
@@ -125,7 +125,7 @@ std::string ray_of(const flow::Ray& r) {
   return traverse::flags_of(one);
 }
 
-/// Of all combinations that an API defines; throws where those of one cell differ.
+/// The decision for every combination that an API defines; throws where combinations of one cell differ.
 std::string decisions() {
   std::map<std::pair<std::string, std::string>, std::map<std::string, Cell>> rows;
   std::map<std::string, std::uint64_t> counts;
@@ -182,7 +182,7 @@ std::string undefined_ones() {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What can be found in a file
+// Findings in a file
 // ---------------------------------------------------------------------------------------------------------------------
 
 std::string issues() {
@@ -194,7 +194,7 @@ std::string issues() {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What mmverify vectors writes
+// Files that mmverify vectors writes
 // ---------------------------------------------------------------------------------------------------------------------
 
 std::string vector_families() {

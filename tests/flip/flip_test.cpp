@@ -117,7 +117,7 @@ void over_square(int radius, Weight weight) {
     for (int x = -radius; x <= radius; ++x) weight(x, y);
 }
 
-/// What the eye resolves of texel (x, y), back in linear RGB within [0, 1].
+/// Texel (x, y) as blurred by the eye, back in linear RGB within [0, 1].
 Triple resolved(const Pixels& p, int x, int y, Real ppd) {
   const int radius = static_cast<int>(std::ceil(3 * std::sqrt(0.04L / (2 * pi * pi)) * ppd));
   const auto gauss = [&](int i, int j, Real a, Real b) {
@@ -252,8 +252,8 @@ TEST(Flip, is_what_its_formulas_say_texel_by_texel) {
 }
 
 TEST(Flip, of_an_edge_that_moved_by_a_texel) {
-  // Where filters see one side only there is no edge at all, and as f is a square root, the least rounding left would show:
-  // 1e-8 makes f 1e-4.
+  // The edges differ in one texel only; elsewhere both filters see the same side and f is 0. f is a square root, so a
+  // rounding error of 1e-8 would show as 1e-4.
   const auto edge = [](std::uint32_t at) {
     return drawn(64, 3, [at](auto x, auto, auto) { return x < at ? 30 : 220; });
   };

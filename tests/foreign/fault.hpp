@@ -21,8 +21,8 @@ std::optional<int> chosen_fault(const char* const (&names)[rows]) {
   return std::nullopt;
 }
 
-/// What the subject says of threads.  Asked from two at once it takes several times as long, and a fault that no thread has a
-/// part in answers as before: MMVERIFY_ONE_THREAD spares it that.
+/// The subject's declaration about threads. Two threads at once take several times as long as one, and most faults
+/// answer the same either way: for those a test sets MMVERIFY_ONE_THREAD.
 inline std::uint32_t threading() {
   return std::getenv("MMVERIFY_ONE_THREAD") != nullptr ? MMVERIFY_SINGLE_THREADED : 0u;
 }

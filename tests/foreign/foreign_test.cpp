@@ -158,7 +158,7 @@ TEST_P(ForeignFault, IsRefutedByItsLaws) {
     ASSERT_NE(find_law(asks.law), nullptr) << asks.law;
     const auto found = refutation(asks, subjects);
     ASSERT_TRUE(found) << asks.law << " does not refute: " << fault.wrong;
-    // What answers differently when asked again, or writes too much, is caught as `broken`, which says where.
+    // A subject whose second answer differs, or that writes too much, is `broken`; the reason says where.
     if (found->verdict == Verdict::broken) {
       EXPECT_NE(found->reason, "") << asks.law;
     } else {
@@ -184,7 +184,7 @@ TEST_P(RightForeigner, PassesEveryLawAndEachKnowsThreeOfItsFaults) {
     bool fits = false;
     for (const SubjectPtr& s : subjects) {
       if (!law.general || law.topic != s->topic()) continue;
-      // As far as a test can afford: a library of another hand is slow, and ./run prove runs every level of ours.
+      // The levels that a test can afford: a foreign library is slow. ./run prove runs every level of ours.
       const bool bakes = law.topic == "bake" || law.id.starts_with("attribute.bake_") ||
                          law.id == "attribute.face_mean_is_parent";
       const Level first = law.tiers.fast.first,
@@ -214,7 +214,7 @@ TEST_P(RightForeigner, PassesEveryLawAndEachKnowsThreeOfItsFaults) {
 INSTANTIATE_TEST_SUITE_P(All, RightForeigner, testing::ValuesIn(topics),
                          [](const testing::TestParamInfo<std::string>& topic) { return topic.param; });
 
-// What no law refutes is said.
+// SOUNDNESS.md lists each fault that no law refutes.
 TEST(ForeignFaults, ThoseWithoutALawStandInTheDocument) {
   std::ifstream in(MMVERIFY_SOUNDNESS);
   const std::string text{std::istreambuf_iterator<char>(in), {}};

@@ -9,7 +9,7 @@
 
 namespace mmverify::tests::foreign {
 
-/// What a search for a block of 16x16 regions leaves out: nothing, unless it says so.
+/// Restrictions of a search for a block of 16x16 regions; by default there are none.
 struct Search2 {
   bool identity_alone = false;              ///< tries no other transform
   bool shared_in_turn = false;              ///< each shared entry the best beside those before it
@@ -28,7 +28,7 @@ struct Solved2 {
 /// The block that keeps the most O and T of those that are searched.
 Solved2 solved(const proofs::vq::Map<proofs::vq::Vq2>& map, const Search2& search);
 
-/// What a search for a block of 32x32 regions leaves out.
+/// Restrictions of a search for a block of 32x32 regions.
 struct Search4 {
   bool identity_alone = false;
   std::uint32_t quadrant = 4, untried = 8;

@@ -23,7 +23,7 @@ std::span<const std::uint32_t> parts_of(std::uint32_t index) {
   return generic;
 }
 
-/// What an entry can hold of a vector: of each part, O or T, whichever there is more of.
+/// The regions of a vector that an entry can hold: each part keeps only its O or only its T, whichever are more.
 Masks held(const Masks& source, std::uint32_t index) {
   Masks out;
   for (const std::uint32_t part : parts_of(index)) {

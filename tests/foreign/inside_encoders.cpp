@@ -38,7 +38,7 @@ Count4 lost_by(const Search4& search) {
 constexpr Search2 all2{};
 constexpr Search4 all4{}, plain4{.identity_alone = true};
 
-/// Of a map, C at every region of a vector that is not uniform.
+/// Codes uniform vectors only; every other vector becomes C throughout.
 template <class Format>
 Encoded<Format> uniform_alone(const Map<Format>& map) {
   Format block{};
@@ -78,7 +78,8 @@ InsideFault effort2(const char* name, const char* wrong, Encode2 encode, Count2 
           {level_of<Vq2>, level_of<Vq2>}};
 }
 
-/// Where a vector loses something, O or T throughout if it has more of that than of all else: no promise is kept.
+/// Each vector that the search left as C throughout becomes O throughout, or T where it has more T than O.  Its C
+/// regions are then guesses, so no promise is kept, and none of its O and T count as lost.
 template <class Format, class Search>
 Encoded<Format> guessed(const Map<Format>& map, const Search& search) {
   auto s = solved(map, search);
@@ -121,7 +122,7 @@ InsideFault bound(const char* name, const char* wrong, Encode4 encode, Count4 at
           {level_of<Vq4>, level_of<Vq4>}};
 }
 
-/// O and T in the 2x2 regions from (x, y) on.
+/// The numbers of O and of T in the 2x2 regions whose first corner is (x, y).
 std::pair<std::uint32_t, std::uint32_t> both(const Map<Vq4>& map, std::uint32_t x, std::uint32_t y) {
   std::uint32_t o = 0, t = 0;
   for (std::uint32_t k = 0; k < 4; ++k) {
@@ -131,7 +132,8 @@ std::pair<std::uint32_t, std::uint32_t> both(const Map<Vq4>& map, std::uint32_t 
   }
   return {o, t};
 }
-/// No mini has two palettes: where it holds O and T, it loses all of one.
+/// A lower bound on the loss: a 2x2 that holds O and T has one palette, so it loses the fewer of the two.  Faults take
+/// the more, or windows that are not aligned (step 1).
 std::uint32_t minis(const Map<Vq4>& map, bool the_more, std::uint32_t step) {
   std::uint32_t sum = 0;
   for (std::uint32_t y = 0; y < 31; y += step)
@@ -143,7 +145,7 @@ std::uint32_t minis(const Map<Vq4>& map, bool the_more, std::uint32_t step) {
 }
 std::uint32_t minis(const Map<Vq4>& map) { return minis(map, false, 2); }
 
-/// Vectors that differ and are not uniform, as they lie.
+/// The number of different vectors that are not uniform, without regard to transforms.
 std::uint32_t kinds(const Map<Vq4>& map) {
   std::vector<std::array<State, 16>> seen;
   for (std::uint32_t v = 0; v < 64; ++v) {

@@ -1,4 +1,4 @@
-// What the parts of topic index's foreign subjects share, and their rows.
+// Code that the foreign subjects of topic index share, and their rows.
 #pragma once
 
 #include <memory>

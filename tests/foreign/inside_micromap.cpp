@@ -55,7 +55,7 @@ class Codes {
   static std::uint32_t ones(Encoding e) {
     return e == Encoding::u8 ? 0xff : e == Encoding::u16 || e == Encoding::i16 ? 0xffff : 0xffffffff;
   }
-  /// Of a code that is not special.
+  /// Whether a code that is not special is no index either.
   bool meaningless(std::uint32_t code, Encoding e) const {
     switch (e) {
       case Encoding::u8:

@@ -20,7 +20,7 @@ using proofs::induction::Provable;
 using proofs::induction::Statement;
 using Statements = std::vector<Statement>;
 
-/// What a law's folder holds.
+/// The statements in a law's folder.
 Statements shipped(const std::string& folder) {
   Statements all;
   for (const auto& [path, statement] : proofs::shipped_statements())

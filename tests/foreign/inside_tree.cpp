@@ -1,4 +1,4 @@
-// What Algorithm 3 reads of a tree, counted by an own encoder and an own scan.
+// The bits that Algorithm 3 reads of a tree, counted by an encoder and a scan of our own.
 // Source: Succinct Opacity Micromaps, Algorithms 1 to 3.
 #include <cstdint>
 #include <memory>
@@ -49,7 +49,7 @@ class Scanned {
     if (!alike)
       for (std::uint64_t child = 0; child < 4; ++child) grow(first + child * (count / 4), count / 4);
   }
-  /// Where `subtrees` whole trees end that begin at a bit.
+  /// The end of `subtrees` whole trees, of which the first begins at bit `at`.
   std::uint64_t past(std::uint64_t at, std::uint64_t subtrees) const {
     for (std::uint64_t open = subtrees; open > 0; ++at) open = bits_[at] ? open + 3 : open - 1;
     return at;

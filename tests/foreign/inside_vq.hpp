@@ -56,12 +56,12 @@ class BitReader {
   std::uint32_t at_ = 0;
 };
 
-/// Where a vector has O and where T, a bit a region.
+/// The O and the T of a vector, a bit a region.
 struct Masks {
   std::uint32_t o = 0, t = 0;
 };
 
-/// What table 1 says a row results in: a matrix on coordinates from the middle, y upwards.
+/// A row's result in table 1: a matrix on coordinates from the middle, y upwards.
 struct Matrix {
   int a, b, c, d;
   bool operator==(const Matrix&) const = default;
@@ -69,7 +69,7 @@ struct Matrix {
 inline constexpr Matrix results[] = {{1, 0, 0, 1},  {0, -1, 1, 0}, {1, 0, 0, -1},  {0, -1, -1, 0},
                                      {-1, 0, 0, 1}, {0, 1, 1, 0},  {-1, 0, 0, -1}, {0, 1, -1, 0}};
 
-/// Where a matrix takes region k of side x side.
+/// The region to which a matrix moves region k of side x side.
 constexpr std::uint32_t taken(const Matrix& m, int side, std::uint32_t k) {
   const int last = side - 1, x = 2 * (static_cast<int>(k) % side) - last,
             y = 2 * (static_cast<int>(k) / side) - last;

@@ -180,7 +180,7 @@ void up(std::uint32_t level, std::uint32_t bits, Map map, Bytes above) {
     above[0] = static_cast<std::uint8_t>(above[0] | above[0] << 4);
 }
 
-/// What four children become.
+/// The state of a parent with these four children.
 unsigned parent_of(const unsigned (&child)[4], unsigned bits) {
   unsigned opaque_ones = 0, transparent = 0, solid = 0;
   for (const unsigned c : child) {

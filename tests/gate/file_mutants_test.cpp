@@ -33,12 +33,12 @@ std::string contents(const std::string& path) {
 
 void put(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
-/// What a script may do to a file.
+/// Random damage to a file.
 class Vandal {
  public:
   explicit Vandal(std::uint64_t seed) : random_(seed) {}
 
-  /// Of four, three change the JSON, and one the bytes.
+  /// One change in four is to the bytes, the others to the JSON.
   std::string changed(const std::string& text) {
     if (below(4) == 0) return with_other_bytes(text);
     Json json = Json::parse(text);
@@ -105,7 +105,7 @@ class Vandal {
   std::mt19937_64 random_;
 };
 
-/// What must not change unseen: verdicts, counts, digests of what is proved, and whether mutants died.
+/// The facts that must not change unseen: verdicts, counts, digests of proofs, and whether mutants died.
 Json facts(const Json& run) {
   Json all = Json::array();
   for (const Json& r : run.at("results"))

@@ -19,7 +19,7 @@ using Tree = nlohmann::ordered_json;
 // The program of these tests has the benches' schema, as mmverify has.
 [[maybe_unused]] const bool has_bench_schema = (use_bench_schema(mmverify::bench::schema), true);
 
-/// What is said against the value; empty where it fits.
+/// The complaint about a value; empty where it fits.
 std::string misfit(const Tree& schema, const Tree& value) {
   return mmverify::tests::complaint_of<Misfit>([&] { known_part({&schema, &schema}, value, "file"); }, "");
 }

@@ -23,7 +23,7 @@ Value value(const std::string& json) {
   return {json, j.is_number() ? j.get<double>() : 0};
 }
 
-/// What is said of one figure that was `before` and is `after`.
+/// The change of one figure from `before` to `after`.
 std::optional<Change> change(Rule rule, const std::string& before, const std::string& after) {
   const Baseline baseline{"s", "", {}, {{"group", {{"figure", value(before)}}}}};
   const Figures result{"s", "", {}, {{"group", {{"figure", {value(after), rule}}}}}};
@@ -118,7 +118,7 @@ TEST(Gate, OnlyAFasterSpeedIsGreen) {
   EXPECT_FALSE(c.red());
 }
 
-// Where no speed was compared, the processor does not matter.
+// The processor does not matter unless speeds are compared.
 TEST(Gate, ProcessorsAreNamedWhereSpeedsAreCompared) {
   for (const Rule rule : {Rule::same, Rule::speed_more}) {
     const Baseline baseline{"s", "one", {}, {{"g", {{"f", value("1")}}}}};
@@ -143,13 +143,13 @@ TEST(Gate, OfSeveralRunsTheBestSpeedCounts) {
     for (const auto& [name, figure] : result.groups.at("group")) all += figure.value.text + " ";
     return all;
   };
-  // In the order of the names: less, more, same.
+  // Figures come in the order of their names: less, more, same.
   EXPECT_EQ(best(run("1", "2", "2"), run("3", "4", "1")), "1 4 1 ");
   EXPECT_EQ(best(run("1", "2", "2"), run("3", "1", "3")), "2 2 1 ");
   // No ratio is no better one, and any is better than none.
   EXPECT_EQ(best(run("1", "2", "2"), run("1", "null", "0")), "2 2 1 ");
   EXPECT_EQ(best(run("1", "null", "0"), run("1", "2", "2")), "2 2 1 ");
-  // What one of the two lacks stays as it is.
+  // A figure that one of the two runs lacks stays as it is.
   Figures bare = run("1", "2", "2");
   bare.groups["group"].erase("more");
   bare.groups["more of it"] = {};
@@ -164,7 +164,7 @@ TEST(Gate, OfSeveralRunsTheBestSpeedCounts) {
 // Rules and files
 // ---------------------------------------------------------------------------------------------------------------------
 
-// What the gate is for: the way that each kind of figure points, place by place.
+// The gate's purpose: each kind of figure has a direction, place by place.
 TEST(Gate, TheFiguresThatMatterPointTheRightWay) {
   const struct {
     const char *schema, *place;
@@ -311,7 +311,7 @@ TEST(Contradictions, EachIsFound) {
   Json none = result_of("checked");
   none["cases_run"] = none["by_kind"]["vertex"]["cases"] = none["by_kind"]["edge"]["cases"] = 0;
   EXPECT_EQ(contradiction_in(none), "checked, with no case run");
-  // Of more shards than a domain has pieces some have no case: they have judged nothing.
+  // A domain with fewer pieces than shards leaves some shards without a case: they have judged nothing.
   none["share"] = {{"from", 4}, {"to", 4}, {"of", 9}};
   EXPECT_EQ(contradiction_in(none), "checked, with no case run");
   none["verdict"] = "not_applicable";

@@ -260,7 +260,7 @@ TEST(ImplAttributeBakeFloats, RefusesWhatIsNotFiniteOrNotLinear) {
     PictureFloat other = picture;
     other.texels[15][3] = no;
     EXPECT_THROW(fast::AttributeBakerFloat(other.view()), std::invalid_argument);
-    // Of three columns alone it is not looked at.
+    // A view of the first three columns does not reach that texel.
     EXPECT_NO_THROW(fast::AttributeBakerFloat({other.texels.data()->data(), 3, 4, 4}));
   }
 }

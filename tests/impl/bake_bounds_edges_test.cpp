@@ -63,7 +63,7 @@ struct Part {
   Wide n, d;
   friend bool operator<(const Part& a, const Part& b) { return a.n * b.d < b.n * a.d; }
 };
-/// Of an edge, what is in a closed box; none: from > to.
+/// The part of an edge in a closed box; is_none where there is none.
 struct Piece {
   Part from{0, 1}, to{1, 1};
   bool is_none = false;
@@ -97,7 +97,7 @@ float just_above(double x) {
 }
 float just_below(double x) { return -just_above(-x); }
 
-/// What PieceMarks says of edge e of a node in a cell that has this alpha.
+/// The marks that PieceMarks gives edge e of a node in a cell that has this alpha.
 EdgeMarks judged(const Node& node, std::size_t e, int i, int j, const Cell& alpha, float threshold) {
   SixteenShape shape = node.shape;
   shape.threshold = threshold;
@@ -143,7 +143,7 @@ TEST(ImplBakeBounds, PiecesHoldTheTrueEdge) {
         const Unit p = units(static_cast<double>(hn::GetLane(start))) - (axis == 0 ? i : j) * texel,
                    d = units(
                        static_cast<double>(axis == 0 ? node.shape.dx[direction] : node.shape.dy[direction]));
-        // Where the computed edge is at the true piece's ends; alpha there is off by a few roundings.
+        // The computed edge at the ends of the true piece; alpha there is off by a few roundings.
         const double one = at(piece.from, p, d), other = at(piece.to, p, d),
                      off = 0x1p-20 + 0x1p-21 * std::fabs(static_cast<double>(p) * 0x1p-36);
         const Float zero = hn::Zero(F()), rise = set(1.0f);
@@ -236,7 +236,7 @@ void expect_pieces_within_their_bound(Nodes& nodes, int rounds, std::uint64_t& c
     node.in.pitch = Texels<Texel>::pitch;
     const double reach = 6 * node.delta();
     about_aim(node, reach, [&](std::size_t e, int i, int j) {
-      // Where an edge is cut its end is off by what delta stands for.
+      // A cut edge ends off its true end by up to the error that delta stands for.
       const Box box = cell_box(i, j);
       if (is_exact && !(holds(box, node.edge(e)[0]) && holds(box, node.edge(e)[1]))) return;
       ASSERT_NO_FATAL_FAILURE(expect_piece_within_its_bound(node, texels, e, i, j, reach))
@@ -343,7 +343,7 @@ TEST(ImplBakeBounds, PlacesNearABorderAreNotTold) {
           const Point p = exact_place(k + l);
           const Unit x = p.x - column[l] * 3 * texel, y = p.y - row[l] * 3 * texel;
           const Unit from_border = std::min({x, y, 3 * texel - x, 3 * texel - y});
-          // What is 4 delta inside is told: so that this can fail.
+          // A place 4 delta inside is decided; without this the test could not fail.
           if (static_cast<double>(from_border) > 4 * node.delta() * thirds) {
             ASSERT_EQ(marks[l], 1 + 8) << round;
           }

@@ -8,7 +8,7 @@
 namespace mmverify::tests {
 namespace {
 
-/// As ask_corners() and ask_centroids() have them.
+/// The places that ask_corners() and ask_centroids() compute.
 SixteenFloats places(const SixteenInput& in, std::size_t axis, const SixteenFloats& of_i,
                      const SixteenFloats& of_j) {
   SixteenFloats found;

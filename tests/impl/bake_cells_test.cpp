@@ -27,7 +27,7 @@ struct Picture {
   AlphaView view() const { return {alpha.data(), width, height, width}; }
 };
 
-/// Of one alpha, but for one texel.
+/// A picture of one alpha except for one texel.
 Picture speck(std::uint32_t width, std::uint32_t height, std::uint32_t x, std::uint32_t y,
               std::uint8_t around, std::uint8_t alpha) {
   Picture p{width, height, std::vector<std::uint8_t>(std::size_t{width} * height, around)};

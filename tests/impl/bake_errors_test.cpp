@@ -1,4 +1,4 @@
-// [sanitized, memory] What a baker refuses, and that it names what is wrong.
+// [sanitized, memory] A baker refuses bad input and names the fault.
 #include <gtest/gtest.h>
 
 #include <limits>

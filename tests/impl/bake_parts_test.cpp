@@ -1,4 +1,4 @@
-// What the baker is made of: wide whole numbers, and which texels a run of them reaches.
+// The baker's parts: wide whole numbers, and the texels that a run of indices reaches.
 #include <gtest/gtest.h>
 
 #include <cstdint>

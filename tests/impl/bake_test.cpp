@@ -170,7 +170,7 @@ TEST(ImplBake, TheTexturesFirstRowIsTheMapsLast) {
   Picture picture{8, 8, std::vector<std::uint8_t>(64, 0)};
   for (std::uint32_t y = 0; y < 4; ++y)
     for (std::uint32_t x = 0; x < 4; ++x) picture.alpha[x + 8 * y] = 255;  // the upper left quarter
-  // Where x = 4 or y = 4 alpha is 1/2, which is opaque, and 1/4 where both are.
+  // Alpha is 1/2, which is opaque, on x = 4 and on y = 4, and 1/4 where they cross.
   EXPECT_EQ(squares(picture.view(), {0, 0, 8, 8}, {}, 4), (States{T, T, T, T,  //
                                                                   C, C, T, T,  //
                                                                   O, C, C, T,  //

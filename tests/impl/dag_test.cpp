@@ -26,7 +26,7 @@ Bytes map_of(Level n, const std::vector<std::uint64_t>& tiles) {
 }
 constexpr std::uint64_t ones = ~std::uint64_t{0};
 
-/// As the container would be with that number, its checksum put right.
+/// The container with this number written at `at` and its checksum corrected.
 Bytes with(Bytes bytes, std::size_t at, std::uint32_t word) {
   std::memcpy(&bytes[at], &word, sizeof word);
   const std::uint32_t crc = mmverify::spec::dag::checksum(bytes);

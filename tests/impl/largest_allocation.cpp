@@ -1,4 +1,4 @@
-// In a file of its own: inlined, a new and a delete of ours look mismatched to compilers.
+// This file stands alone: compilers warn of a mismatch where they inline one of our new and delete.
 #include "tests/impl/largest_allocation.hpp"
 
 #include <cstdlib>

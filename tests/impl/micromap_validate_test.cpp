@@ -20,7 +20,7 @@ namespace fast = mmverify::impl::micromap;
 
 constexpr std::uint64_t huge = std::numeric_limits<std::uint64_t>::max();
 
-// What an ArrayValidator leaves out is counted: of each rule all but the first, save at usage counts.
+// An ArrayValidator lists the first violation of each rule, and all of usage counts; it counts the others.
 void expect_counted(const fast::Input& in) {
   const fast::ArrayValidator validator(in, 1);
   fast::Violations is = validator.array();
@@ -378,7 +378,7 @@ TEST(MicromapValidate, AStrideOfZeroIsOneIndexForAll) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What no sane file says
+// Numbers that no sane file has
 // ---------------------------------------------------------------------------------------------------------------------
 
 TEST(MicromapValidate, AbsurdNumbersAreJudgedAtOnce) {

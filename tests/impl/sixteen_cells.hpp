@@ -1,4 +1,4 @@
-// What the vector baker's parts say of a node, for the target that is compiled for.
+// Marks that the vector baker's parts give a node, for the target that is compiled for.
 #pragma once
 
 #include <hwy/highway.h>

@@ -105,7 +105,7 @@ struct Node {
   std::array<Point, 3> corner;  ///< the true ones, from the window's texel (left, top)
   Point aimed;                  ///< what was aimed at, likewise
 
-  /// By number, of SixteenLanes.
+  /// Micro-vertex v, numbered as in SixteenLanes.
   Point vertex(std::size_t v) const {
     const Point b = corner[1] - corner[0], c = corner[2] - corner[0];
     const int i = fourths(sixteen_lanes.vertex_i[v]), j = fourths(sixteen_lanes.vertex_j[v]);
@@ -178,7 +178,7 @@ class Nodes {
       const double delta64 = exact_ || random() % 2 == 0 ? 0 : coarse_ != 0 ? coarse_ : 0x1p-31;
       const Lines lines = lines_of(b, c, delta64);
       if (!lines.usable) continue;
-      // As Bilinear has them.
+      // The four children of a node, in class Bilinear's order.
       const std::array<std::array<PlanePoint, 2>, 4> of_nodes{
           {{b, c}, {b, minus(b, c)}, {minus({}, b), minus(c, b)}, {minus({}, b), minus({}, c)}}};
       const std::size_t k = random() % 4;
@@ -221,7 +221,7 @@ class Nodes {
         return {minus(c, b), minus({}, b)};
     }
   }
-  /// Of a base triangle that is this node many times.
+  /// The lines of a base triangle that is this node, scaled by a power of two.
   Lines lines_of(PlanePoint b, PlanePoint c, double delta64) {
     const auto more = random() % 4;
     for (std::uint32_t height = 0; height <= 11; ++height) {

@@ -24,9 +24,9 @@ Map2 with_vectors(const std::vector<std::pair<std::uint32_t, std::array<State, 4
   return map;
 }
 
-// By hand: with nothing to lose Algorithm 1 ends at the first transforms, all identity.  TL (X < 4, Y >= 4)
-// has three vectors of its own: those with one C each score lowest and get its two entries, the third, with
-// three, a shared one.
+// Worked by hand. Nothing is lost, so Algorithm 1 ends at the first transforms, all identity. TL (X < 4, Y >= 4) has
+// three vectors of its own: the two with one C each score lowest and get its two entries; the third, with three, gets a
+// shared one.
 TEST(ImplVq2, AlgorithmOneByHand) {
   using enum State;
   const Map2 map = with_vectors({{32, {O, O, O, C}}, {33, {T, C, T, T}}, {34, {C, C, C, O}}});

@@ -65,7 +65,7 @@ Vecs<side> without_uniform_vectors(const Map& map) {
   return vecs;
 }
 
-/// What an entry must be for the transform to make a vector of it.
+/// The entry of which the transform makes this vector.
 template <std::size_t side>
 Vector<side> undone(Transform t, const Vector<side>& v) {
   Vector<side> out{};
@@ -302,8 +302,8 @@ std::vector<Vector<4>> create_code_book(const Members& merged_vecs, AllC costs) 
   return cb;
 }
 
-/// What one combination loses; none where its codebook does not fit table 2, as the print leaves open what
-/// to do then.
+/// The loss of one combination; none where its codebook does not fit table 2, since the paper does not say what to do
+/// then.
 std::uint32_t loss_of(const Vecs<4>& local_vecs, AllC costs) {
   Members merged_vecs;
   for (const auto& v : local_vecs) {
@@ -401,11 +401,10 @@ vq::Map4 with_top_left(const std::vector<Vector<4>>& vectors) {
   return map;
 }
 
-// By hand: 14 vectors of C but for a T at region k = 0..13, that of 13 three times; all C loses 16.  What two
-// of them have in common is all C, so a split by dimension k sets the vector k apart, as its own
-// representative, and the rest stays all C: it saves three for 13, else one.  13 goes first, then 0, 1, ...
-// As printed, there are 12 partitions beside that of all C: 13 and 0..10.  Lost are 11 and 12; with all C
-// free, 12 alone.
+// Worked by hand: 14 vectors of C but for a T at region k = 0..13, that of 13 three times; all C loses 16. Two of them
+// have only C in common, so a split by dimension k sets vector k apart, as its own representative, and the rest stays
+// all C: the split saves three for 13, else one. 13 goes first, then 0, 1, ... As printed, there are 12 partitions
+// beside that of all C: 13 and 0..10. Vectors 11 and 12 are lost; where all C is free, 12 alone.
 TEST(ImplVqPaper, AlgorithmTwoByHand) {
   std::vector<Vector<4>> vectors(16, uniform<4>(State::C));
   for (std::size_t n = 0; n < 16; ++n) vectors[n][std::min<std::size_t>(n, 13)] = State::T;
@@ -417,12 +416,11 @@ TEST(ImplVqPaper, AlgorithmTwoByHand) {
   EXPECT_EQ(vq::encode_paper_free_c(map).substitutions, 1u);
 }
 
-// By hand: 14 vectors of T but for a C at region k = 0..13.  n of them together keep the T of the regions
-// that none has as C, and lose n (n-1).  The first split sets 0 apart, which stays all C and loses 15: less
-// than 13 times 15.  Then 1, 2, ... leave the rest, down to the four 10..13: they lose 12, fewer than 15, so
-// it is 0's turn, which has nothing to split and is its own representative.  10 and 11 are the last to be set
-// apart; 12 and 13 share the thirteenth entry and lose a T each.  No partition is all C then: it is the same
-// whether that costs an entry.
+// Worked by hand: 14 vectors of T but for a C at region k = 0..13. A group of n of them keeps T in the regions where
+// none has C, and loses n (n-1). The first split sets 0 apart, which stays all C and loses 15: less than 13 times 15.
+// Then 1, 2, ... leave the rest, down to the four 10..13. They lose 12, fewer than 15, so it is 0's turn: it has
+// nothing to split and is its own representative. 10 and 11 are the last to be set apart; 12 and 13 share the
+// thirteenth entry and lose a T each. No partition is all C then, so the cost of an all-C entry does not matter.
 TEST(ImplVqPaper, AlgorithmTwoByHandWithoutAllC) {
   std::vector<Vector<4>> vectors(14, uniform<4>(State::T));
   for (std::size_t k = 0; k < 14; ++k) vectors[k][k] = State::C;

@@ -215,7 +215,7 @@ struct Asked<entry, R (*)(P...)> {
       };
       auto& out = std::get<answer_at<P...>>(copies).out;
       auto* const real_out = out;
-      // What is right is asked as long as it has not been seen that this is wrong.
+      // The right answer is computed until this subject has once answered wrongly.
       thread_local std::vector<std::uint64_t> right_answer;
       std::size_t room = 0;
       Result right_result{};
@@ -280,7 +280,7 @@ const Ignored& ignored() {
   return it;
 }
 
-/// What stands beside an entry point, since the contract or the laws want both.
+/// The entry points that stand beside this one, since the contract or the laws want both.
 bool goes_with(dock::Call other, dock::Call entry) {
   using dock::Call;
   const auto pair = [&](Call a, Call b) { return entry == a && other == b; };

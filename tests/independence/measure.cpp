@@ -84,7 +84,7 @@ class Measure {
     // A region has 128 bits, present or not, so that a bit's number is the same in every question.
     table_->bits = std::min(most_bits, question.size() * bits_of_region(question.size()));
   }
-  /// As many as fit, of each region the same number.
+  /// The bits counted of each region: as many as fit, the same number for all.
   static std::size_t bits_of_region(std::size_t regions) {
     return std::min<std::size_t>(128, most_bits / regions / 8 * 8);
   }

@@ -1,4 +1,4 @@
-// What a law's questions vary: each field alone, and each pair of bits.
+// Counts what a law's questions vary: each field alone, and each pair of bits.
 #pragma once
 
 #include "tests/independence/regions.hpp"

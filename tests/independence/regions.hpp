@@ -1,4 +1,4 @@
-// What an entry point is called with, element by element, as named regions of bytes that can be read and replaced.
+// An entry point's arguments, element by element, as named regions of bytes that can be read and replaced.
 #pragma once
 
 #include <cstddef>

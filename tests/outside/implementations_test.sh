@@ -72,7 +72,8 @@ cmp first.md told.md || fail "a second run wrote something else"
 checkout wrong 1
 judged 1 wrong
 told '^\| BaryFile .* \| unknown \| .* \| refuted \|'
-replay=$(grep -m1 '^mmverify replay' told.md) || fail "a wrong one has no counterexample"
+replay=$(sed -n '/^mmverify replay/{:more;/\\$/{N;b more};p;q}' told.md)  # a long command has several lines
+[[ -n $replay ]] || fail "a wrong one has no counterexample"
 told '^\| attribute\.[a-z_]+ \| [0-9].* \| refuted \| [1-9]'
 code=0
 (cd "$root" && PATH=$(dirname -- "$mmverify"):$PATH && eval "$replay") >replayed 2>&1 || code=$?

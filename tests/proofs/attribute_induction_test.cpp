@@ -55,7 +55,7 @@ Names failing(const std::vector<Statement>& statements) {
   return names;
 }
 
-/// Of each mutant the statements that fail, and the lowest level that shows it, both worked out by hand.
+/// The statements that fail for a mutant, and the lowest level that shows it, both worked out by hand.
 struct Shown {
   Names statements;
   Level level;
@@ -106,7 +106,7 @@ TEST(AttributeMutants, AreRefutedOnTheLowestLevelThatShowsThem) {
     }
 }
 
-/// What `ask(subject, out)` answers of both subjects.
+/// Compares the answers of both subjects to `ask(subject, out)`.
 template <class Answer, class Ask>
 void expect_same(std::size_t count, const std::string& what, Ask ask) {
   const auto specified = built_in("attribute-spec");
@@ -149,7 +149,8 @@ TEST(AttributeParts, MakeUpTheSpecificationOnLevels0To8) {
   }
 }
 
-// What the statements call the recurrence, counted: T(M+1) vertices, 3 T(M) more on the next level, T(M) upright ones.
+// The statements assume this recurrence: level M has T(M+1) vertices, the next one 3 T(M) more, and T(M) faces are
+// upright.
 TEST(AttributeParts, LevelsGrowAsTheStatementsSay) {
   for (Level n = 0; n <= 8; ++n) {
     std::vector<MicroTriangle> of(face_count(n));

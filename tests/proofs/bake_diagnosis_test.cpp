@@ -1,4 +1,5 @@
-// [release] What is said of a baker that was refuted: which of a case's properties tell wrong from right, ties apart, the order.
+// [release] The report on a refuted baker: the properties of a case that separate wrong answers from right ones, with
+// ties apart, and their order.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -127,7 +128,7 @@ TEST(BakeDiagnosis, SaysNothingOfABakerThatBakesNothing) {
   EXPECT_EQ(order_of(BakeSubject("none", "declines all", none), 2), "");
 }
 
-// What is wrong on an area comes before a tie of a lower number.
+// An answer that is wrong on an area is shown before a tie, even a tie of a lower number.
 TEST(BakeDiagnosis, ProperErrorsAreShownBeforeTies) {
   const proofs::Run run;
   const Law* law = laws_named("bake.conservative").front();

@@ -145,7 +145,7 @@ TEST(BakeCase, WhatNoBakerCanBeAskedIsNotRead) {
     EXPECT_THROW(case_from(bad), BadCase) << bad;
 }
 
-// What the laws' domains say of their samples.
+// The samples have the kinds that the laws' domains promise.
 TEST(BakeSamples, AreOfTheirKinds) {
   std::size_t slivers = 0, beside = 0, far = 0, at_cutoff = 0, flat = 0, degenerate = 0;
   for (std::uint64_t k = 0; k < 1000; ++k) {
@@ -203,7 +203,7 @@ TEST(BakeStrata, HaveEveryPairOfValues) {
   }
 }
 
-// What the rows become: sides, chains and texels, and truths that are not all alike.
+// Each row of the design becomes a case: its sides, mips and texels; the cases' true states are not all alike.
 TEST(BakeStrata, AreWhatTheirTextSays) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> sizes;
   std::set<std::uint32_t> mips;
@@ -251,7 +251,7 @@ TEST(BakeStrata, AreWhatTheirTextSays) {
   for (const std::size_t count : states) EXPECT_GT(count, 24 * whole / 20) << "no state is rare";
 }
 
-// What a baker of 8 bits without factors, margins and mips does not decline, at every level.
+// Every level has cases that a baker of 8 bits without factors, margins and mips does not decline.
 TEST(BakeStrata, EveryFourthIsPlain) {
   for (Level n = 0; n <= 9; ++n) {
     std::size_t plain = 0;
@@ -372,7 +372,7 @@ TEST(BakeNumbers, NarrowOnesTakeNoWholeNumberBeyondTheirs) {
 
 using spec_place = Place;
 
-/// On the closed triangle, whichever way round it is.
+/// Whether p lies on the closed triangle, of either orientation.
 bool inside(const mmverify::spec::bake::Polygon<Rational>& t, const spec_place& p) {
   bool left = true, right = true;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -142,8 +142,8 @@ TEST(BakeSupport, ConvertedTexelsAreTheNearestOnes) {
   EXPECT_EQ(converted(Texel::unorm8, Texel::float32, 255), std::bit_cast<std::uint32_t>(1.0f));
 }
 
-// As many cases, none twice but where a turned triangle is the same one, each inside; and the truth is the
-// specification's.
+// Fitting keeps the number of cases, and each case lies inside the support. Cases are distinct except where turning a
+// triangle gives the same one. Their truth is the specification's.
 TEST(BakeSupport, FamiliesAreFittedWhole) {
   for (const Support& s : {clamped_floats(), two_powers()}) {
     const Families& fit = fitted(bilinear_families(), s);

@@ -101,7 +101,7 @@ TEST(DagStatements, EachLemmaHasItsWitness) {
   EXPECT_EQ(lemmas.size(), 16u);
 }
 
-/// What the rules do not say: of sixteen different children the last is another one's.
+/// The statements do not cover this fault, in the last of sixteen different children: the law runs such a node.
 TEST(DagLaws, AllLevelsRunsANodeOfSixteenDifferentChildren) {
   Functions wrong = built_in("dag-spec")->functions;
   wrong.lookup = [real = wrong](const Code& code, Numbers map, Numbers index, std::span<std::uint8_t> state) {

@@ -39,7 +39,7 @@ TEST(Shuffled, IsAPermutationForEachKey) {
     }
 }
 
-// What laws have it for: no bit of one channel tells one of another.  A quarter of 2^16 numbers is 16,384.
+// Laws rely on this: no bit of one channel tells a bit of another. A quarter of the 21,846 numbers is 5,461.
 TEST(Shuffled, HasBitsUnderTwoKeysThatAreIndependent) {
   for (std::uint32_t key = 1; key < 4; ++key)
     for (unsigned bit = 0; bit < 256; ++bit) {

@@ -1,4 +1,4 @@
-// What the tests that go through every law share.
+// Helpers of the tests that go through every law.
 #pragma once
 
 #include <gtest/gtest.h>

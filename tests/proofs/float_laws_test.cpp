@@ -118,7 +118,7 @@ TEST(FloatLaws, EveryProofOverCellsBringsTheSampleOfItsEntryPointAlong) {
   }
 }
 
-// Where a lookup is asked at points on the way, too.
+// A lookup in samples of trees is also asked at points on the way down.
 TEST(FloatLaws, TreesOfSamplesBringItAlong) {
   EXPECT_EQ(find_law("tree.on_samples")->companion, "tree.point_exact_on_floats");
 }

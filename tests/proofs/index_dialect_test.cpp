@@ -181,7 +181,8 @@ TEST(Orders, UMajorIsKnown) {
   EXPECT_EQ(index::name_order(3, u_major(3)), "U-major, rows from the edge u = 0 on, not the curve");
 }
 
-// As a device API states it: base at (iu, iv), or, in an inverted one, at (iu + 1, iv + 1), and a step of 1 or -1 from there.
+// A device API states the corners so: a base at (iu, iv), or at (iu + 1, iv + 1) where inverted, and a step of 1 or -1
+// from there.
 TEST(CornerOrders, BaseAndSteps) {
   for (std::uint32_t k = 0; k < 64; ++k) {
     const index::Corners c = index::corners_in(index::CornerOrder::base_u_v, k, 3);

@@ -67,7 +67,7 @@ TEST_P(IndexLaw, LeavesTheLinesOutWhereAsked) {
   }
   // The 4^n interiors (nested: those of the next level), or a sample as large as before.
   const std::uint64_t inside_cases = law.method == Method::sample ? all.cases_run() : all.by_kind[2].cases;
-  // On floats the published code is not exact inside, either.
+  // The published code on floats is not exact in interiors, either.
   EXPECT_EQ(r.by_kind, (CountByKind{Count{0, 0}, Count{0, 0}, Count{inside_cases, 0, 0, r.allowed()}}));
   EXPECT_NE(r.domain, all.domain);
 }

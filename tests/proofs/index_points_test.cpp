@@ -314,7 +314,7 @@ TEST(HardFloats, EveryKindIsThere) {
     const float uf = u * N - std::floor(u * N), vf = v * N - std::floor(v * N);
     const bool different_size = std::min(uf, vf) > 0 && std::min(uf, vf) < 0x1p-12f * std::max(uf, vf);
     const Rational fractions = rational(uf) + rational(vf);
-    // What misleads a sum in binary32: below 1, and rounded to 1.
+    // Fractions that mislead a sum in binary32: it is below 1, and rounds to 1.
     rounds_up_to_1 += different_size && fractions < Rational(1) && uf + vf >= 1 ? 1 : 0;
     reaches_1 += different_size && !(fractions < Rational(1)) ? 1 : 0;
     near_line += (uf > 0 && uf < 0x1p-10f) || uf > 1 - 0x1p-10f ? 1 : 0;

@@ -15,7 +15,7 @@ namespace {
 
 using namespace mmverify::tests;
 
-/// Of cases; under sanitizers those of small levels will do.
+/// The most cases that a test runs; the sanitized build runs small levels only.
 constexpr std::uint64_t few = 2'000;
 constexpr Level small = 5;
 
@@ -47,7 +47,7 @@ TEST(Laws, TheDesignsSubjectsAreThere) {
   EXPECT_EQ(find_subject("nobody"), nullptr);
 }
 
-// What the table of topics says of each is so: nothing else looks its laws and subjects up.
+// Each row of the table of topics is true: nothing else looks a topic's laws and subjects up.
 TEST(Topics, ARowSaysWhatItsTopicHas) {
   std::set<std::string> names, kinds, benches;
   for (const Topic& topic : topics()) {
@@ -75,7 +75,7 @@ TEST(Laws, IdsAndSubjectsAreUnique) {
   for (const SubjectPtr& s : subjects()) EXPECT_TRUE(names.insert(s->name()).second) << s->name();
 }
 
-/// Those that a test can afford to run.
+/// The laws that a test can afford to run.
 using FastLaw = EveryLaw;
 INSTANTIATE_TEST_SUITE_P(All, FastLaw,
                          testing::ValuesIn(ids_of_laws([](const Law& law) { return !law.long_only; })),
@@ -193,7 +193,7 @@ TEST_P(FastLaw, CountsAndDigestAreTheSameForOneThreadAndTwo) {
   if (law.topic != "index") n = std::min(n, law.tiers.fast.last);
   if (law.id == "tree.malformed") n = 1;  // each of level 2's 65,536 maps is decoded dozens of times
   const SubjectPtr subject = find_subject(law.subjects.front());
-  // Of thousands of optima in chunks of 16, hundreds are chunks enough; of a million cells an eighth.
+  // An eighth has chunks enough: hundreds of chunks of 16 for thousands of optima, and many for a million cells.
   const std::uint64_t enough = law.topic == "vq" ? 4'000 : 500'000;
   const std::optional<Shard> part =
       law.divisible && law.cases(n, Asked{}) > enough ? std::optional(last_eighth) : std::nullopt;

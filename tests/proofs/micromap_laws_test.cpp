@@ -106,7 +106,7 @@ TEST(MicromapLaws, MapsOfOneStateButForOneNodeAreWhatTheirTextsSay) {
   }
 }
 
-// What a string built from a code means is known as it is built; the specification says the same.
+// constructed_codes() knows the meaning of each string that it builds; the specification must read the same.
 TEST(MicromapLaws, ConstructedCodesMeanWhatTheSpecificationReads) {
   std::uint64_t refused = 0, taken = 0;
   for (Level n = 1; n <= 4; ++n)

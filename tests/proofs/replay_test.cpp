@@ -89,7 +89,7 @@ TEST_P(Replay, ShowsTheCounterexamplesOfEverySubject) {
   // Representatives of level n have n+2 bits, binary16 holds 11; nested runs on those of level n+1.
   const Level rounded_by_binary16 = law.cases(9, Asked{}) > cell_count(9) ? 9 : 10;
   for (const SubjectPtr& s : subjects()) {
-    // Of the long samples, those that are sure to be refuted will do.
+    // Long samples run only the subjects that they are sure to refute.
     if (s->topic() != law.topic) continue;
     if (std::find(law.subjects.begin(), law.subjects.end(), s->name()) != law.subjects.end()) continue;
     if (law.topic == "bake" && s->name() != "centre-sample") continue;

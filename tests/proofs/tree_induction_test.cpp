@@ -86,7 +86,7 @@ TEST(TreeMutants, AreRefutedWithTheSmallestMap) {
   }
 }
 
-// What iterates the mutants' turns does what the specification does when the turns are the specification's.
+// The loop around the mutants' turns equals the specification when the turns do.
 TEST(TreeMutants, HaveNoOtherMistake) {
   SKIP_A_PROVERS_WORK_UNDER_SANITIZERS();
   const TreeSubjectPtr by_turns = specified_by_turns();

@@ -124,7 +124,7 @@ TEST(Bijective, NamesTheFirstTriangleWhoseIndexWasTaken) {
   const Result r = run_level(*find_law("index.bijective"), *zero(0), 1, Asked{});
   ASSERT_EQ(r.verdict, Verdict::refuted);
   EXPECT_EQ(r.mismatches(), 3u);  // four triangles, one index
-  // By strips from v = 0, upright before inverted: (1/8, 1/8) has 0 first, (5/8, 1/8) comes second.
+  // Strips go from v = 0, upright before inverted: (1/8, 1/8) has 0 first, (5/8, 1/8) comes second.
   EXPECT_EQ(r.counterexamples.front().at, "i:u=5/8,v=1/8");
   EXPECT_EQ(r.counterexamples.front().got, "0, which i:u=1/8,v=1/8 has");
 }

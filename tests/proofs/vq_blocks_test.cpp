@@ -73,7 +73,7 @@ TYPED_TEST(VqBlocks, EachIndexIsAtEachPlaceUnderEachTripleOfTransforms) {
 
 TYPED_TEST(VqBlocks, TwoIndexFieldsHaveEveryPairOfValuesInVq2UnderEachTransform) {
   constexpr std::uint32_t size = values_of_index<TypeParam>;
-  // Of VQ4 the transforms are left out.
+  // VQ4 is tested without transforms.
   constexpr std::uint32_t turns = TypeParam::side == 2 ? 8 : 1, stride = sanitized ? 13 : 1;
   std::vector<std::array<std::uint8_t, 67>> all;
   for (std::uint64_t k = 0; k < index_blocks<TypeParam>; ++k) {
@@ -97,7 +97,7 @@ TYPED_TEST(VqBlocks, NoIndexFieldCanBeReadForAnother) {
   std::vector<std::uint16_t> seen(64 * 64 * size * size);  // a bit a region
   for (std::uint64_t k = 0; k < index_blocks<TypeParam>; ++k) {
     const TypeParam fields = index_block<TypeParam>(k);
-    // Where two entries of a quadrant differ, turned.
+    // The regions in which two entries of a quadrant differ, after its transform.
     std::array<std::array<std::array<std::uint16_t, size>, size>, 4> differ{};
     for (std::size_t q = 0; q < 4; ++q) {
       std::array<Vector<side>, size> entry;
@@ -189,7 +189,7 @@ TYPED_TEST(VqBlocks, EachOtherBitIsSetAndClearBesideAllThatARegionIsMadeOf) {
       if ((region * 64 + vector) % stride != 0) continue;
       const std::size_t q = quadrant_of_vector(vector);
       const std::uint32_t turns = q == 0 ? 1 : 8;
-      // By index and transform, which two bits; of uniform vectors none, and they are one class.
+      // The two bits that decide the region, by index and transform. Uniform vectors have none, and form one class.
       std::vector<std::array<std::uint32_t, 2>> own(size * 8);
       for (std::uint32_t index = 3; index < size; ++index)
         for (std::uint32_t t = 0; t < turns; ++t)

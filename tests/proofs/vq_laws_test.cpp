@@ -95,7 +95,7 @@ TEST(VqTexts, AreReadBack) {
   }
 }
 
-// What the laws' domains say of their samples.
+// The samples have the kinds that the laws' domains promise.
 TEST(VqMaps, SamplesAreOfTheirKinds) {
   std::set<std::array<std::uint32_t, 3>> triples;
   for (std::uint64_t k = 0; k < 512; ++k) {

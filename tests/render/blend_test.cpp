@@ -51,7 +51,7 @@ TEST(Blend, EndsAtTheWall) {
       tracer.blend_frame(Camera{}, nullptr, {.colours = &panes.colours}, {.width = 1, .height = 1});
   EXPECT_EQ(frame.pixels[0].payload, 0xff102030u) << "of the pane before the wall alone";
   EXPECT_EQ(frame.pixels[0].accepted.geometry, 1u);
-  // What is behind may have been met first.
+  // The tracer may meet the pane behind the wall first.
   EXPECT_TRUE(frame.pixels[0].as_met == 0xff102030u || frame.pixels[0].as_met == 0xff405060u);
 }
 
@@ -66,7 +66,7 @@ TEST(Blend, SeesNothingBehindTheWall) {
   ColourMaps colours{ColoursOf::faces, 0, count};
   Geometry panes, wall_alone;
   for (std::uint32_t k = 0; k < count; ++k) {
-    // Those behind are turned so far that their boxes begin before all others.
+    // Panes behind the wall are turned so far that their boxes begin before all others.
     const std::uint32_t place = count - 1 - k;
     const float z = -1.0f - static_cast<float>(place), turned = place > wall ? -z : 0.0f;
     const std::array<Point, 3> corners{Point{-90, -90, z - turned}, Point{90, -90, z + turned},

@@ -320,7 +320,7 @@ TEST(ConformanceRays, HaveTheirStatesOnEmbree) {
     const Shot all = shot(level, 0);
     EXPECT_EQ(all.rays, 3 * N * N + 3 * N + 1);
     EXPECT_EQ(all.wrong, 0u) << level;
-    // Where its barycentrics of these rays are exact, all ties fall as the reference code lets them.
+    // All ties fall as in the reference code where Embree's barycentrics of these rays are exact.
     EXPECT_TRUE(all.of_a_neighbour == 0 || !all.exact) << level;
     EXPECT_EQ(all.missed, 0u) << level;
   }

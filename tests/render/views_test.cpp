@@ -111,7 +111,7 @@ TEST(TextureLooks, OfVerticesAreTheTexturesAtCorners) {
         return most;
       };
       for (const render::Barycentrics corner : {render::Barycentrics{0, 0}, {1, 0}, {0, 1}}) {
-        // Of light half a code is 0.0045 at most, where the curve is steepest, at the bright end.
+        // Half a code is 0.0045 of light at most: the curve is steepest at the bright end.
         ASSERT_LE(off(corner), 0.0046) << g << " " << t;
         ++corners;
       }

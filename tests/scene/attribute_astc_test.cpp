@@ -192,7 +192,7 @@ TEST(CompressedTexture, OfNormalsIsOneUnitLong) {
       return k % 3 == 2 ? z : 128;
     });
   };
-  // What comes back is made one unit long as well: half the length is no error.
+  // The decoded normal is made one unit long as well, so half the length is no error.
   EXPECT_EQ(compressed(scene, coder(Meaning::normal, 191)).at(0).error.rmse, 0);
   EXPECT_EQ(compressed(scene, coder(Meaning::linear, 191), Averaging::codes).at(0).error.rmse, 0);
   EXPECT_GT(compressed(scene, coder(Meaning::linear, 255), Averaging::codes).at(0).error.rmse.value(), 30);
@@ -244,7 +244,7 @@ TEST(ReducedTexture, IsTheMeanOfBlocksAndOfWhatIsLeftAtBorders) {
   EXPECT_EQ(small.width, 3u);
   EXPECT_EQ(small.height, 1u);
   EXPECT_THAT(small.rgb, ElementsAre(5, 20, 7, 25, 20, 7, 40, 20, 7));
-  // In light half of white is code 188.
+  // Light averages differ from codes: half of white is code 188.
   const CodeMeaning light(base_color, Averaging::meaning);
   EXPECT_THAT(reduced({2, 1, {0, 0, 0, 255, 255, 255}}, 2, light).rgb, ElementsAre(188, 188, 188));
 }
@@ -295,7 +295,7 @@ class FalseEncoder {
         << script;
     std::filesystem::permissions(bin_ / name, std::filesystem::perms::owner_all);
   }
-  /// What it is told of, compressing 8 x 8 texels.
+  /// The complaint about this encoder when it compresses 8 x 8 texels.
   std::string complaint() const {
     const Environment tmp("TMPDIR", tmp_.path()), path("PATH", bin_.path().string());
     const std::vector<std::uint8_t> rgb(3 * 8 * 8);
@@ -424,7 +424,7 @@ TEST(AstcEncoder, OfTheAvocadoReachesTheErrorsOfItsMaps) {
   ASSERT_EQ(set.compressed.size(), std::size(astc_blocks) + 5 * std::size(reduced_astc_blocks));
   std::vector<BytesAndError> sizes;
   for (const CompressedTextures& one : set.compressed) {
-    // Of a border's blocks a part is shown: more of larger ones.
+    // A block on a border counts whole though only a part of it is shown: larger blocks add more.
     const auto along = [&](std::uint32_t side) { return std::ceil(2048.0 / (side * one.reduced)); };
     EXPECT_EQ(static_cast<double>(one.bytes), 16 * along(one.block.width) * along(one.block.height));
     const double shown = static_cast<double>(one.shown_bytes) / static_cast<double>(one.bytes);

@@ -34,7 +34,7 @@ TEST(Bc7Encoder, MissingIsSaidWithItsPackage) {
               HasSubstr("npm install -g @gpu-tex-enc/bc"));
 }
 
-/// What is said of 8 x 8 texels by an encoder that is this script.
+/// The complaint about an encoder that is this script, for 8 x 8 texels.
 std::string complaint(const std::string& script) {
   const Folder bin, tmp;
   std::ofstream(bin / "bc7enc-linux") << "#!/bin/sh\nPATH=/usr/bin:/bin\n"

@@ -187,7 +187,7 @@ TEST(Bleeding, HasSmallestCases) {
     baker.bake(uvs, kind, 0, map);
     return map[which][0];
   };
-  // On the first texel alone; its second corner lies between both.
+  // The triangle lies on the first texel alone; its second corner lies between both.
   const UvTriangle within{{{0, 0}, {0.5f, 0}, {0, 1}}};
   EXPECT_EQ(first_code(within, MapKind::faces, 0), 255);
   EXPECT_EQ(first_code(within, MapKind::vertices, 1), 128);
@@ -216,7 +216,7 @@ TEST(MipErrors, AreOfTheChannelsInUse) {
     scene.images[0].rgba[k] = static_cast<std::uint8_t>(k);
     scene.images[0].rgba[k + 1] = 9;
   }
-  // Of green and blue only blue differs, and only there the codes bleed, as in the first test.
+  // Roughness and metalness are green and blue. Only blue differs, and it bleeds as the codes in the first test.
   const std::vector<MipStep> steps = steps_of(scene, {.first = 1, .last = 2});
   EXPECT_THAT(steps[1].texture.border, Optional(DoubleNear(32 / std::sqrt(2.0), 1e-9)));
   EXPECT_EQ(steps[1].faces.error.all.rmse, 0);

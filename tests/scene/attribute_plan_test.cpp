@@ -71,7 +71,7 @@ TEST(PlannedMaps, OfAConstantHalfAreOneValue) {
   EXPECT_EQ(plan.maps(), 1u);
   EXPECT_EQ(plan.not_kept, 0u);
   EXPECT_EQ(plan.distinct(), 1u);
-  // Of 4 texels a side, as below.
+  // The third triangle has 4 texels a side, as in the checkerboard test below.
   EXPECT_THAT(by_level(plan, &PlannedLevel::planned), ElementsAre(0, 0, 0, 1, 0, 0));
 }
 
@@ -96,7 +96,7 @@ TEST(PlannedMaps, OfACheckerboardNeedTheLevelWhoseVerticesAreItsTexels) {
   // Half of ten texels is 0, half 255: one value in the middle is off by 127 and a half.
   EXPECT_EQ(planned(scene, 128).special, 1u);
   EXPECT_EQ(planned(scene, 127).special, 0u);
-  // Where the level is not measured, the last one does not keep the error.
+  // The last measured level does not keep the error where the level that would is not measured.
   const PlannedMaps coarse = planned(scene, 0, 0, 2);
   EXPECT_THAT(by_level(coarse, &PlannedLevel::planned), ElementsAre(0, 0, 1));
   EXPECT_EQ(coarse.not_kept, 1u);
@@ -114,7 +114,7 @@ AttributeScene two_triangles(std::uint32_t margin) {
 }
 
 TEST(PlannedMaps, OfNeighboursDifferByOneAndTheFinerEdgeIsDecimated) {
-  // On the diagonal the decimated values are means of 10 k and 10 (k + 1), and at its two ends off by less than 5.
+  // The decimated values on the diagonal are means of 10 k and 10 (k + 1); at its two ends they are off by less than 5.
   const PlannedMaps plan = planned(two_triangles(1), 5);
   EXPECT_EQ(plan.special, 0u);
   EXPECT_EQ(plan.not_kept, 0u);

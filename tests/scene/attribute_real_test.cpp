@@ -34,7 +34,7 @@ TEST_P(RealAttributes, AreThoseOfThePrototype) {
   AttributeScene scene = load_attributes(file);
   EXPECT_EQ(scene.triangles, GetParam().triangles);
   EXPECT_EQ(scene.textures.size(), GetParam().textures);
-  // Of base colours alone: the others have no FLIP to compare.
+  // Only base colours are measured: the others have no FLIP to compare.
   std::vector<AttributePrimitive> kept;
   for (AttributePrimitive& primitive : scene.primitives)
     std::erase_if(primitive.uses, [&](const AttributeUse& use) {

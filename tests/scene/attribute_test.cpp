@@ -320,8 +320,8 @@ TEST(AttributeMeasure, FacesThatLieWithinTexelsLoseNothing) {
   EXPECT_EQ(at(figures, 3, MapKind::faces).error.rmse, 0);
   EXPECT_EQ(at(figures, 3, MapKind::faces).error.flip, 0);
   EXPECT_EQ(at(figures, 3, MapKind::faces).bytes(), 2u * 64 * 4);
-  // Of each triangle's 64 micro-triangles 36 have a centre, that of their texel: it lies on the edge of both halves, and
-  // one has it.
+  // 36 of each triangle's 64 micro-triangles touch the centre of their texel. It lies on the edge of both halves, and
+  // one of them has it.
   EXPECT_EQ(at(figures, 3, MapKind::faces).unseen, 28. / 64);
   for (unsigned level = 0; level < 3; ++level) EXPECT_GT(at(figures, level, MapKind::faces).error.flip, 0);
   // 2 maps of 64 faces take 512 bytes, of 16 128; of 45 vertices 360, of 15 120.
@@ -415,7 +415,7 @@ TEST(AttributeMeasure, CountsTrianglesOnOnePlaceAsIfEachWereMeasured) {
       EXPECT_EQ(three[k].distinct, turned_differs ? 3u : 2u);
       EXPECT_EQ(three[k].packed->plain, 3 * three[k].distinct * values_of_map(three[k].kind, level));
     }
-    // Of faces without a texel each triangle has its own: the first place has three triangles, the second two.
+    // Faces without a texel are counted once a triangle: the first place has three triangles, the second two.
     const auto share = [&](const std::vector<MapsAtLevel>& of) {
       return of[0].kind == MapKind::faces ? *of[0].unseen : *of[1].unseen;
     };
@@ -454,7 +454,7 @@ TEST(AttributeMeasure, TellsOfPicturesOfColoursAlone) {
   EXPECT_EQ(levels.size(), 2u);
 }
 
-// What is packed is what was baked: the stored maps at level 2, unpacked, against maps baked one by one.
+// The packed maps are the baked ones: the stored maps at level 2, unpacked, against maps baked one by one.
 TEST(AttributeMeasure, PacksTheMapsAndSaysWhoseTheyAre) {
   const ColourImage image = random_image(8, 8);
   AttributeOptions options{.first = 2, .last = 2, .packed = true};

@@ -36,7 +36,7 @@ TEST(MicromapReorder, NamesTheSamePlaces) {
       do {
         micromap::reorder(map, level, f, order, out);
         for (std::uint32_t k = 0; k < count; ++k) {
-          // By the corners, as points with three barycentrics.
+          // The centre of a micro-triangle by its corners, as points with three barycentrics.
           std::array<double, 3> at{};
           for (const index::Vertex& v : index::corners(k, level)) {
             at[order[1]] += v.i;

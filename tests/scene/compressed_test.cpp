@@ -68,7 +68,7 @@ TEST(SceneCompressed, FilesOfAnotherTool) {
   }
 }
 
-// What is written stays compressed, with the same triangles.
+// A file stays compressed when it is written again, with the same triangles.
 TEST(SceneCompressed, WrittenAgainItIsTheSame) {
   for (const auto& [name, there] :
        {std::pair{"leaf_meshopt.glb", has_meshopt()}, std::pair{"leaf_draco.glb", has_draco()}}) {

@@ -128,8 +128,8 @@ TEST(SceneDagForms, TheGraphDecodesToTheMapsAndTakesWhatIsSaid) {
   }
 }
 
-// What `scene` prints of the same maps: records of the array, widened or forced, in the same order.  The array holds what is
-// the same once, so there may be fewer records of the graph.
+// `scene` prints the footprint of the same maps: the array's records, widened or forced, in the same order. The array
+// holds equal maps once, so the graph may have fewer records.
 TEST(SceneDagForms, TheGraphOfTheFootprintIsThatOfTheComparison) {
   for (const unsigned level : {2u, 4u, 6u}) {
     const Made made(level);
@@ -249,7 +249,7 @@ TEST(StateEntropy, OfNoiseIsNearlyAllOfItAndOfFewStatesIsNotSaid) {
   std::mt19937_64 random(1);
   const StateEntropy noise = entropy_of(1, [&](std::uint64_t) { return random() >> 63; });
   EXPECT_NEAR(noise.order_0_bytes() * 8 / (1 << 20), 1, 1e-3);
-  // Of 16 states for a context the frequencies are off by about a bit in 2 ln 2 a context.
+  // 16 states a context put the frequencies off by about 1 / (2 ln 2) bits a context.
   EXPECT_NEAR(noise.context_bytes().value() * 8 / (1 << 20), 1 - 0.72 / 16, 0.01);
   StateEntropy few(1);
   few.add(Map(1 << 16, 0x55), 1 << 19);

@@ -29,7 +29,7 @@ MadeFile raw(const std::function<void(RawArray&)>& spoil) {
   return array.file();
 }
 
-/// Of one API, without counts.
+/// A file for one API, without counts.
 MadeFile plain(const char* api, const std::function<void(RawArray&)>& spoil) {
   return raw([&](RawArray& a) {
     a.json["apis"] = {api};
@@ -301,7 +301,7 @@ TEST(SceneIssues, GoodFilesOfEveryKind) {
   }
 }
 
-// On disk, as a user has them.
+// The files lie on disk, as a user has them.
 TEST(SceneIssues, EachCodeHasAFileThatGivesItAlone) {
   std::set<std::string_view> given;
   for (const Case& one : cases()) {
@@ -313,7 +313,7 @@ TEST(SceneIssues, EachCodeHasAFileThatGivesItAlone) {
     ASSERT_FALSE(judged.findings.empty()) << one.code << " planted";
     for (const FileViolation& finding : judged.findings) EXPECT_EQ(finding.rule, one.code) << lines(judged);
     EXPECT_EQ(describe(judged.findings[0]).find('\n'), std::string::npos);
-    // In memory as on disk.
+    // A file in memory has the same findings.
     EXPECT_EQ(one.file.judged(one.draft).findings.size(), judged.findings.size()) << one.code;
     given.insert(issue_of(one.code).code);
   }
@@ -426,7 +426,7 @@ TEST(SceneIssues, FilesOfNoKind) {
 // The drafts
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Of one file what each draft says: a code, or nothing.
+/// Compares each draft's finding about one file: a code, or nothing.
 void expect_by_draft(const std::function<void(micromap_file::Subject&)>& change, const std::string& older,
                      const std::string& newest) {
   for (const Draft draft : {Draft::khr, Draft::ext_1, Draft::ext_2}) {

@@ -76,7 +76,7 @@ TEST(SceneLoad, ASceneWithoutItsTextures) {
                 "'FlightHelmet_Materials_LeatherPartsMat_BaseColor.png' beside it; is the folder complete?");
 }
 
-/// Of each triangle its signed area in the texture and the three sides of it in space, sorted one by one: the
+/// Each triangle's signed area in the texture and its three sides in space, sorted one by one: they are the
 /// same for triangles in any order, from any corner on.
 std::array<std::vector<double>, 4> measures(const Primitive& primitive) {
   std::array<std::vector<double>, 4> all;

@@ -282,7 +282,7 @@ TEST(SceneLoad, DamagedImages) {
   }
   EXPECT_THAT(complaint(with_image(good.substr(0, good.find("IEND") - 4))),
               HasSubstr("before its IEND chunk"));
-  // What decides no texel may be as damaged as it likes: viewers show the picture.
+  // A damaged chunk that decides no texel is accepted: viewers show the picture.
   const std::string text = big_endian(1) + "tEXt!" + std::string(4, '\0');
   EXPECT_NO_THROW(load_glb(with_image(png(1, 1, 8, 2, {"abc"}, text))));
   // Transparency does decide.
@@ -299,7 +299,7 @@ TEST(SceneLoad, DamagedImages) {
   EXPECT_NO_THROW(load_glb(with_image(png(2, 1, 1, 3, {"\x40"}, two))));
 }
 
-// What is read may end up in a file that is written: it lies in the file's folder, as a sidecar's files do.
+// A file that is read may end up in a file that is written: it must lie in the scene's folder, as a sidecar's files do.
 TEST(SceneLoad, FilesOutOfTheFolder) {
   const Folder outer;
   const fs::path folder = outer / "scene";

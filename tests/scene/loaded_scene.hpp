@@ -29,7 +29,7 @@ inline Scene load_glb(GltfFile file) {
   return load_text(file.glb(), "leaf.glb");
 }
 
-/// What the error says, after the folder; the loading must fail.
+/// The error's text after the folder; the loading must fail.
 inline std::string complaint(const std::string& content, const std::string& name = "leaf.glb") {
   const Folder folder;
   GltfFile::write(folder / name, content);

@@ -165,7 +165,7 @@ TEST(ScenePictures, AlphaOfBc7IsThatOfAnotherDecoder) {
   // The reserved mode is nothing at all.
   const unsigned char reserved[16] = {0, 255, 255};
   EXPECT_EQ(alpha_of_bc7(reserved), (std::array<std::uint8_t, 16>{}));
-  // In a file: mode 6, both ends 127 and a parity of 1.
+  // A file with a block of mode 6, both ends 127 and a parity of 1.
   const std::string opaque = std::string("\x40\0\0\0\0\0\xfe\xff\1\0\0\0\0\0\0\0", 16);
   EXPECT_EQ(alpha8(alpha_of(dds(4, 4, "DX10", opaque, 98))), std::vector<std::uint8_t>(16, 255));
 }

@@ -153,7 +153,7 @@ TEST(ScenePlan, Shapes) {
 }
 
 TEST(ScenePlan, ShapesWhereDoublesRound) {
-  // On v = 3 u, of 22 bits each, so far apart that their differences are rounded.
+  // The corners lie on v = 3 u, with 22 bits each, so far apart that their differences are rounded.
   std::mt19937 random(13);
   for (int k = 0; k < 500; ++k) {
     const auto on_the_line = [&](int exponent) {
@@ -187,7 +187,7 @@ TEST(ScenePlan, Duplicates) {
   EXPECT_EQ(all.add(1, first).number, 1u);  // on another surface
   EXPECT_EQ(all.add(0, {a, b, Uv{-3, up(7)}}).number, 2u);
   EXPECT_EQ(all.add(0, {Uv{1, 0.25f}, Uv{2, 0.5f}, Uv{-2, 7}}).number, 3u);  // shifted, of no period
-  // Of corners that coincide, the first order that fits.
+  // Several orders fit where corners coincide: the first one is taken.
   EXPECT_EQ(all.add(0, {a, a, b}).number, 4u);
   EXPECT_EQ(all.add(0, {b, a, a}).order, (VertexOrder{2, 0, 1}));
   EXPECT_EQ(all.add(0, {a, b, a}).order, (VertexOrder{0, 2, 1}));
@@ -222,7 +222,7 @@ TEST(ScenePlan, DuplicatesByPeriodsOfTheTexture) {
     EXPECT_FALSE(all.add(4, {Uv{u, 0}, {u, u}, {0, 0}}, {1, 2}).number < 5) << u;
 }
 
-// What is taken for one is one: in rationals, corner by corner, they differ by whole periods.
+// A duplicate is exact: its corners differ by whole periods, in rationals.
 TEST(ScenePlan, DuplicatesAreExact) {
   std::mt19937 random(29);
   const auto coordinate = [&] {

@@ -135,7 +135,7 @@ TEST(SceneSample, ThePicturesAreOfWhatTheyAreCalled) {
   for (std::size_t y = 0; y < side; ++y)
     for (std::size_t x = 0; x < side; ++x)
       ASSERT_EQ(wire[x + side * y], wire[shifted(x) + side * shifted(y)]) << x << " " << y;
-  // Of each there is something in, something out, and something between.
+  // Every picture has texels inside, outside, and between.
   for (const char* name : {"leaves", "wire", "flower", "blades", "pond"}) {
     const auto& texels = std::get<0>(image(name).alpha);
     const auto share = [&](auto in) {

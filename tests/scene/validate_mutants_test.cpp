@@ -69,7 +69,7 @@ class SceneValidateMutants : public testing::Test {
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What the specification says of bytes
+// The specification's verdict on bytes
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// An array and its geometries, for the specification's validator.
@@ -158,7 +158,7 @@ bool clean(micromap_file::Subject& s) {
 // glTF
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// What the newest draft alone forbids, or only advises against.
+/// The rules that the newest draft alone forbids, or only advises against.
 bool of_all_drafts(const std::string& rule) {
   static const std::set<std::string> newest{"view.stride", "micromap.name", "indices.normalized",
                                             "required.unlisted"};
@@ -265,7 +265,7 @@ TEST_F(SceneValidateMutants, SidecarsThatTheSchemaForbids) {
   for (const auto& at : all)
     for (const Json& other : others) {
       const Json& is = whole[at];
-      // Of numbers a negative one and a broken one are of another type, too; an empty list may stand where one stood.
+      // A value of the same type may be valid, so it is skipped; -1 and 1.5 are wrong for every number here.
       if (other.type() == is.type() && !other.is_number()) continue;
       if (other.is_string() && at.back() == "file") continue;
       forbidden(spoilt([&](Json& json) { json[at] = other; }), at.to_string() + " = " + other.dump());

@@ -117,7 +117,7 @@ TEST(SceneValidate, WhatIsAllowed) {
   EXPECT_THAT(validate_micromaps("square.glb", as_bytes(square().glb())), IsEmpty());
 }
 
-// What sparse elements say is what counts.
+// Sparse elements replace the accessor's own, so they are the ones judged.
 TEST(SceneValidate, SparseIndicesAreJudged) {
   Subject s;
   s.accessor()["sparse"] = sparse_of(s, "\1", std::string("\2\0", 2));

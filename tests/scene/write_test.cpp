@@ -31,7 +31,7 @@ const Array& array() {
   return some;
 }
 
-/// Of the first primitive, one 16-bit code a triangle.
+/// Indices for the first primitive, one 16-bit code a triangle.
 struct Chosen {
   std::vector<std::uint16_t> codes;
   std::vector<unsigned char> bytes = as_bytes(bytes_of(codes));
@@ -162,7 +162,7 @@ TEST(SceneWrite, TheMicromaps) {
   const GltfFile parts = taken_apart(glb);
   const Json& micromaps = parts.json["extensions"][written_name]["micromaps"];
   ASSERT_EQ(micromaps.size(), 2u);
-  // By level, then format.
+  // Counts are sorted by level, then format.
   EXPECT_EQ(micromaps[0]["usageCounts"], (Json{1, 2}));
   EXPECT_EQ(micromaps[0]["usageLevels"], (Json{1, 2}));
   EXPECT_EQ(micromaps[0]["usageFormats"], (Json{1, 2}));
@@ -382,7 +382,7 @@ TEST(SceneWrite, ViewsBeyondTheirBuffers) {
   GltfFile file = square();
   file.json["buffers"].push_back(
       {{"byteLength", 4}, {"uri", "data:application/octet-stream;base64,AAAAAA=="}});
-  // Where it would reach into the next buffer, were that not another.
+  // The view would reach into the next buffer if the buffers were one.
   file.json["bufferViews"][2]["byteLength"] = 400;
   EXPECT_THAT(complaint_of<BadScene>([&] { written(file); }), HasSubstr("bufferView 2: bytes 80..480 of a"));
 }

@@ -341,7 +341,7 @@ TEST_F(ShaderFile, without_a_device_is_not_applicable) {
   EXPECT_EQ(o.exit_code, 2) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("n/a        index.in_range"));
   EXPECT_THAT(o.out, testing::AnyOf(HasSubstr("no Vulkan d"), HasSubstr("libvulkan-dev")));
-  // What else is asked is judged.
+  // Other subjects are still judged.
   const Outcome both = judge(file, "--subject step", without);
   EXPECT_EQ(both.exit_code, 0) << both.out << both.err;
   EXPECT_THAT(both.out, HasSubstr("proved     index.in_range"));

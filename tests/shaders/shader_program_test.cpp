@@ -1,4 +1,5 @@
-// [driver] What no entry point asks of our includes, on a device: levels of detail, and the attribute API.  Skipped where no device is.
+// [driver] Our includes on a device, as far as no entry point asks them: levels of detail, and the attribute API.
+// Skipped where there is no device.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

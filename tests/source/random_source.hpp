@@ -22,7 +22,7 @@ class RandomSource : private RandomStatements {
       text_ += fmt::format(
           "{0} all_{0}(uint32_t level, float u, float v) {{ return ({0})all(level, u, v); }}\n", type);
   }
-  /// What the functions all_TYPE return.
+  /// The types that the functions all_TYPE return.
   static constexpr const char* narrow[] = {"int8_t", "uint8_t", "int16_t", "uint16_t"};
   std::string text() const { return head + text_; }
 

@@ -1,4 +1,4 @@
-// What random functions in C and in shading languages have in common: variables, statements, branches, loops.
+// Random statements that C and shading languages have in common: variables, branches, loops.
 #pragma once
 
 #include <fmt/format.h>

@@ -31,7 +31,7 @@ class Beside {
     std::ofstream(c()) << text.c();
     spirv_ = shaders::compile_function(shader(), "all", kept_);
   }
-  /// By a pass of spirv-opt that makes OpUndef of what is not set everywhere.
+  /// Runs a pass of spirv-opt that makes an unset variable OpUndef.
   void optimize() {
     const std::string to = kept_.file("optimized.spv");
     const program::ProgramEnd end = program::run_program({"spirv-opt", "--ssa-rewrite", spirv_, "-o", to});

@@ -54,7 +54,7 @@ Outcome compared(const source::Formula& formula, float u, float v, std::uint32_t
   if (found.answer != Answer::sat) return Outcome::differs;
   if (const auto wrong = found.values.find("wrong"); wrong != found.values.end() && wrong->second == 1)
     return Outcome::undefined;
-  // What IEEE 754 and LLVM leave open (a NaN's bits, which of 0 and -0 is less) may have others.
+  // Another value is allowed where IEEE 754 and LLVM leave it open: a NaN's bits, which of 0 and -0 is less.
   if (formula.declarations.empty() && ask_words(script("distinct")).answer != Answer::unsat)
     return Outcome::differs;
   return Outcome::same;

@@ -79,7 +79,7 @@ TEST(SpecAttributeBake, SharesAreAreas) {
 }
 
 TEST(SpecAttributeBake, ACellsMeanIsThatOfItsPlane) {
-  // Where alpha is a plane its mean is its value at the centroid.
+  // The mean of a plane is its value at the centroid.
   const Texture t{2, 2, {0, 51, 102, 153}};
   const Polygon corners{{q(1, 2), q(1, 2)}, {q(5, 4), q(3, 4)}, {q(1, 2), q(3, 2)}};
   const Place centroid{q(3, 4), q(11, 12)};

@@ -127,11 +127,11 @@ TEST(SpecDecimation, finds_the_micro_triangle_that_took_over) {
   const auto place = decimated_place(p, 1, 1);
   EXPECT_TRUE(place.holds());
   EXPECT_EQ(place.area, 2);
-  // On (w, u, the middle of u-v): 2p = (1/2, 1/4) = a (2, 0) + b (1, 1).
+  // The point on (w, u, the middle of u-v): 2p = (1/2, 1/4) = a (2, 0) + b (1, 1).
   std::map<Pair, std::int64_t> weights;
   for (std::size_t c = 0; c < 3; ++c)
     if (!(place.shares[c] == Fixed64(0))) weights[pair(place.corners[c])] = place.shares[c].raw() >> 24;
-  // Of 2^6: shares add up to the doubled area, 2.
+  // The weights are in 2^-6: they add up to the doubled area, 2.
   EXPECT_EQ(weights, (std::map<Pair, std::int64_t>{{{0, 0}, 80}, {{1, 1}, 32}, {{2, 0}, 16}}));
 }
 

@@ -108,7 +108,7 @@ TEST(AttributeLookup, figure_4_and_vulkan_differ_on_lines_of_u) {
   EXPECT_EQ(figure_4_triangle(at(1, 0, 2), 1), (MicroTriangle{0, 0, true}));
   EXPECT_EQ(vulkan_triangle(at(2, 1, 4), 1), (MicroTriangle{1, 0, false}));
   EXPECT_EQ(figure_4_triangle(at(2, 1, 4), 1), (MicroTriangle{0, 0, true}));
-  // On lines of v and on diagonals they do not.
+  // The two agree on lines of v and on diagonals.
   EXPECT_EQ(vulkan_triangle(at(1, 2, 4), 1), figure_4_triangle(at(1, 2, 4), 1));
   EXPECT_EQ(vulkan_triangle(at(1, 1, 4), 1), figure_4_triangle(at(1, 1, 4), 1));
 }

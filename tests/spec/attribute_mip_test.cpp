@@ -37,7 +37,7 @@ TEST(SpecMip, chains_counted) {
   EXPECT_EQ(face_chain(1), 1u);
   EXPECT_EQ(face_chain(2), 5u);
   EXPECT_EQ(face_chain(9), 87'381u) << "all of levels 0..8";
-  // What vertices of lower levels take beside their own, in percent.
+  // The vertices of all lower levels, in percent of the level's own.
   const std::array<int, 6> percent{50, 60, 53, 45, 40, 37};
   for (Level n = 1; n <= 6; ++n) {
     std::uint64_t sum = 0;

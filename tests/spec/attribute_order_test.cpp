@@ -61,7 +61,7 @@ TEST(AttributeOrders, upright_ones_are_counted_one_by_one) {
   }
 }
 
-// What impl/ uses: a closed form of the count.
+// impl/ uses this closed form of the count.
 TEST(AttributeOrders, upright_ones_before_a_lower_one_are_half_of_its_number_and_iv) {
   for (Level d = 0; d <= 7; ++d)
     for (std::uint64_t x = 0; x < face_count(d); ++x) {
@@ -72,7 +72,8 @@ TEST(AttributeOrders, upright_ones_before_a_lower_one_are_half_of_its_number_and
 
 /// The numbers of the four micro-triangles of the next level whose corners lie in t, found by their middles.
 std::vector<std::uint64_t> children(const MicroTriangle& t, Level n, FaceOrder order) {
-  // In units of 1/6 of a micro-edge of level n+1: the middle of a lower one is 2 from its base in u and in v, of an upper one 4.
+  // Units are 1/6 of a micro-edge of level n+1: the middle of a lower one is 2 from its base in u and in v, of an upper
+  // one 4.
   const auto middle = [](std::uint32_t square, bool upper) {
     return 6 * std::int64_t{square} + (upper ? 4 : 2);
   };

@@ -177,7 +177,7 @@ TEST(SpecBakeState, AMarginIsOfEveryMipsOwnTexels) {
   };
   EXPECT_EQ(state({left_half}, half), Micro::O);
   EXPECT_EQ(state({left_half}, q(9, 16)), Micro::UO);
-  // Of two texels, opaque up to x = 1, it comes to 3/4.
+  // The triangle reaches 3/4 on two texels, which are opaque up to x = 1.
   const Texture coarse{2, 1, {255, 0}};
   EXPECT_EQ(state({left_half, coarse}, q(1, 4)), Micro::O);
   EXPECT_EQ(state({left_half, coarse}, half), Micro::UO);

@@ -74,7 +74,7 @@ TEST(SpecBake, AlphaIsTheTexelsAtTheirCentresAndBilinearBetween) {
   EXPECT_EQ(alpha(other, {-7, -7}), q(1, 5));
 }
 
-// On the cell of [255 0; 0 255], alpha = 1 - x - y + 2xy.
+// A cell of texels [255 0; 0 255]: alpha = 1 - x - y + 2xy.
 const Texture saddle{2, 2, {255, 0, 0, 255}};
 
 Polygon in_cell(const Polygon& local) {
@@ -241,7 +241,7 @@ TEST(SpecBake, HullsHaveEachCornerOnce) {
   }
 }
 
-// By support: what is farthest in a direction (a, b) comes |a| m + |b| m farther.
+// The support function: the farthest point in direction (a, b) moves |a| m + |b| m farther.
 TEST(SpecBake, DilatedByASquare) {
   std::mt19937 random(4);
   const auto farthest = [](const Polygon& p, const Rational& a, const Rational& b) {

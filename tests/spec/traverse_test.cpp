@@ -28,7 +28,7 @@ Outcome without(bool geometry_opaque, const Instance& instance, const Ray& ray) 
   return decide({Api::khr_pipeline, true, {Held::nothing, State::T, geometry_opaque}, instance, ray});
 }
 
-/// Of T, O, UT, UO.
+/// The outcomes of T, O, UT, UO.
 using Row = std::array<Outcome, 4>;
 Row row(const Instance& instance, const Ray& ray, bool geometry_opaque = false) {
   Row all{};

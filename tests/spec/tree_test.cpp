@@ -15,7 +15,7 @@ namespace micromap = mmverify::spec::micromap;
 
 constexpr State T = State::T, O = State::O, UT = State::UT, UO = State::UO;
 
-// By hand, in the manner of the paper's figure 4.  The root's children: 0 is all T, a leaf; 1 is mixed, with
+// Worked by hand, in the manner of the paper's figure 4.  The root's children: 0 is all T, a leaf; 1 is mixed, with
 // four leaves; 2 is all UO, a leaf; 3 is mixed again, with three O and a T.  In pre-order:
 //   node   root 0  1  1.0 1.1 1.2 1.3  2  3  3.0 3.1 3.2 3.3
 //   t        0  1  2   3   4   5   6   7  8   9  10  11  12

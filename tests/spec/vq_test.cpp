@@ -248,8 +248,8 @@ TYPED_TEST(SpecVqBlock, DecodesAlikeByVectorsAndByCoordinates) {
   }
 }
 
-// By hand: index 6 in each quadrant, TL's own entry C T / T T (bottom row first), the others' O C / C C, and
-// all rows but TL's turned by 90 degrees, which takes the corner at the left bottom to the right bottom.
+// Worked by hand: index 6 in each quadrant, TL's own entry C T / T T (bottom row first), the others' O C / C C, and all
+// rows but TL's turned by 90 degrees, which takes the corner at the left bottom to the right bottom.
 TEST(SpecVq2, ABlockByHand) {
   Vq2 block;
   block.indices.fill(6);

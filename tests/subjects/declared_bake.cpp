@@ -38,7 +38,7 @@ bool baked(const mmverify_bake_case_t& c, bool turned, std::vector<std::uint8_t>
   return done;
 }
 
-/// What is asked for is what is declared, or the case is declined.
+/// Declines every case that the declaration does not cover.
 bool supported(const mmverify_bake_case_t& c) {
   const bool clamped = c.wrap_u == MMVERIFY_CLAMP_TO_EDGE && c.wrap_v == MMVERIFY_CLAMP_TO_EDGE;
   for (const float x : c.uv)

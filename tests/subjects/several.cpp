@@ -113,7 +113,7 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
   subject.micromap_substitute = substitute;
   if (wrong_is("old_header")) {
     subject.size = offsetof(mmverify_subject_t, tree_encode);
-    // What lies behind an older struct is somebody else's memory.
+    // The memory behind an older struct is somebody else's.
     std::memset(&subject.tree_encode, 0x77, sizeof subject - subject.size);
   }
   return &subject;

@@ -1,4 +1,4 @@
-// What is wrong of a library: its source is compiled once, and linked with each of the things that can be.
+// The fault of a wrong library: its source is compiled once, and linked with the name of each fault.
 #pragma once
 
 #include <string_view>

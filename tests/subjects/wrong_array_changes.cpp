@@ -72,7 +72,7 @@ std::size_t compact(const std::uint8_t* array, std::size_t array_size, std::uint
 std::size_t reorder(const std::uint8_t* array, std::size_t array_size, std::uint8_t* changed,
                     std::size_t capacity) {
   if (wrong_is("reorder_empties_level_2") && has_level_2(array)) return empty(changed, capacity);
-  // Of three geometries the third is taken for the second.
+  // The third of three geometries is taken for the second.
   if (wrong_is("reorder_forgets_the_third") && head_of(array).geometries == 3) {
     std::vector<std::uint8_t> other(array, array + array_size);
     std::memcpy(geometry(other.data(), 2) + base_at, geometry(other.data(), 1) + base_at, 4);

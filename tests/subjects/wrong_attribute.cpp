@@ -27,7 +27,7 @@ void vertex_index(Word level, Word order, const Word* i, const Word* j, Word* in
     if (here && wrong_is("crash")) *nowhere = 1;
     if (here && order == MMVERIFY_VERTICES_BIRD && wrong_is("unwritten")) continue;
     right_attribute()->attribute_vertex_index(level, asked, i + k, j + k, index + k, 1);
-    // Of level 7's vertices one, five levels on.
+    // One of level 7's vertices, five levels further down.
     const bool far = level == 12 && order == MMVERIFY_VERTICES_BIRD && index[k] == 8000;
     if (far && wrong_is("bird_vertex_at_12")) ++index[k];
     if (!here) continue;
@@ -82,7 +82,7 @@ void face_of(Word level, Word vertices, Word faces, const Word* first, const Wor
     for (std::size_t k = 0; k < count; ++k)
       if (level == 3 && face[k] == 20) face[k] = 19;
   if (!wrong_is("vertex_without_level")) return;
-  // Where the first vertex is, kept by its index and the order.
+  // The first vertex's place, cached by its index and order but not its level.
   thread_local struct { Word index = ~0u, order = 0, place[2] = {}; } kept;
   for (std::size_t k = 0; k < count; ++k) {
     Word place[2];
@@ -145,7 +145,7 @@ void face_mip(Word rounding, const std::uint8_t* children, std::size_t parents, 
   const bool up = wrong_is("halves_go_up") && rounding == MMVERIFY_ROUND_HALF_TO_EVEN;
   std::vector<std::uint8_t> read(children, children + 16 * parents);
   for (std::size_t p = 0; p < parents; ++p) {
-    // Of the second child all codes are the greatest, or none where it has no alpha.
+    // The second child has its greatest code in all channels, or is black if it has no alpha.
     std::uint8_t* const second = &read[16 * p + 4];
     if (wrong_is("second_child_is_grey")) std::fill_n(second, 4, *std::max_element(second, second + 4));
     if (wrong_is("second_child_without_alpha_is_black") && second[3] == 0)
@@ -181,7 +181,7 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
   }
   if (wrong_is("old_header")) {
     subject.size = offsetof(mmverify_subject_t, attribute_vertex_index);
-    // What lies behind an older struct is somebody else's memory.
+    // The memory behind an older struct is somebody else's.
     std::memset(&subject.attribute_vertex_index, 0x77, sizeof subject - subject.size);
   }
   return &subject;

@@ -84,7 +84,7 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
   if (wrong_is("promises_the_centroid")) subject.flags = MMVERIFY_BAKE_CENTROID;
   if (wrong_is("old_header")) {
     subject.size = offsetof(mmverify_subject_t, bake);
-    // What lies behind an older struct is somebody else's memory.
+    // The memory behind an older struct is somebody else's.
     std::memset(static_cast<void*>(&subject.bake), 0x77, sizeof subject - subject.size);
   }
   return &subject;

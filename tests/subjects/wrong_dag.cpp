@@ -42,7 +42,7 @@ std::size_t encode(std::uint32_t bits, const std::uint8_t* scene, std::size_t si
 
 std::size_t decode(std::uint32_t bits, const std::uint8_t* code, std::size_t code_size, std::uint8_t* scene,
                    std::size_t capacity) {
-  // As if the code were whole.
+  // The decoder reads on as if the code were whole.
   if (wrong_is("decoder_reads_past_its_code") && code_size < 4) *nowhere = 1;
   const std::size_t all = right_dag()->dag_decode(bits, code, code_size, scene, capacity);
   if (wrong_is("answers_no_scene") && all == 0 && code_size != 0) {

@@ -47,7 +47,7 @@ void blend(std::uint32_t operation, const std::uint32_t* payload, const std::uin
     const bool here = operation == MMVERIFY_BLEND_MAX && (payload[k] & 255) == 9 && (value[k] & 255) == 200;
     if (here && wrong_is("blend_crash")) *nowhere = 1;
     if (here && wrong_is("blend_unwritten")) continue;
-    // Of the value B is what it is beside G where one code is in all channels in turn, or beside an R of 0.
+    // The value's B is guessed: G + 85, as in cases that put one code in all channels in turn, or 170 where R is 0.
     std::uint32_t v = value[k];
     if (wrong_is("blend_guesses_b_of_the_value")) v = (v & ~0xFF0000u) | (((v >> 8) + 85) & 255) << 16;
     if (wrong_is("blend_knows_no_b_without_r") && (v & 255) == 0) v = (v & ~0xFF0000u) | 170 << 16;
@@ -57,7 +57,7 @@ void blend(std::uint32_t operation, const std::uint32_t* payload, const std::uin
       out[k] = (out[k] & ~255u) | (payload[k] & 255) * (value[k] & 255) / 255;
     if (wrong_is("blend_wraps") && operation == MMVERIFY_BLEND_ADD)
       out[k] = (out[k] & ~255u) | (((payload[k] & 255) + (value[k] & 255)) & 255);
-    // Of two in one batch the second continues the first.
+    // The second of two in one batch continues the first.
     if (wrong_is("blend_chains") && k % 2 == 1 && operation == MMVERIFY_BLEND_MAX)
       right_traverse()->traverse_blend(operation, out + k - 1, value + k, out + k, 1);
   }
@@ -71,7 +71,7 @@ void blend_hits(const mmverify_blend_case_t* what, std::uint8_t* payload) {
   for (std::uint32_t k = 0; k < what->count; ++k) hits[k] = what->hits[k];
   if (wrong_is("hits_unwritten") && what->count == 4) return;
   if (wrong_is("hits_throw") && what->count == 3) throw std::runtime_error("no third hit");
-  // As they are met: an accepted hit hides only what is met after it.
+  // Hits count in the order in which they are met: an accepted hit hides only later ones.
   if (wrong_is("hits_as_met")) {
     float closest = 1e9f;
     for (std::uint32_t k = 0; k < what->count; ++k) {
@@ -87,7 +87,7 @@ void blend_hits(const mmverify_blend_case_t* what, std::uint8_t* payload) {
   if (wrong_is("hits_beside_blend"))
     for (std::uint32_t k = 0; k < what->count; ++k)
       if (hits[k].accepted != 0) hits[k].distance += 0.25f;
-  // Of the payload before G is one less than R, or what a few others have.
+  // The payload's G is guessed from R: one less, or the value that a few known payloads have.
   if (wrong_is("hits_guess_g_of_the_payload")) {
     const std::uint32_t r = what->payload & 255, a = what->payload >> 24, g = a == r ? r : a == 3 ? 1 : r - 1;
     changed.payload = (what->payload & ~0xFF00u) | (g & 255) << 8;
@@ -105,7 +105,7 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
   subject.traverse_blend_hits = blend_hits;
   if (wrong_is("old_header")) {
     subject.size = offsetof(mmverify_subject_t, traverse_decide);
-    // What lies behind an older struct is somebody else's memory.
+    // The memory behind an older struct is somebody else's.
     std::memset(&subject.traverse_decide, 0x77, sizeof subject - subject.size);
   }
   return &subject;

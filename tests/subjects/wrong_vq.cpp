@@ -86,7 +86,7 @@ extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
   if (wrong_is("promises_to_keep")) subject.flags = MMVERIFY_VQ_KEEPS;
   if (wrong_is("old_header")) {
     subject.size = offsetof(mmverify_subject_t, vq2_decode);
-    // What lies behind an older struct is somebody else's memory.
+    // The memory behind an older struct is somebody else's.
     std::memset(&subject.vq2_decode, 0x77, sizeof subject - subject.size);
   }
   return &subject;

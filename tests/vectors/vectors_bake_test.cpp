@@ -31,7 +31,7 @@ bake::BaseTriangle uv_of(std::size_t k) {
   return base;
 }
 
-/// What the library bakes of these texels.
+/// The library's map of these texels.
 Bytes baked(std::size_t k, const Bytes& texels, const bake::AlphaMode& mode, float border) {
   bake::Sampling sampling;
   sampling.u = wrap(bakes()(k, "wrap_u"));
@@ -91,7 +91,7 @@ TEST(VectorsBake, OpenStatesDropContactsAlone) {
     ASSERT_EQ(closed.size(), bakes().word_list(k, "sides").size());
     for (std::size_t m = 0; m < closed.size(); ++m) {
       EXPECT_TRUE(closed[m] == open[m] || (closed[m] >= 2 && open[m] < 2)) << k << ' ' << m;
-      // Of continuous alpha, what is met in no area is a tie.
+      // Bilinear alpha is continuous: a state that holds on no area is a tie.
       if (closed[m] != open[m] && bakes()(k, "filter") == 0) {
         EXPECT_EQ(gaps[m], 0u) << k << ' ' << m;
       }

@@ -68,7 +68,7 @@ TEST(VectorsCodecs, HitsFallWhereTheLibrarySays) {
   EXPECT_GT(asked, 1000u);
 }
 
-// By the maps themselves: applying each base transform in turn.
+// The maps themselves show it: each base transform is applied in turn.
 TEST(VectorsCodecs, TransformsAreThoseOfTheirBits) {
   const Reading moves(tests::family("vq"), "transforms");
   for (std::size_t k = 0; k < moves.size(); ++k) {

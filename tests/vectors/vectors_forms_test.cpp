@@ -96,7 +96,7 @@ TEST(VectorsForms, RoundsToBinary32AsProcessorsDo) {
   }
 }
 
-// What the families say of themselves: names that C takes, records that fit their columns, the same each time.
+// Each family keeps its description: names that C takes, records that fit their columns, the same each time.
 TEST(VectorsForms, EveryFamilyIsMadeTheSameAgain) {
   for (const FamilyRow& row : families()) {
     const Family& family = tests::family(row.name);

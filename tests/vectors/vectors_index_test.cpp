@@ -70,7 +70,8 @@ TEST(VectorsIndex, TheGreatestNumberIsAnAnswer) {
   EXPECT_EQ(in_rows, 15u);
 }
 
-// By the corners of the library's micro-triangles: those that are listed hold the point, and at small levels no other does.
+// The corners of the library's micro-triangles show it: each listed one holds the point, and at small levels no other
+// does.
 TEST(VectorsIndex, TouchedAreThoseThatHoldThePoint) {
   std::size_t most = 0;
   for (std::size_t k = 0; k < points().size(); ++k) {

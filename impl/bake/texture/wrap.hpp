@@ -106,8 +106,8 @@ constexpr Runs runs(Wrap wrap, std::int64_t from, std::int64_t to, std::int64_t 
       break;
     }
     case Wrap::mirrored_repeat: {
-      // One way and back is 2n: [0, n) as it is, [n, 2n) reversed.  A run over no turn is a run; over one turn it
-      // starts or ends at the texture's edge; over two it is everything.
+      // The period is 2n: [0, n) forward, [n, 2n) backward.  A run without a turn stays a run; a run over one turn
+      // starts or ends at the texture's edge; a run over two turns is everything.
       const std::int64_t a = modulo(from, 2 * n), b = a + (to - from);
       if (a < n) {
         if (b < n)

@@ -9,7 +9,6 @@
 // Prices come from a subgradient descent over a pool of sets.  Branch and bound over intersections then shows that no
 // other S is worth more than the 13th of the pool: a subset of a set e is worth no more than the sum of (|e & s_i| -
 // p_i)+ over all sources.  Prices are whole 64ths, so nothing is rounded.
-// the sum of (|e & s_i| - p_i)+ over all sources.  Prices are whole 64ths, so nothing is rounded.
 #pragma once
 
 #include <array>

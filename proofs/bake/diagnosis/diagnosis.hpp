@@ -10,14 +10,15 @@ namespace mmverify::proofs::bake {
 /// The kind of wrong states that a law is about.
 enum class Fault : std::uint8_t { conservative, tight, side };
 
-/// Lines such as "alpha filtered nearest: 98 of 130 cases wrong; all 120 bilinear ones right".  They sort some
-/// hundred supported cases by each of their properties, and tell ties from states that are wrong on an area.  A last
-/// line names the order of the micro-triangles if it is another known one.  Throws SubjectBroken.
+/// Lines such as "alpha filtered nearest: 98 of 130 cases wrong; all 120 bilinear ones right".  The diagnosis runs a
+/// few hundred cases that the baker supports, sorts them by each property, and separates ties from states that are
+/// wrong on an area.  If the baker's micro-triangles follow another known order, the last line names it.  Throws
+/// SubjectBroken.
 std::vector<std::string> diagnose(const BakeSubject& subject, Fault fault);
 
-/// The name of the order if it is a known one other than the curve's, else empty.  It bakes one map for each
-/// micro-triangle of level n, from a texture that is transparent except for a dot inside that micro-triangle. Domain:
-/// n in 1..4.  Throws SubjectBroken.
+/// The name of the baker's order of micro-triangles; empty for the curve's order, or an unknown one.  For each
+/// micro-triangle of level n the baker bakes a texture that is transparent except for a dot inside that micro-triangle.
+/// Domain: n in 1..4.  Throws SubjectBroken.
 std::string order_of(const BakeSubject& subject, Level n);
 
 struct Property {
@@ -25,8 +26,8 @@ struct Property {
   std::string value;  ///< "nearest"
 };
 
-/// Filter, addressing along u and v, sizes, signs of texture coordinates, kind of triangle, texels, alpha mode, mips,
-/// factors and margin, the same ones in the same order of every case.
+/// A case's filter, addressing along u and v, sizes, signs of texture coordinates, kind of triangle, texels, alpha
+/// mode, mips, factors and margin.  Every case has the same list of properties, in the same order.
 std::vector<Property> properties_of(const Case& one, Level n);
 
 struct KnownMistake {
@@ -34,7 +35,7 @@ struct KnownMistake {
   void (*mistake)(Case&);
 };
 
-/// Each leaves some cases as they are.
+/// The mistakes that a diagnosis can name.  Each changes some cases, and leaves others as they are.
 const std::vector<KnownMistake>& known_mistakes();
 
 /// An SVG: the texels around the worst micro-triangle, or around the base triangle where all are right; its

@@ -1,6 +1,6 @@
 #include "proofs/index/grid/reference_sweep.hpp"
 
-// The compiler vectorises the plain loops; the clones let one binary use what the machine has.
+// The compiler vectorises the plain loops, once for each machine named here; the binary picks a version as it starts.
 #ifdef __x86_64__
 #define MMVERIFY_FOR_EACH_MACHINE __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
 #else
@@ -10,7 +10,8 @@
 namespace mmverify::proofs::index {
 namespace {
 
-/// Holds the points k/2^(g+2) of the grids up to g = 14, and N u on them: 2^14 times 2^16 is below 2^31.
+/// Coordinates of grid points up to level 14, and their products with N: k/2^(g+2) needs 16 fraction bits, and
+/// N = 2^14 times 2^16 is below 2^31.
 using Fixed32 = spec::Fixed<std::int32_t, 16>;
 constexpr Level narrow_levels = 14;
 

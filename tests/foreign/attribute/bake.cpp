@@ -41,7 +41,7 @@ std::array<At<Q>, 3> base_of(const BakeCase& one, Fault wrong) {
   return base;
 }
 
-/// Of a vertex of level n.
+/// The place of a micro-vertex of level n in the texture.
 template <class Q>
 At<Q> place_of(const std::array<At<Q>, 3>& base, Level n, const Vertex& at) {
   const std::int64_t N = side_of(n);
@@ -86,7 +86,7 @@ struct Affine {
 template <class Q>
 using Polygon = std::vector<At<Q>>;
 
-/// What of a polygon has sign (f - limit) >= 0.
+/// The part of a polygon where sign (f - limit) >= 0.
 template <class Q>
 Polygon<Q> cut_by(const Polygon<Q>& polygon, const Affine<Q>& f, std::int64_t limit, int sign) {
   Polygon<Q> kept;

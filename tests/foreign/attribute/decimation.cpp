@@ -90,7 +90,8 @@ struct On {
   double least() const { return std::min({weights[0], weights[1], weights[2]}); }
 };
 
-/// In binary64, from a point near the triangle's own corner: what is rounded is below any law's tolerance.
+/// The weights of (x, y) in a triangle, in binary64 and relative to the triangle's own corner: rounding stays below any
+/// law's tolerance.
 On on(const std::array<Vertex, 3>& c, double x, double y) {
   const auto d = [](std::uint32_t a, std::uint32_t b) {
     return static_cast<double>(a) - static_cast<double>(b);

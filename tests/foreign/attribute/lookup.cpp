@@ -100,7 +100,7 @@ MicroTriangle holder(Ties ties, const Cut<Number>& u, const Cut<Number>& v, Leve
   return ties == Ties::vulkan ? by_vulkan(u, v, n, wrong) : by_figure_4(u, v, n, wrong);
 }
 
-/// By the uniform pattern.
+/// The weights in a lower or an upper micro-triangle, from the fractions within its square.
 template <class Number>
 std::array<Number, 3> pattern(const MicroTriangle& t, const Number& fu, const Number& fv, const Number& whole,
                               Fault wrong) {
@@ -117,7 +117,7 @@ std::array<Number, 3> pattern(const MicroTriangle& t, const Number& fu, const Nu
 FixedWeights weights(Level n, const GridPoint& p, Fault wrong) {
   const auto u = cut(p.u, n), v = cut(p.v, n);
   const MicroTriangle t = by_vulkan(u, v, n, wrong);
-  // Of the micro-triangle's own square, which is not always that of the floors.
+  // The fractions within the micro-triangle's own square, which may differ from the square of the floors.
   std::int64_t fu = u.part + (std::int64_t{u.whole} - t.iu) * one;
   std::int64_t fv = v.part + (std::int64_t{v.whole} - t.iv) * one;
   if (wrong == weights_of_the_floors) fu = u.part, fv = v.part;
@@ -182,7 +182,7 @@ RationalWeights remapped(Remap way, Level n, const MicroTriangle& t, const Ratio
       return w;
     }
     case Remap::two: {
-      // In steps of the grid from the first corner; the determinant of both steps.
+      // The two sides in grid steps from the first corner, and their determinant.
       const auto step = [](std::uint32_t from, std::uint32_t to) { return Rational(int(to) - int(from)); };
       const Rational ai = step(at[0].i, at[1].i), aj = step(at[0].j, at[1].j), bi = step(at[0].i, at[2].i),
                      bj = step(at[0].j, at[2].j);

@@ -1,4 +1,4 @@
-// Where vertices and faces lie in maps.
+// The orders of micro-vertices and faces in maps: place to index, and back.
 #pragma once
 
 #include <cstdint>

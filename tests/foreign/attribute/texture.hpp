@@ -20,7 +20,7 @@ using proofs::attribute::Rgba;
 using spec::Integer;
 using spec::Rational128;
 
-/// In words where these hold it, else std::overflow_error.
+/// over / under: Rational128 throws std::overflow_error where 128 bits may not hold it.
 inline Rational number_as(const Rational&, const Integer& over, const Integer& under) {
   return {over, under};
 }
@@ -78,7 +78,7 @@ struct Share {
 template <class Q>
 using Shares = std::vector<Share<Q>>;
 
-/// What a code stands for: light, code / 255, or a direction's component.
+/// The number that a code stands for: light, code / 255, or a direction's component.
 template <class Q>
 Q number_of(Meaning meaning, std::size_t channel, std::uint8_t code, Fault wrong) {
   if (meaning == Meaning::srgb && (channel < 3 || wrong == alpha_on_the_curve))

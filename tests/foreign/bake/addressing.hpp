@@ -5,7 +5,7 @@
 
 namespace mmverify::tests::foreign::bake {
 
-/// Where index i lies along an axis of `size` texels; -1: the border.
+/// The texel that index i addresses along an axis of `size` texels; -1: the border.
 Index wrapped(Index i, Index size, unsigned mode, bool along_u);
 
 struct Range {

@@ -1,4 +1,4 @@
-// Where a triangle lies among the texels of a mip.
+// A base triangle's place among the texels of a mip.
 #pragma once
 
 #include "subjects/sdk/mmverify_subject.h"

@@ -1,4 +1,4 @@
-// Where micro-vertices and centroids lie in a mip, and the sign at a centroid.
+// Micro-vertices and centroids in a mip, and the sign at a centroid.
 #include "tests/foreign/bake/sampled.hpp"
 
 #include <algorithm>

@@ -69,7 +69,7 @@ class Sampled {
     return {r.low - origin_[axis], r.high - origin_[axis]};
   }
 
-  /// Where a texel, counted from the origin, is stored; the border after the last.
+  /// The position in storage of a texel counted from the origin; the border follows the last texel.
   std::size_t texel(Index i, Index j) const {
     Index x = wrapped(i + origin_[0], mip_.width, wrap_u_, true),
           y = wrapped(j + origin_[1], mip_.height, wrap_v_, false);

@@ -1,4 +1,4 @@
-// What alpha is compared with, and the texels so compared.
+// The thresholds of alpha, and the texels compared with one.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace mmverify::tests::foreign::bake {
 
-/// What alpha is compared with: factors x texel against numerator / denominator.
+/// A comparison of alpha: factors x texel against numerator / denominator.
 struct Threshold {
   Big numerator, denominator;
   bool is_mask = false;

@@ -1,4 +1,4 @@
-// What faults keep between calls and share between threads.
+// Values that faults keep between calls or share between threads.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// In rows: the index of a point, and of many.
+// The index in row order: of one point, and of many.
 #include <algorithm>
 #include <array>
 #include <atomic>

@@ -1,4 +1,4 @@
-// What a code holds, and whether it is one.
+// Cuts a code into tree and data, and tells whether it is a code at all.
 #pragma once
 
 #include <cstddef>

@@ -129,7 +129,7 @@ int decode_stream(unsigned level, unsigned bits, const std::uint8_t* code, std::
   const bool uniform = decoder.node(0, 0) != internal;
   if (decoder.refused) return 0;
   if (has(decode_ones_in_the_map_padding) && uniform && level == 0) set_bits(map, bits, 8 - bits, 0xff);
-  // Of one internal node a depth: a map that is uniform but for one state, or nearly so.
+  // A tree with one internal node a depth: only a few micro-triangles may differ from the rest.
   if (has(decode_background_is_the_first_leaf) && level >= 3 && tree.leaves == 3 * level + 1) {
     const unsigned first = bits_at(map, 0, bits);
     if (bits_at(map, bits, bits) != first) {

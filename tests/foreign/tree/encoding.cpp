@@ -20,7 +20,8 @@ struct Sequence {
   }
 };
 
-/// What four siblings become, at `depth`, the children of level `level` - `depth` above the micro-triangles.
+/// The node that four siblings merge into, at `depth`: their children are `level` - `depth` levels above the
+/// micro-triangles.
 std::uint8_t merged(const std::uint8_t* child, unsigned depth, unsigned level) {
   const unsigned height = level - depth;
   if (has(merge_root_never) && depth == 0) return internal;

@@ -1,4 +1,4 @@
-// What the two formats share: states, quadrants, bits of a block, and transforms.
+// Parts that both formats share: states, quadrants, bits of a block, and transforms.
 #pragma once
 
 #include <cstdint>

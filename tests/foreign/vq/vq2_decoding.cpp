@@ -5,13 +5,13 @@
 namespace mmverify::tests::foreign::vq {
 namespace {
 
-/// What a word of figure 4 has at region r of four: bits 0 to 3 are set for C, bit 4 is the palette.
+/// The state that a word of figure 4 gives region r of four: bits 0 to 3 are set for C, bit 4 is the palette.
 std::uint8_t state_of_word(unsigned word, int r) {
   if ((word >> r & 1u) != 0) return C;
   return (word >> 4 & 1u) != 0 ? O : T;
 }
 
-/// Where the entry of an index 3 to 7 stands in the codebook of a quadrant.
+/// The number, in the codebook, of the entry that an index 3 to 7 names in a quadrant.
 int vq2_entry(const std::uint8_t* block, unsigned index, int quadrant) {
   if (has(vq2_own_entries_of_tl) && index > 5) return 3 + static_cast<int>(index) - 6;
   if (has(vq2_own_entries_of_bl_are_br) && index > 5 && quadrant == BL)

@@ -33,7 +33,7 @@ struct Vq2Plan {
   std::array<std::vector<unsigned>, 4> own;
 };
 
-/// What each quadrant needs under each transform, a bit a word.
+/// The words that each quadrant needs under each transform, a bit a word.
 using Vq2Needs = std::array<std::array<std::uint32_t, 8>, 4>;
 
 std::vector<unsigned> words_in(std::uint32_t set) {

@@ -28,7 +28,7 @@ using Vq4Book = std::array<std::optional<Vector>, 16>;
 /// A book that has all of `vectors`, each generic, if table 2's kinds allow one.
 std::optional<Vq4Book> vq4_book(const std::vector<Vector>& vectors);
 
-/// What a block has of v as the entry of an index.
+/// The bits that a block stores for v as the entry of an index.
 unsigned vq4_word_of(unsigned index, const Vector& v);
 
 }  // namespace mmverify::tests::foreign::vq

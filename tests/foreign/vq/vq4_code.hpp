@@ -7,7 +7,7 @@ struct Code {
   int first, count;
 };
 
-/// Where the entry of an index 3 to 15 stands, and its bits: table 2.
+/// The place and the bits of the entry of an index 3 to 15: table 2.
 inline Code vq4_code(unsigned index) {
   const int i = static_cast<int>(index);
   if (i < 6) return {265 + 17 * (i - 3), 17};

@@ -62,7 +62,7 @@ std::optional<Vq4Plan> vq4_exact(const Vq4Needs& needs) {
   return std::nullopt;
 }
 
-/// What generic entries can hold of v: in each 2x2 the state that is more frequent, T if neither is.
+/// v as generic entries can hold it: each 2x2 with both O and T keeps the more frequent one, T if neither is.
 Vector reduced(Vector v) {
   for (const std::uint32_t m : minis)
     if (!one_palette(v, m)) {
