@@ -61,10 +61,11 @@ struct TextureTransform {
 Uv transformed(const TextureTransform& transform, const Uv& uv);
 
 struct BaseColorTexture {
-  std::optional<std::size_t> image;  ///< none if the file names no PNG or JPEG for it
+  std::optional<std::size_t> image;  ///< none if the file names no image for it that is read here
   std::uint32_t uv_set = 0;          ///< TEXCOORD_n
   Sampler sampler;
   TextureTransform transform;
+  std::string note = {};  ///< which of several images it is, in words
 };
 
 /// The part of a material that decides alpha = texture alpha x base_color_alpha x vertex alpha.  Numbers are
@@ -142,6 +143,8 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Mesh> meshes;
   std::vector<Primitive> primitives;  ///< of all meshes, in the file's order
+  std::vector<std::string> notes =
+      {};  ///< sentences for the user: images taken for others, files passed over
 
   /// The material of a primitive; glTF's default if it names none.
   const Material& material_of(const Primitive& primitive) const;

@@ -26,6 +26,7 @@
 #include "scene/read/file.hpp"
 #include "scene/read/load.hpp"
 #include "scene/read/primitives.hpp"
+#include "scene/validate/issues.hpp"
 #include "scene/validate/micromaps.hpp"
 #include "scene/validate/stored_maps.hpp"
 
@@ -43,7 +44,8 @@ struct Malformed {
 
 StoredMaps of_file(const CheckMapsOptions& options, const Scene& scene) {
   Malformed malformed;
-  for (const FileViolation& v : validate_micromaps(options.file)) malformed.lines.push_back(describe(v));
+  for (const FileViolation& v : validate_micromaps(options.file))
+    if (issue_of(v.rule).severity == Severity::error) malformed.lines.push_back(describe(v));
   if (!malformed.lines.empty()) throw malformed;
   return stored_maps(options.file, scene);
 }
@@ -206,8 +208,12 @@ int check_maps(const CheckMapsOptions& options) {
     for (const std::string& line : malformed.lines) say(out, "  {}\n", line);
     return failed;
   }
-  if (maps.baked.triangles.empty() && maps.not_judged.empty())
-    throw UsageError(fmt::format("{}: no primitive has a micromap", options.file));
+  for (const std::string& note : scene.notes) say(out, "note: {}\n", printable(note));
+  if (maps.baked.triangles.empty() && maps.not_judged.empty()) {
+    const std::string other = names_used(options.file).other;
+    throw UsageError(fmt::format("{}: no primitive has a micromap{}", options.file,
+                                 other.empty() ? "" : "; it has " + other + ", which is not read here"));
+  }
   print_maps(out, options.file, scene, maps);
   const SceneArrays no_arrays;
   const Pairs no_pairs;

@@ -255,7 +255,17 @@ int judged(const proofs::scene::Data& data, const proofs::bake::BakeSubjectPtr& 
   return exit_code(report);
 }
 
+/// A GLB by the name of a .gltf would be taken for JSON by the tools that go by names.
+void refuse_text_name(const std::string& name) {
+  std::string ending = std::filesystem::path(name).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending == ".gltf")
+    throw UsageError(fmt::format("-o {}: a GLB is written, in one file; name it .glb", name));
+}
+
 int scene(const SceneOptions& options) {
+  refuse_text_name(options.glb);
   refuse_same_file({{"the scene", options.file},
                     {"--json", options.json},
                     {"--plot", options.plot},

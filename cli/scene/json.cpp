@@ -89,6 +89,7 @@ std::string scene_json(const SceneFigures* f, const Scene& scene, const Plan& pl
                        const std::vector<proofs::scene::LeftOutLaw>& left_out,
                        const std::optional<SubjectFigures>& subject) {
   Json j{{"file", scene.file}, {"plan", plan_json(scene, plan)}};
+  if (!scene.notes.empty()) j["notes"] = scene.notes;
   if (subject) j["subject"] = to_json(*subject);
   for (const auto& [what, why] : left_out)
     j["plan"]["left_out_laws"].push_back({{"what", what}, {"why", why}});

@@ -1,3 +1,5 @@
+#include "cli/text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,6 +46,7 @@ void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Leve
   const TriangleCounts all = count_triangles(scene);
   say(out, "{}: {} triangles, {} placed\n", scene.file, grouped(all.unique), grouped(all.placed));
   say(out, "\nplan\n");
+  for (const std::string& note : scene.notes) line(out, "note", printable(note));
   const PlanCounts baked = counts(plan);
   if (plan.triangles.empty())
     line(out, "bake", "nothing to bake: no triangle is alpha-tested by a texture");

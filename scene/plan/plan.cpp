@@ -142,7 +142,7 @@ std::string_view sentence(LeftOut why) {
     case LeftOut::no_texture:
       return "its base colour has no texture: the constant alpha decides for all of it";
     case LeftOut::no_image:
-      return "its base colour's texture names no PNG or JPEG";
+      return "its base colour's texture names no image that is read";
     case LeftOut::no_uvs:
       return "it lacks the UV set that its base colour names";
     case LeftOut::morphed_uvs:

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/extensions.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -34,11 +35,15 @@ T load_as(const unsigned char* bytes) {
 
 class ElementReader {
  public:
-  ElementReader(const Document& document, const Buffers& buffers, std::size_t index, const std::string& at)
+  ElementReader(const Document& document, const Buffers& buffers, std::size_t index, const std::string& at,
+                const Bytes* decoded)
       : document_(document),
         buffers_(buffers),
         accessor_(document.model.accessors[index]),
-        at_(at + ": " + place("accessor", index)) {}
+        decoded_(decoded),
+        at_(at + ": " + place("accessor", index)) {
+    check_extensions(document, document.json["accessors"][index], at_);
+  }
 
   const tinygltf::Accessor& accessor() const { return accessor_; }
 
@@ -49,7 +54,7 @@ class ElementReader {
       bad("elements of " + std::to_string(components) + " component(s) are due");
     if (accessor_.count > most_elements)
       bad(std::to_string(accessor_.count) + " elements; more than 2^26 are not read");
-    if (accessor_.bufferView < 0 && accessor_.count > most_without_view)
+    if (!is_held() && accessor_.count > most_without_view)
       bad(std::to_string(accessor_.count) +
           " elements that no bufferView holds; more than 2^22 are not read");
     if (accessor_.count == 0) bad("no elements; at least one is due");
@@ -62,6 +67,7 @@ class ElementReader {
   }
 
   Elements elements(int components) const {
+    if (decoded_ != nullptr) return of_decoded(components);
     if (accessor_.bufferView < 0) return {nullptr, 0, accessor_.count, accessor_.componentType, 0};
     const auto view = static_cast<std::size_t>(accessor_.bufferView);
     return in_view(view, accessor_.byteOffset, document_.model.bufferViews[view].byteStride, accessor_.count,
@@ -110,6 +116,18 @@ class ElementReader {
   }
 
  private:
+  bool is_held() const { return decoded_ != nullptr || accessor_.bufferView >= 0; }
+
+  Elements of_decoded(int components) const {
+    const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor_.componentType));
+    const auto element = static_cast<std::size_t>(size * components);
+    if (size <= 0 || decoded_->size() != accessor_.count * element)
+      bad(std::to_string(decoded_->size()) + " decoded bytes for " + std::to_string(accessor_.count) +
+          " elements");
+    return {decoded_->data(), element, accessor_.count, accessor_.componentType,
+            static_cast<std::size_t>(size)};
+  }
+
   Elements in_view(std::size_t view, std::size_t offset, std::size_t stride, std::size_t count,
                    int component_type, int components) const {
     const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type));
@@ -133,6 +151,7 @@ class ElementReader {
   const Document& document_;
   const Buffers& buffers_;
   const tinygltf::Accessor& accessor_;
+  const Bytes* decoded_;
   std::string at_;
 };
 
@@ -162,8 +181,9 @@ float component(int type, bool normal, const unsigned char* bytes) {
 }  // namespace
 
 std::vector<float> read_floats(const Document& document, const Buffers& buffers, std::size_t index,
-                               int components, Integers integers, const std::string& at) {
-  const ElementReader reader(document, buffers, index, at);
+                               int components, Integers integers, const std::string& at,
+                               const Bytes* decoded) {
+  const ElementReader reader(document, buffers, index, at, decoded);
   const tinygltf::Accessor& accessor = reader.accessor();
   reader.check_shape(components);
   const int type = accessor.componentType;
@@ -202,8 +222,8 @@ std::vector<float> read_floats(const Document& document, const Buffers& buffers,
 }
 
 std::vector<std::uint32_t> read_indices(const Document& document, const Buffers& buffers, std::size_t index,
-                                        const std::string& at) {
-  const ElementReader reader(document, buffers, index, at);
+                                        const std::string& at, const Bytes* decoded) {
+  const ElementReader reader(document, buffers, index, at, decoded);
   reader.check_shape(1);
   reader.check_unsigned(reader.accessor().componentType);
   const Elements elements = reader.elements(1);

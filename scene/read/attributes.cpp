@@ -25,7 +25,8 @@ bool seen_alike(const BaseColorTexture& a, const BaseColorTexture& b) {
   return a.image == b.image && a.uv_set == b.uv_set && a.sampler == b.sampler && a.transform == b.transform;
 }
 
-std::vector<MaterialTexture> textures_of(const Document& document, std::size_t material) {
+std::vector<MaterialTexture> textures_of(const Document& document, const Buffers& buffers,
+                                         std::size_t material) {
   const nlohmann::json& json = document.json["materials"][material];
   const nlohmann::json& rough = member(json, "pbrMetallicRoughness");
   const std::array<const nlohmann::json*, attributes> given{
@@ -37,7 +38,7 @@ std::vector<MaterialTexture> textures_of(const Document& document, std::size_t m
     const std::string at = place("material", material, json.value("name", std::string())) + " " +
                            std::string(names[k]) + "Texture";
     const AttributeSet set = set_of(static_cast<Attribute>(k));
-    const BaseColorTexture texture = read_texture(document, *given[k], at);
+    const BaseColorTexture texture = read_texture(document, buffers, *given[k], PictureUse::colour, at);
     const auto alike = std::find_if(all.begin(), all.end(), [&](const MaterialTexture& other) {
       return is_srgb(other.set) == is_srgb(set) && seen_alike(other.texture, texture);
     });
@@ -64,7 +65,7 @@ AttributeScene attributes_of(const Document& document) {
   AttributeScene scene;
   scene.file = document.file;
   std::map<std::size_t, std::vector<MaterialTexture>> of_materials;
-  for (Primitive& primitive : read_primitives(document, buffers, read_materials(document))) {
+  for (Primitive& primitive : read_primitives(document, buffers, read_materials(document, buffers))) {
     const std::size_t count = primitive.triangles.size();
     scene.triangles += count;
     const auto leave_out = [&](const std::string& why) {
@@ -76,12 +77,12 @@ AttributeScene attributes_of(const Document& document) {
       continue;
     }
     auto& of_material = of_materials[*primitive.material];
-    if (of_material.empty()) of_material = textures_of(document, *primitive.material);
+    if (of_material.empty()) of_material = textures_of(document, buffers, *primitive.material);
     if (of_material.empty()) leave_out("no texture");
     AttributePrimitive its{primitive.mesh, primitive.number, {}, {}};
     for (const auto& [set, texture] : of_material) {
       if (!texture.image) {
-        leave_out(name(set) + ": no PNG or JPEG");
+        leave_out(name(set) + ": no image that is read");
         continue;
       }
       std::vector<Uv> uvs = read_uvs(document, buffers, primitive, texture);

@@ -17,6 +17,24 @@ class BadScene : public std::runtime_error {
   BadScene(std::string_view file, std::string_view place, std::string_view what);
 };
 
+/// A glTF that asks for a version that is not read here.
+class UnreadVersion : public BadScene {
+ public:
+  using BadScene::BadScene;
+};
+
+/// Data of an extension that this program, or this build of it, does not read.  The file may be sound.
+class UnreadExtension : public BadScene {
+ public:
+  using BadScene::BadScene;
+};
+
+/// Compressed data that its decoder refuses.
+class DamagedData : public BadScene {
+ public:
+  using BadScene::BadScene;
+};
+
 /// A name from a file as a message may show it.
 std::string shown(std::string_view name);
 

@@ -27,6 +27,7 @@ constexpr bool required = true;
 constexpr Property properties[] = {
     {"asset", Kind::object, required},
     {"asset/version", Kind::text, required},
+    {"asset/minVersion", Kind::text},
     {"extensionsUsed/*", Kind::text},
     {"extensionsRequired/*", Kind::text},
     {"buffers/*/byteLength", Kind::whole, required},
@@ -80,6 +81,10 @@ constexpr Property properties[] = {
      Kind::whole},
     {"textures/*/sampler", Kind::index, false, "samplers"},
     {"textures/*/source", Kind::index, false, "images"},
+    {"textures/*/extensions/EXT_texture_webp/source", Kind::index, false, "images"},
+    {"textures/*/extensions/EXT_texture_avif/source", Kind::index, false, "images"},
+    {"textures/*/extensions/MSFT_texture_dds/source", Kind::index, false, "images"},
+    {"textures/*/extensions/KHR_texture_basisu/source", Kind::index, false, "images"},
     {"samplers/*/magFilter", Kind::whole},
     {"samplers/*/minFilter", Kind::whole},
     {"samplers/*/wrapS", Kind::whole},

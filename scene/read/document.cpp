@@ -1,8 +1,5 @@
 #include "scene/read/document.hpp"
 
-#include <algorithm>
-#include <string_view>
-
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/check_json.hpp"
 #include "scene/read/unique_names.hpp"
@@ -12,28 +9,34 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Extensions that are read, or that change nothing that is read here: shading, lights, metadata.
-bool is_read(std::string_view extension) {
-  constexpr std::string_view others[] = {"KHR_texture_transform",     "KHR_mesh_quantization",
-                                         "KHR_animation_pointer",     "KHR_lights_punctual",
-                                         "EXT_mesh_gpu_instancing",   "KHR_xmp",
-                                         "KHR_xmp_json_ld",           "EXT_lights_image_based",
-                                         "KHR_node_visibility",       "MSFT_lod",
-                                         "EXT_mesh_opacity_micromap", "KHR_mesh_opacity_micromap"};
-  return extension.starts_with("KHR_materials_") ||
-         std::find(std::begin(others), std::end(others), extension) != std::end(others);
+/// Refuses a glTF that says it needs another version than 2.0.  A file of a later minor version may be read
+/// as 2.0 unless it asks for more.  Source: glTF 2.0, 3.2.
+void check_version(const Json& json, const std::string& file) {
+  const Json& asset = json["asset"];
+  const std::string& version = asset["version"].get_ref<const std::string&>();
+  const auto needs = asset.find("minVersion");
+  if (needs != asset.end() && !needs->get_ref<const std::string&>().starts_with("1.") && *needs != "2.0")
+    throw UnreadVersion(
+        file, "/asset/minVersion",
+        "the file needs glTF " + shown(needs->get_ref<const std::string&>()) + "; 2.0 is read here");
+  if (!version.starts_with("2."))
+    throw UnreadVersion(file, "/asset/version", "glTF " + shown(version) + "; only 2.x is read");
 }
 
-void check_required(const Json& json, const std::string& file) {
-  for (const Json& required : member(json, "extensionsRequired")) {
-    const std::string& name = required.get_ref<const std::string&>();
-    if (is_read(name)) continue;
-    const bool compressed = name == "KHR_draco_mesh_compression" || name == "EXT_meshopt_compression";
-    throw BadScene(
-        file, "extensionsRequired",
-        shown(name) + " is not read here" +
-            (compressed ? ": the geometry is compressed; decompress it first (gltf-transform copy)" : ""));
-  }
+/// Calls take(mesh, primitive, accessor) for each primitive whose indices no view holds, since they are
+/// compressed; tinygltf refuses those.
+template <class Take>
+void for_each_unheld_index(const Json& json, const Take& take) {
+  const Json& meshes = member(json, "meshes");
+  for (std::size_t m = 0; m < meshes.size(); ++m)
+    for (std::size_t p = 0; p < meshes[m]["primitives"].size(); ++p) {
+      const Json& primitive = meshes[m]["primitives"][p];
+      if (!primitive.contains("indices") ||
+          !member(primitive, "extensions").contains("KHR_draco_mesh_compression"))
+        continue;
+      const auto accessor = primitive["indices"].get<std::size_t>();
+      if (!json["accessors"][accessor].contains("bufferView")) take(m, p, accessor);
+    }
 }
 
 /// The part of the JSON that is read through tinygltf's types.
@@ -48,6 +51,9 @@ Json for_tinygltf(const Json& json) {
       element.erase("extensions");
     }
   }
+  for_each_unheld_index(json, [&kept](std::size_t mesh, std::size_t primitive, std::size_t) {
+    kept["meshes"][mesh]["primitives"][primitive].erase("indices");
+  });
   return kept;
 }
 
@@ -78,10 +84,7 @@ Document parse(Container parts, const std::string& file) {
   if (const auto twice = twice_named(parts.json))
     throw BadScene(file, shown(*twice), "an object has two members of this name; which of them is meant?");
   check_json(document.json, file);
-  const std::string& version = document.json["asset"]["version"].get_ref<const std::string&>();
-  if (!version.starts_with("2."))
-    throw BadScene(file, "/asset/version", "glTF " + shown(version) + "; only 2.x is read");
-  check_required(document.json, file);
+  check_version(document.json, file);
   const std::string text = for_tinygltf(document.json).dump();
   std::string error, warning;
   tinygltf::TinyGLTF reader;
@@ -89,6 +92,9 @@ Document parse(Container parts, const std::string& file) {
                                   static_cast<unsigned>(text.size()), "") ||
       !error.empty())
     throw BadScene(file, "JSON", "tinygltf: " + shown(error));
+  for_each_unheld_index(document.json, [&](std::size_t mesh, std::size_t primitive, std::size_t accessor) {
+    document.model.meshes[mesh].primitives[primitive].indices = static_cast<int>(accessor);
+  });
   return document;
 }
 

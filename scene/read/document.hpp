@@ -20,7 +20,7 @@ struct Document {
   std::optional<Bytes> binary;  ///< GLB's BIN chunk
 };
 
-/// Parses and checks: nesting, types, whole numbers below 2^31, references, required extensions.
+/// Parses and checks: nesting, types, whole numbers below 2^31, references, the version.
 /// tinygltf gets only JSON that has passed.  By itself it takes 2^32 for 0 and -4 for "not there", reads
 /// images beyond their buffer, recurses as deep as `extras` nests, and drops animations without a node.  So
 /// buffers.hpp reads buffers and images, and extensions are read from the JSON.

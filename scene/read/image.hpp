@@ -1,4 +1,4 @@
-// Decoders of PNG and JPEG.
+// Decoders of pictures.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,15 @@ namespace mmverify::scene {
 /// The longest side of an image: impl/bake/bake.hpp bakes no longer one, and devices sample none.
 inline constexpr std::uint32_t longest_side = 16384;
 
-/// Decodes the picture's alpha into `image`: 16 bits if it is a PNG of 16 bits, else 8, with palettes and
-/// colour keys (tRNS).  A picture without alpha, such as a JPEG, is opaque.
-/// Errors: BadScene if it is neither PNG nor JPEG, damaged or cut off, or a side is 0 or above longest_side.
+/// `kind`: "a WebP", for the message.  Errors: BadScene if a side is 0 or above longest_side.
+void check_sides(std::uint64_t width, std::uint64_t height, const char* kind, const std::string& file,
+                 const std::string& place);
+
+/// Decodes the picture's alpha into `image`: 16 bits if it is a PNG of 16 bits, an AVIF of more than 8 or a
+/// DDS of BC3, else 8, with a PNG's palettes and colour keys (tRNS).  A picture without alpha, such as a JPEG,
+/// is opaque.
+/// Errors: BadScene if it is no picture that is read, damaged or cut off, or a side is 0 or above longest_side;
+/// UnreadExtension for a kind that this program, or this build, does not read.
 void decode_alpha(std::span<const unsigned char> bytes, Image& image, const std::string& file,
                   const std::string& place);
 
@@ -28,7 +34,8 @@ struct ColourImage {
   bool decoded() const { return width != 0; }
 };
 
-/// Decodes all four channels: for a PNG of 16 bits, the upper 8 of each.  Errors: as above.
+/// Decodes all four channels: for a PNG of 16 bits, the upper 8 of each.  Errors: as above;
+/// UnreadExtension for a DDS.
 void decode_colour(std::span<const unsigned char> bytes, ColourImage& image, const std::string& file,
                    const std::string& place);
 

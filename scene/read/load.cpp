@@ -1,8 +1,10 @@
 #include "scene/read/load.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/extensions.hpp"
 #include "scene/read/image.hpp"
 #include "scene/read/materials.hpp"
 #include "scene/read/nodes.hpp"
@@ -12,16 +14,33 @@
 namespace mmverify::scene {
 namespace {
 
+/// Calls take(texture) for each use of a texture whose alpha decides a state.
+template <class Take>
+void for_each_alpha_texture(const Scene& scene, const Take& take) {
+  for (const Primitive& primitive : scene.primitives) {
+    const Material& material = scene.material_of(primitive);
+    if (!primitive.triangles.empty() && material.mode != AlphaMode::opaque && material.texture)
+      take(*material.texture);
+  }
+}
+
 /// The images whose alpha decides a state.
 std::set<std::size_t> alpha_tested_images(const Scene& scene) {
   std::set<std::size_t> images;
-  for (const Primitive& primitive : scene.primitives) {
-    const Material& material = scene.material_of(primitive);
-    if (!primitive.triangles.empty() && material.mode != AlphaMode::opaque && material.texture &&
-        material.texture->image)
-      images.insert(*material.texture->image);
-  }
+  for_each_alpha_texture(scene, [&images](const BaseColorTexture& texture) {
+    if (texture.image) images.insert(*texture.image);
+  });
   return images;
+}
+
+/// The notes of the textures whose alpha decides a state, each once.
+std::vector<std::string> notes_of(const Scene& scene) {
+  std::vector<std::string> notes;
+  for_each_alpha_texture(scene, [&notes](const BaseColorTexture& texture) {
+    if (!texture.note.empty() && std::find(notes.begin(), notes.end(), texture.note) == notes.end())
+      notes.push_back(texture.note);
+  });
+  return notes;
 }
 
 /// Checks that all images are there, and decodes those in `to_decode`.
@@ -38,6 +57,7 @@ std::vector<Image> read_images(const Document& document, const Buffers& buffers,
     Image image;
     image.name = given.value("name", embedded ? std::string() : shown(uri));
     const std::string at = place("image", k, image.name);
+    if (decode) check_extensions(document, given, at);
     if (given.contains("bufferView")) {
       const auto bytes = buffers.view(given["bufferView"].get<std::size_t>());
       if (decode) decode_alpha(bytes, image, document.file, at);
@@ -58,9 +78,10 @@ Scene scene_of(const Document& document) {
   const Buffers buffers(document);
   Scene scene;
   scene.file = document.file;
-  scene.materials = read_materials(document);
+  scene.materials = read_materials(document, buffers);
   scene.meshes = read_meshes(document, buffers);
   scene.primitives = read_primitives(document, buffers, scene.materials);
+  scene.notes = notes_of(scene);
   scene.images = read_images(document, buffers, alpha_tested_images(scene));
   return scene;
 }

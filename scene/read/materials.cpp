@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/extensions.hpp"
+#include "scene/read/texture_source.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -71,12 +73,13 @@ Sampler read_sampler(const tinygltf::Sampler& given, const std::string& file, co
 
 class MaterialReader {
  public:
-  explicit MaterialReader(const Document& document) : document_(document) {}
+  MaterialReader(const Document& document, const Buffers& buffers) : document_(document), buffers_(buffers) {}
 
   Material material(std::size_t index) const {
     const tinygltf::Material& given = document_.model.materials[index];
     const nlohmann::json& json = document_.json["materials"][index];
     const std::string at = place("material", index, given.name);
+    check_extensions(document_, json, at);
     Material material;
     material.name = given.name;
     if (given.alphaMode == "MASK")
@@ -96,13 +99,15 @@ class MaterialReader {
           document_.file, at,
           "baseColorFactor's alpha " + std::to_string(material.base_color_alpha) + " is not from 0 to 1");
     const nlohmann::json& texture = member(member(json, "pbrMetallicRoughness"), "baseColorTexture");
-    if (!texture.empty()) material.texture = read_texture(document_, texture, at);
+    if (!texture.empty())
+      material.texture = read_texture(document_, buffers_, texture, PictureUse::alpha, at);
     material.specular_glossiness = member(json, "extensions").contains("KHR_materials_pbrSpecularGlossiness");
     return material;
   }
 
  private:
   const Document& document_;
+  const Buffers& buffers_;
 };
 
 /// Records a pointer such as
@@ -123,10 +128,15 @@ void note_animation(const std::string& pointer, std::vector<Material>& materials
 
 }  // namespace
 
-BaseColorTexture read_texture(const Document& document, const nlohmann::json& info, const std::string& at) {
+BaseColorTexture read_texture(const Document& document, const Buffers& buffers, const nlohmann::json& info,
+                              PictureUse use, const std::string& at) {
+  check_extensions(document, info, at);
   BaseColorTexture result;
-  const tinygltf::Texture& texture = document.model.textures[info["index"].get<std::size_t>()];
-  if (texture.source >= 0) result.image = static_cast<std::size_t>(texture.source);
+  const auto index = info["index"].get<std::size_t>();
+  const tinygltf::Texture& texture = document.model.textures[index];
+  const TextureSource source = texture_source(document, buffers, index, use);
+  result.image = source.image;
+  result.note = source.note;
   if (texture.sampler >= 0) {
     const auto sampler = static_cast<std::size_t>(texture.sampler);
     result.sampler =
@@ -141,10 +151,10 @@ BaseColorTexture read_texture(const Document& document, const nlohmann::json& in
   return result;
 }
 
-std::vector<Material> read_materials(const Document& document) {
+std::vector<Material> read_materials(const Document& document, const Buffers& buffers) {
   std::vector<Material> materials;
   for (std::size_t k = 0; k < document.model.materials.size(); ++k)
-    materials.push_back(MaterialReader(document).material(k));
+    materials.push_back(MaterialReader(document, buffers).material(k));
   for (const nlohmann::json& animation : member(document.json, "animations"))
     for (const nlohmann::json& channel : member(animation, "channels")) {
       const nlohmann::json& pointer = extension(channel["target"], "KHR_animation_pointer");

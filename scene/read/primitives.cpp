@@ -6,6 +6,8 @@
 
 #include "scene/read/accessor.hpp"
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/draco.hpp"
+#include "scene/read/extensions.hpp"
 #include "scene/read/triangles.hpp"
 
 namespace mmverify::scene {
@@ -40,13 +42,15 @@ class PrimitiveReader {
 
   std::vector<Uv> uvs_of(const Primitive& primitive, const BaseColorTexture& texture) {
     name(primitive.mesh, primitive.number);
+    draco_ = draco_mesh(document_, buffers_,
+                        document_.json["meshes"][primitive.mesh]["primitives"][primitive.number], at_);
     return uvs(primitive, texture);
   }
 
   Primitive primitive(std::size_t mesh, std::size_t number) {
     name(mesh, number);
     const nlohmann::json& json = document_.json["meshes"][mesh]["primitives"][number];
-    check_compression(json);
+    check_extensions(document_, json, at_);
     Primitive primitive;
     primitive.mesh = mesh;
     primitive.number = number;
@@ -62,6 +66,7 @@ class PrimitiveReader {
     primitive.drawn_as_triangles = drawn.has_value();
     // Nothing is drawn without positions (glTF 2.0, 3.7.2.1).
     if (!drawn || !given_->attributes.contains("POSITION")) return primitive;
+    draco_ = draco_mesh(document_, buffers_, json, at_);
     primitive.positions = positions();
     const std::vector<std::uint32_t> vertices = indices(primitive.positions.size());
     primitive.triangles = triangles(*drawn, vertices);
@@ -76,6 +81,7 @@ class PrimitiveReader {
   void name(std::size_t mesh, std::size_t number) {
     given_ = &document_.model.meshes[mesh].primitives[number];
     at_ = place("mesh", mesh, document_.model.meshes[mesh].name) + " " + place("primitive", number);
+    draco_.reset();
   }
 
   const int* attribute(const std::string& name) const {
@@ -85,19 +91,11 @@ class PrimitiveReader {
 
   std::vector<float> floats(const char* name, int accessor, int components, Integers unquantised) const {
     return read_floats(document_, buffers_, static_cast<std::size_t>(accessor), components,
-                       quantised_ ? Integers::any : unquantised, at_ + " " + name);
+                       quantised_ ? Integers::any : unquantised, at_ + " " + name, decoded(name));
   }
 
-  /// Throws if the geometry is compressed only.  If the extension is not required, the file may have it
-  /// uncompressed, too.
-  void check_compression(const nlohmann::json& json) const {
-    if (!member(json, "extensions").contains("KHR_draco_mesh_compression")) return;
-    for (const auto& [name, accessor] : given_->attributes)
-      if (document_.model.accessors[static_cast<std::size_t>(accessor)].bufferView < 0)
-        throw BadScene(
-            document_.file, at_,
-            "Draco-compressed (KHR_draco_mesh_compression); decompress it first (gltf-transform copy)");
-  }
+  /// The elements of an attribute that stands compressed in the file; null of another one.
+  const Bytes* decoded(const std::string& name) const { return draco_ ? draco_->attribute(name) : nullptr; }
 
   std::vector<Position> positions() const {
     const std::vector<float> values = floats("POSITION", *attribute("POSITION"), 3, Integers::none);
@@ -114,7 +112,8 @@ class PrimitiveReader {
       std::iota(indices.begin(), indices.end(), 0u);
       return indices;
     }
-    indices = read_indices(document_, buffers_, static_cast<std::size_t>(given_->indices), at_ + " indices");
+    indices = read_indices(document_, buffers_, static_cast<std::size_t>(given_->indices), at_ + " indices",
+                           draco_ ? &draco_->indices : nullptr);
     const auto beyond =
         std::find_if(indices.begin(), indices.end(), [&](std::uint32_t i) { return i >= vertices; });
     if (beyond != indices.end())
@@ -197,8 +196,9 @@ class PrimitiveReader {
                        "more than 2^22 elements in all that no bufferView holds; that much is not read");
       unheld_ += its.count;
     };
-    if (given_->indices >= 0) add(given_->indices);
-    for (const auto& [name, accessor] : given_->attributes) add(accessor);
+    if (given_->indices >= 0 && !draco_) add(given_->indices);
+    for (const auto& [name, accessor] : given_->attributes)
+      if (decoded(name) == nullptr) add(accessor);
   }
 
   /// Counts vertices and triangles.  Many primitives may share one accessor, so a small file may describe a
@@ -217,6 +217,7 @@ class PrimitiveReader {
   bool quantised_ = false;
   std::size_t counted_ = 0, unheld_ = 0;
   const tinygltf::Primitive* given_ = nullptr;
+  std::optional<DracoMesh> draco_;
   std::string at_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "scene/read/accessor.hpp"
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/draco.hpp"
 #include "scene/read/materials.hpp"
 #include "scene/read/primitives.hpp"
 
@@ -16,7 +17,8 @@ class Reader {
 
   std::vector<PrimitiveShading> all() const {
     std::vector<PrimitiveShading> all;
-    for (const Primitive& primitive : read_primitives(document_, buffers_, read_materials(document_)))
+    for (const Primitive& primitive :
+         read_primitives(document_, buffers_, read_materials(document_, buffers_)))
       if (!primitive.triangles.empty()) all.push_back(shading(primitive));
     return all;
   }
@@ -27,8 +29,11 @@ class Reader {
     const auto& given = document_.model.meshes[primitive.mesh].primitives[primitive.number];
     const std::string at = place("mesh", primitive.mesh) + " " + place("primitive", primitive.number);
     if (const auto found = given.attributes.find("NORMAL"); found != given.attributes.end()) {
-      const std::vector<float> values = read_floats(
-          document_, buffers_, static_cast<std::size_t>(found->second), 3, Integers::any, at + " NORMAL");
+      const auto draco = draco_mesh(
+          document_, buffers_, document_.json["meshes"][primitive.mesh]["primitives"][primitive.number], at);
+      const std::vector<float> values =
+          read_floats(document_, buffers_, static_cast<std::size_t>(found->second), 3, Integers::any,
+                      at + " NORMAL", draco ? draco->attribute("NORMAL") : nullptr);
       if (values.size() != 3 * primitive.positions.size())
         throw BadScene(document_.file, at + " NORMAL",
                        std::to_string(values.size() / 3) + " elements, of " +

@@ -110,7 +110,11 @@ void judge_gltf(Judged& judged, std::optional<Draft> draft, const Names& names, 
     judged.findings.push_back({code, pointer, found});
   };
   if (!used.ext && !used.khr) {
-    if (judged.findings.empty()) add("file.no_micromaps", "", "no object has the extension");
+    if (judged.count(Severity::advice) == judged.findings.size())
+      add("file.no_micromaps", "",
+          used.other.empty() ? "no object has the extension"
+                             : "the file has " + used.other + "; " + text(newest_draft).extension + " and " +
+                                   text(Draft::khr).extension + " are read");
   } else if (draft && !(*draft == Draft::khr ? used.khr : used.ext)) {
     add("draft.name", "/extensionsUsed",
         std::string("draft ") + text(*draft).name + " has " + text(*draft).extension + ", the file has " +

@@ -28,6 +28,8 @@ constexpr const char *ours = "ours", *sidecar = "ours: VALIDATE.md",
 constexpr Row rows[] = {
     // Files
     {"file.readable", error, "write the file again; a copy may be cut short, or lack the buffers beside it"},
+    {"file.version", error, "write minVersion 2.0 if the file needs no more; here it is not judged"},
+    {"file.newer", advice, "write version 2.0 if the file has nothing newer"},
     {"file.no_micromaps", warning, "name the file that has the micromaps; in this one nothing was judged",
      "a glTF file has micromaps", ours},
     {"draft.name", error, "leave --draft out, or rename the extension everywhere in the file",
@@ -44,6 +46,9 @@ constexpr Row rows[] = {
     {"micromap.view", error, "name a bufferView by its index"},
     {"view.stride", error, "take byteStride out of the bufferView"},
     {"view.inside", error, "lengthen the buffer, or shorten the bufferView"},
+    {"view.compressed", error, "compress the view again; a copy may be damaged"},
+    {"view.shared", warning,
+     "write the micromaps again, behind the tool that wrote the file: it does not know the extension"},
     {"usage.array", error, "write an array with a number for each level and format that occurs"},
     {"usage.integer", error, "write whole numbers"},
     {"usage.length", error, "give the three usage arrays one length"},
@@ -61,6 +66,9 @@ constexpr Row rows[] = {
     {"indices.inside", error, "lengthen the bufferView, or correct byteOffset and count"},
     {"indices.sparse", error, "sort the sparse indices, without doubles, below the accessor's count"},
     {"limits.indices", error, "split the file: what is beyond the limit was not judged"},
+
+    {"limits.extension", error,
+     "nothing may be wrong: use a build that reads the extension, or another form"},
 
     // Addresses and strides
     {"align.data_256", error, "put the data at a multiple of 256"},

@@ -1,6 +1,7 @@
 #include "scene/validate/micromaps.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "scene/read/bad_scene.hpp"
 #include "scene/validate/report.hpp"
@@ -28,6 +29,33 @@ std::string first_use(const Json& json, const char* name) {
   return "";
 }
 
+bool names_opacity_micromaps(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name.find("opacity_micromap") != name.npos || name.find("opacitymicromap") != name.npos;
+}
+
+/// A name of opacity micromaps that is no draft's, of the root, a primitive or extensionsUsed; or empty.
+std::string other_name(const Json& json) {
+  const auto is_other = [](const std::string& name) {
+    return names_opacity_micromaps(name) &&
+           std::none_of(drafts.begin(), drafts.end(),
+                        [&](const DraftText& d) { return name == d.extension; });
+  };
+  const auto on = [&](const Json& object) {
+    for (const auto& [name, unused] : member(object, "extensions").items())
+      if (is_other(name)) return shown(name);
+    return std::string();
+  };
+  if (std::string name = on(json); !name.empty()) return name;
+  for (const Json& mesh : member(json, "meshes"))
+    for (const Json& primitive : mesh["primitives"])
+      if (std::string name = on(primitive); !name.empty()) return name;
+  for (const Json& name : member(json, "extensionsUsed"))
+    if (is_other(name.get<std::string>())) return shown(name.get<std::string>());
+  return "";
+}
+
 void validate_lists(const Json& json, Report& report) {
   const std::string use = first_use(json, report.extension());
   if (!use.empty() && !lists(json, "extensionsUsed", report.extension()))
@@ -37,15 +65,27 @@ void validate_lists(const Json& json, Report& report) {
                "it is listed, though the file renders the same without it");
 }
 
+/// A later minor version may be read as 2.0; what it adds is not judged.
+void validate_version(const Json& json, Report& report) {
+  const std::string& version = json["asset"]["version"].get_ref<const std::string&>();
+  if (version != "2.0")
+    report.add("file.newer", "/asset/version", "glTF " + shown(version) + " is judged by the rules of 2.0");
+}
+
 template <class Open>
 std::vector<FileViolation> validated(const Open& open, Draft draft) {
   Report report(draft);
   try {
     const Document document = open();
     const Buffers buffers(document);
+    validate_version(document.json, report);
     validate_lists(document.json, report);
     const std::vector<RecordCount> micromaps = validate_root(document, buffers, report);
     validate_primitives(document, buffers, micromaps, report);
+  } catch (const UnreadVersion& unread) {
+    report.add("file.version", "/asset", unread.what());
+  } catch (const UnreadExtension& unread) {
+    report.add("limits.extension", "", unread.what());
   } catch (const BadScene& bad) {
     report.add("file.readable", "", bad.what());
   }
@@ -59,7 +99,7 @@ NamesUsed used(const Open& open) {
     const auto by = [&document](Draft draft) {
       return !first_use(document.json, text(draft).extension).empty();
     };
-    return {by(Draft::ext_2), by(Draft::khr)};
+    return {by(Draft::ext_2), by(Draft::khr), other_name(document.json)};
   } catch (const BadScene&) {
     return {};
   }

@@ -46,6 +46,7 @@ std::vector<FileViolation> validate_micromaps(const std::string& name, std::span
 /// The names of the extension that a document uses: EXT's and KHR's.
 struct NamesUsed {
   bool ext = false, khr = false;
+  std::string other;  ///< a name of opacity micromaps that is neither, such as NV_opacity_micromap; or empty
 };
 /// The names used by a file; none if it cannot be read.
 NamesUsed names_used(const std::string& file);

@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "scene/validate/indices.hpp"
+#include "scene/validate/shared.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -81,6 +82,11 @@ class Validation {
                       " accessors");
       return false;
     }
+    if (const std::string reader =
+            other_reader_of_accessor(document_.json, static_cast<std::size_t>(*accessor));
+        !reader.empty())
+      report_.add("view.shared", pointer,
+                  place("accessor", static_cast<std::size_t>(*accessor)) + " is " + reader + ", too");
     auto read =
         read_micromap_indices(document_, buffers_, static_cast<std::size_t>(*accessor), pointer, report_);
     if (!read) return false;

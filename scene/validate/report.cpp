@@ -47,13 +47,20 @@ std::optional<std::span<const unsigned char>> plain_view(const Document& documen
       report.newest() && json.contains("byteStride"))
     report.add("view.stride", pointer,
                place("bufferView", view) + " has a byteStride of " + found(json["byteStride"]));
+  const auto add = [&](const char* rule, const BadScene& bad) {
+    const std::string what = bad.what(), file = document.file + ": ";
+    report.add(rule, pointer, what.starts_with(file) ? what.substr(file.size()) : what);
+  };
   try {
     return buffers.view(view);
+  } catch (const UnreadExtension& unread) {
+    add("limits.extension", unread);
+  } catch (const DamagedData& damaged) {
+    add("view.compressed", damaged);
   } catch (const BadScene& outside) {
-    const std::string what = outside.what(), file = document.file + ": ";
-    report.add("view.inside", pointer, what.starts_with(file) ? what.substr(file.size()) : what);
-    return {};
+    add("view.inside", outside);
   }
+  return {};
 }
 
 std::string describe(const FileViolation& violation) {

@@ -1,4 +1,5 @@
 #include "scene/validate/report.hpp"
+#include "scene/validate/shared.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -23,6 +24,10 @@ std::optional<std::span<const unsigned char>> bytes_of(const Document& document,
                found(micromap[name]) + " is no index of the " + std::to_string(views) + " bufferViews");
     return {};
   }
+  if (const std::string reader = other_reader_of_view(document.json, static_cast<std::size_t>(*view));
+      !reader.empty())
+    report.add("view.shared", pointer,
+               place("bufferView", static_cast<std::size_t>(*view)) + " is " + reader + ", too");
   return plain_view(document, buffers, static_cast<std::size_t>(*view), pointer, report);
 }
 

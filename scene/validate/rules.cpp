@@ -17,6 +17,8 @@ using enum impl::micromap::Rule;
 // and one kind of usage counts.
 constexpr std::array rules{
     FileRule{"file.readable", "the file is glTF 2.0, and its buffers are there", "glTF 2.0"},
+    FileRule{"file.version", "the file needs no glTF newer than 2.0", "glTF 2.0, 3.2"},
+    FileRule{"file.newer", "the file is glTF 2.0, not a later minor version", "glTF 2.0, 3.2"},
     FileRule{"used.listed", "extensionsUsed lists the extension where anything uses it", "glTF 2.0, 3.12"},
     FileRule{"required.unlisted", "extensionsRequired does not list the extension", "Optional vs. Required"},
     FileRule{"root.object", "the root's extension is an object", "Extending the glTF Root"},
@@ -29,6 +31,10 @@ constexpr std::array rules{
     FileRule{"view.stride", "the bufferViews of data, triangles and indices define no byteStride",
              "Extending the glTF Root; Accessor Requirements"},
     FileRule{"view.inside", "they lie within their buffers", "glTF 2.0, 3.6.1"},
+    FileRule{"view.compressed", "a compressed view that is read can be decoded",
+             "EXT_meshopt_compression, KHR_meshopt_compression"},
+    FileRule{"view.shared", "nothing else of the file reads the views and the accessor of micromaps",
+             "none: a tool that does not know the extension renumbers views and accessors"},
     FileRule{"usage.array", "a usage array is an array of at least one", "its schema"},
     FileRule{"usage.integer", "its elements are whole numbers from 0, below 2^32", "its schema; 32 bits"},
     FileRule{"usage.length", "the three usage arrays have one length", "Extending the glTF Root"},
@@ -60,6 +66,8 @@ constexpr std::array rules{
     of_array(index_special, "Accessor Requirements"),
     of_array(index_range, "Lookup"),
     FileRule{"limits.indices", "so many indices that they are not judged", "none: a limit of this validator"},
+    FileRule{"limits.extension", "what a rule needs is stored by an extension that is not read here",
+             "none: a limit of this validator"},
 };
 
 }  // namespace

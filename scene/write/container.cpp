@@ -3,6 +3,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "scene/read/meshopt.hpp"
+
 namespace mmverify::scene {
 namespace {
 
@@ -52,6 +54,12 @@ std::size_t BinaryChunk::add_view(std::span<const unsigned char> bytes, int targ
   return views.size() - 1;
 }
 
+std::size_t BinaryChunk::add_placeholder(nlohmann::json buffer) {
+  buffer.erase("uri");
+  placeholders_.push_back(std::move(buffer));
+  return placeholders_.size();
+}
+
 Bytes glb(nlohmann::json document, const BinaryChunk& binary) {
   if (binary.bytes().empty()) {
     document.erase("buffers");
@@ -60,9 +68,12 @@ Bytes glb(nlohmann::json document, const BinaryChunk& binary) {
     nlohmann::json buffer = nlohmann::json::object();
     if (const auto buffers = document.find("buffers"); buffers != document.end() && !buffers->empty())
       buffer = buffers->front();
+    if (is_meshopt_fallback(buffer)) buffer = nlohmann::json::object();
     buffer.erase("uri");
     buffer["byteLength"] = binary.bytes().size();
     document["buffers"] = nlohmann::json::array({std::move(buffer)});
+    for (const nlohmann::json& placeholder : binary.placeholders())
+      document["buffers"].push_back(placeholder);
   }
   const std::string json = document.dump();
   constexpr std::uint32_t json_type = 0x4E4F534A, binary_type = 0x004E4942;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "scene/read/file.hpp"
 
@@ -29,14 +30,19 @@ class BinaryChunk {
   /// Appends bytes as a new bufferView, and returns its number; `target` is glTF's, 0: none.
   std::size_t add_view(std::span<const unsigned char> bytes, int target = 0);
 
+  /// Keeps a buffer without bytes, the fallback of compressed views, and returns its number in the file.
+  std::size_t add_placeholder(nlohmann::json buffer);
+
   const Bytes& bytes() const { return bytes_; }
+  const std::vector<nlohmann::json>& placeholders() const { return placeholders_; }
 
  private:
   nlohmann::json* document_;
   Bytes bytes_;
+  std::vector<nlohmann::json> placeholders_;
 };
 
-/// The file of a document whose buffers become one, `binary`.
+/// The file of a document whose buffers become one, `binary`, and its placeholders behind it.
 /// Errors: std::length_error as of glb_size().
 Bytes glb(nlohmann::json document, const BinaryChunk& binary);
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/meshopt.hpp"
 #include "scene/read/resource.hpp"
 
 namespace mmverify::scene {
@@ -12,10 +13,15 @@ namespace {
 using Json = nlohmann::json;
 using namespace std::string_view_literals;
 
-void move_view(Json& view, const std::vector<std::size_t>& starts) {
-  const std::size_t start = starts[view["buffer"].get<std::size_t>()];
-  view["buffer"] = 0;
-  if (start != 0) view["byteOffset"] = view.value("byteOffset", std::size_t{0}) + start;
+/// The new number of a buffer, and where its bytes begin there.
+struct NewPlace {
+  std::size_t buffer, start;
+};
+
+void move_view(Json& view, const std::vector<NewPlace>& places) {
+  const NewPlace& to = places[view["buffer"].get<std::size_t>()];
+  view["buffer"] = to.buffer;
+  if (to.start != 0) view["byteOffset"] = view.value("byteOffset", std::size_t{0}) + to.start;
 }
 
 /// The type of an image by its first bytes.
@@ -46,26 +52,19 @@ std::string type_of(std::span<const unsigned char> bytes, const Json& image, con
 }  // namespace
 
 void embed_buffers(const Document& document, const Buffers& buffers, Json& json, BinaryChunk& binary) {
-  std::vector<std::size_t> starts;
-  for (const Bytes& buffer : buffers.all()) starts.push_back(binary.append(buffer));
+  std::vector<NewPlace> places;
+  for (std::size_t k = 0; k < buffers.all().size(); ++k)
+    places.push_back(buffers.is_placeholder(k) ? NewPlace{binary.add_placeholder(json["buffers"][k]), 0}
+                                               : NewPlace{0, binary.append(buffers.all()[k])});
   const auto views = json.find("bufferViews");
   if (views == json.end()) return;
   for (std::size_t k = 0; k < views->size(); ++k) {
-    buffers.view(k);  // it lies within its own buffer, and so in nothing else of the new one
+    buffers.check_view(k);  // it lies within its own buffer, and so in nothing else of the new one
     Json& view = (*views)[k];
-    move_view(view, starts);
+    move_view(view, places);
     // This extension alone names buffers: it has the same bytes, compressed.
-    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
-      if (extension(view, name).empty()) continue;
-      Json& compressed = view["extensions"][name];
-      const Json& number = member(compressed, "buffer");
-      if (!number.is_number_unsigned() || number.get<std::uint64_t>() >= starts.size())
-        throw BadScene(document.file, place("bufferView", k), std::string(name) + " names no buffer");
-      if (compressed.contains("byteOffset") && !compressed["byteOffset"].is_number_unsigned())
-        throw BadScene(document.file, place("bufferView", k),
-                       std::string(name) + ": byteOffset is no number");
-      move_view(compressed, starts);
-    }
+    for (const MeshoptView& compressed : meshopt_views(document, view, place("bufferView", k)))
+      move_view(view["extensions"][compressed.extension], places);
   }
 }
 

@@ -88,7 +88,7 @@ TEST(AttributeRead, SaysWhatGetsNoMaps) {
   const AttributeScene scene = read(file);
   ASSERT_EQ(scene.left_out.size(), 2u);
   EXPECT_EQ(scene.left_out[0].why, "normal: no TEXCOORD_3");
-  EXPECT_EQ(scene.left_out[1].why, "emissive: no PNG or JPEG");
+  EXPECT_EQ(scene.left_out[1].why, "emissive: no image that is read");
   EXPECT_EQ(scene.left_out[1].triangles, 2u);
   GltfFile bare = square();
   bare.primitive().erase("material");

@@ -319,6 +319,7 @@ TEST(SceneIssues, EachCodeHasAFileThatGivesItAlone) {
   }
   std::set<std::string_view> codes;
   for (const Issue& issue : issues()) EXPECT_TRUE(codes.insert(issue.code).second) << issue.code;
+  if (!has_meshopt()) codes.erase("view.compressed");  // a build without the decoder cannot tell
   EXPECT_EQ(given, codes);
 }
 

@@ -174,19 +174,4 @@ TEST(SceneLoad, NodesThatAreNoTrees) {
   EXPECT_EQ(load_glb(file).meshes[0].uses, 1u);
 }
 
-TEST(SceneLoad, CompressedGeometry) {
-  GltfFile file = square();
-  Json& draco = file.primitive()["extensions"]["KHR_draco_mesh_compression"];
-  draco = {{"bufferView", 0}, {"attributes", {{"POSITION", 0}}}};
-  expect_square(load_glb(file));  // not required, and there is the uncompressed form
-  file.accessor("POSITION").erase("bufferView");
-  EXPECT_THAT(complaint(file), HasSubstr("mesh 0 primitive 0: Draco-compressed"));
-  for (const char* extension : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
-    file.json["extensionsRequired"] = {extension};
-    EXPECT_THAT(complaint(file), testing::AllOf(HasSubstr(extension), HasSubstr("compressed")));
-  }
-  file.json["extensionsRequired"] = {"ACME_triangles"};
-  EXPECT_THAT(complaint(file), HasSubstr("extensionsRequired: ACME_triangles is not read here"));
-}
-
 }  // namespace

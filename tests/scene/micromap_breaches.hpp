@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/read/meshopt.hpp"
 #include "scene/validate/micromaps.hpp"
 #include "scene/write/glb.hpp"
 #include "tests/scene/gltf_file.hpp"
@@ -67,6 +68,25 @@ struct Breach {
 inline const std::string root_at = std::string("/extensions/") + name, micromap_at = root_at + "/micromaps/0",
                          primitive_at = "/meshes/0/primitives/0" + root_at,
                          indices_at = primitive_at + "/micromapIndices", accessor_at = "/accessors/3";
+
+/// Declares a view compressed: its bytes stand in no buffer, and `code` in buffer 0.
+inline void compress(GltfFile& file, Json& view, const std::string& code) {
+  const std::size_t at = file.bytes.size();
+  file.bytes += code;
+  file.set_buffer_length();
+  file.json["buffers"].push_back(
+      {{"byteLength", 64}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+  view = {{"buffer", file.json["buffers"].size() - 1},
+          {"byteLength", 8},
+          {"extensions",
+           {{"EXT_meshopt_compression",
+             {{"buffer", 0},
+              {"byteOffset", at},
+              {"byteLength", code.size()},
+              {"byteStride", 4},
+              {"count", 2},
+              {"mode", "ATTRIBUTES"}}}}}};
+}
 
 inline Json sparse_of(Subject& s, const std::string& where, const std::string& what) {
   const auto indices = s.file.add_view(where), values = s.file.add_view(what);
@@ -163,6 +183,27 @@ inline const std::vector<Breach> all_breaches{
      [](Subject& s) { s.extension(1)["micromapBaseTriangle"] = 2; }},
     {"index.range", "/meshes/0/primitives/1" + root_at,
      [](Subject& s) { s.extension(1)["micromapBaseTriangle"] = 4294967295; }},
+    {"file.version", "/asset", [](Subject& s) { s.file.json["asset"]["minVersion"] = "2.1"; }},
+    {"file.newer", "/asset/version", [](Subject& s) { s.file.json["asset"]["version"] = "2.1"; }},
+    {"view.shared", micromap_at + "/data",
+     [](Subject& s) {
+       s.file.add(
+           "accessors",
+           {{"bufferView", s.micromap()["data"]}, {"componentType", 5121}, {"count", 5}, {"type", "SCALAR"}});
+     }},
+    {"view.shared", indices_at,
+     [](Subject& s) {
+       s.file.json["meshes"][0]["primitives"][1]["attributes"]["_ID"] = s.extension()["micromapIndices"];
+     }},
+    {"limits.extension", micromap_at + "/data",
+     [](Subject& s) {
+       s.data_view()["extensions"]["ACME_zip"] = Json::object();
+       s.file.json["extensionsRequired"] = {"ACME_zip"};
+     }},
+    // A build without the decoder cannot tell damage from what it does not read.
+    {"view.compressed", micromap_at + "/data", {}},
+    {has_meshopt() ? "view.compressed" : "limits.extension", micromap_at + "/data",
+     [](Subject& s) { compress(s.file, s.data_view(), std::string("\xa0?????", 6)); }},
     {"limits.indices", accessor_at + "/count",
      [](Subject& s) {
        s.accessor().erase("bufferView");
