@@ -115,12 +115,13 @@ std::string command_of(const CheckMapsOptions& o) {
 void print_maps(std::FILE* out, const std::string& file, const Scene& scene, const StoredMaps& maps) {
   micromap::StateCounts states{};
   std::array<std::uint64_t, 13> levels{};
-  for (const BakedTriangle& t : maps.baked.triangles) {
+  for (const MapLink& link : maps.links) {
+    const BakedTriangle& t = maps.baked.triangles[link.planned];
     ++levels[t.level];
     for (std::size_t k = 0; k < 4; ++k) states[k] += t.states[k];
   }
-  say(out, "{}: {} triangles with maps, {} of them special indices\n", file,
-      grouped(maps.baked.triangles.size()), grouped(maps.special));
+  say(out, "{}: {} triangles with maps, {} of them special indices; {} differ\n", file,
+      grouped(maps.links.size()), grouped(maps.special), grouped(maps.plan.triangles.size()));
   std::string by_level;
   for (std::size_t n = 0; n < levels.size(); ++n)
     if (levels[n] != 0)

@@ -10,7 +10,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "spec/bake/bake.hpp"
+#include "spec/bake/boxes.hpp"
 #include "spec/index/index.hpp"
 #include "spec/micromap/micromap.hpp"
 
@@ -78,17 +78,31 @@ State open_state_in(const Mode& mode, const Range<Q>& alpha) {
 /// nothing.
 enum class Contact : std::uint8_t { closed, open };
 
+/// The state of a closed polygon.
+template <class Q, class Texel, class Mode>
+State closed_state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Mode& mode) {
+  const auto in = [&](const Range<Q>& alpha) { return state_in(mode, alpha); };
+  return in(range(t, polygon, [&](const Range<Q>& some) { return in(some) == State::C; }));
+}
+
 /// The state of an open polygon, from each cell, or texel, that it meets in an area above 0.  One without area is
 /// closed.
 template <class Q, class Texel, class Mode>
 State open_state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Mode& mode) {
-  if (!has_area(polygon)) return state_in(mode, range(t, polygon));
+  if (!has_area(polygon)) return closed_state(t, polygon, mode);
   std::optional<State> all;
-  for_each_part(t, polygon, [&](const Polygon<Q>& part, const Range<Q>& alpha) {
-    if (!has_area(part)) return;
-    const State here = open_state_in(mode, alpha);
-    all = all ? merged(*all, here) : here;
-  });
+  const auto take = [&all](State here) { all = all ? merged(*all, here) : here; };
+  for_each_box<Q>(
+      t, polygon,
+      [&](const BoxTexels<Texel>& texels, const BoxPart<Q>& one, bool) {
+        if (all == State::C || !has_area(one.part)) return true;
+        const State closed = state_in(mode, range<Q>(t, texels));
+        if (closed != State::C) take(closed);  // what holds on the closed box holds on its inside
+        return closed != State::C;
+      },
+      [&](std::int64_t i, std::int64_t j, const Polygon<Q>& part) {
+        if (has_area(part)) take(open_state_in(mode, range_in_square(t, i, j, part)));
+      });
   return all.value();
 }
 
@@ -145,7 +159,7 @@ micromap::State micro_state(std::span<const TextureOf<Texel>> mips, const BaseTr
   const auto in = [&](const TextureOf<Texel>& t) { return micro_triangle(uv, n, index, t.width, t.height); };
   const auto state = [&](const TextureOf<Texel>& t) {
     const Polygon<Q> polygon = dilated(in(t), margin);
-    return contact == Contact::open ? open_state(t, polygon, mode) : state_in(mode, range(t, polygon));
+    return contact == Contact::open ? open_state(t, polygon, mode) : closed_state(t, polygon, mode);
   };
   State all = state(mips[0]);
   for (const TextureOf<Texel>& t : mips.subspan(1)) {

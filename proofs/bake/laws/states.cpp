@@ -7,6 +7,7 @@
 #include "proofs/bake/diagnosis/diagnosis.hpp"
 #include "proofs/bake/domains/family.hpp"
 #include "proofs/bake/domains/samples.hpp"
+#include "proofs/bake/domains/spans.hpp"
 #include "proofs/bake/domains/strata.hpp"
 #include "proofs/bake/law_parts.hpp"
 #include "proofs/bake/laws.hpp"
@@ -163,6 +164,12 @@ constexpr Domain of_sides{
     [](Level, Tier tier) { return side_count() * distances * (tier == Tier::fast ? 1 : 64); },
     {0, 1},
     {0, 3}};
+constexpr Domain spans{nullptr,
+                       span_sample,
+                       span_samples_text,
+                       [](Level, Tier tier) -> std::uint64_t { return tier == Tier::fast ? 40 : 4'000; },
+                       {0, 3},
+                       {0, 5}};
 constexpr Domain strata{
     nullptr,
     [](std::uint64_t seed, Level n, std::uint64_t k) { return stratified(seed, n, stratum(n, k)); },
@@ -350,6 +357,14 @@ std::vector<Law> state_laws() {
       state_law("bake.conservative_on_sides", conservative, not_conservative, of_sides,
                 {asked_for_another("mirrored repeats of more than 64 texels are one shorter", {0, 1},
                                    mirrors_by_centres)}),
+      state_law(
+          "bake.conservative_on_spans", conservative, not_conservative, spans,
+          {spoiled("texels are counted in 32 bits: none are opaque", "bake", {0, 3}, counts_in_32_bits)}),
+      state_law("bake.tight_on_spans", tight, not_tight, spans,
+                {spoiled("unknown across more than 2^30 texels", "bake", {0, 3}, forgets_long)}),
+      state_law(
+          "bake.unknown_side_on_spans", side, wrong_side, spans,
+          {side_of_another("the side is that of coordinates in steps of 2^-3", {0, 3}, in_steps_of(3))}),
       state_law("bake.conservative_on_strata", conservative, not_conservative, strata,
                 {asked_for_another("of a border of 16 bits the low byte is read", {0, 9}, byte_border)}),
       state_law("bake.tight_on_strata", tight, not_tight, strata,

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "proofs/engine/result.hpp"
 #include "proofs/scene/cause/cause.hpp"
 #include "proofs/scene/cause/fit.hpp"
 
