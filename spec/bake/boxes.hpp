@@ -188,6 +188,37 @@ void for_each_box(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Settled 
   }
 }
 
+/// Boxes of fewer squares are halved without a look at single texels.
+inline constexpr std::int64_t few_squares = 64;
+
+/// Whether a convex polygon with an area holds a place.
+template <class Q>
+bool holds(const Polygon<Q>& polygon, const Place<Q>& p) {
+  bool left = false, right = false;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Place<Q>&from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
+    const Q side = (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+    (side > 0 ? left : right) |= side != 0;
+  }
+  return left != right;
+}
+
+/// The index that means the same texel as `index` whose centre is nearest to a coordinate.
+template <class Q>
+std::int64_t nearest_index(Wrap wrap, std::int64_t index, std::uint32_t size, const Q& coordinate) {
+  if (wrap != Wrap::repeat && wrap != Wrap::mirrored_repeat) return index;
+  const std::int64_t period = (wrap == Wrap::repeat ? 1 : 2) * static_cast<std::int64_t>(size);
+  return index + period * floored((coordinate - fraction<Q>(index, 1)) / Q(period));
+}
+
+/// Whether the centre of a texel, or of one that means the same, lies in the part of a box.
+template <class Q, class Texel>
+bool has_centre(const TextureOf<Texel>& t, const Polygon<Q>& part, const Place<Q>& middle,
+                const TexelAt<Texel>& at) {
+  return holds(part, {Cell<Q>::along(nearest_index(t.wrap_x, at.i, t.width, middle.x)),
+                      Cell<Q>::along(nearest_index(t.wrap_y, at.j, t.height, middle.y))});
+}
+
 /// The range over the part of a polygon in one square, or in squares along whose side alpha is constant.
 template <class Q, class Texel>
 Range<Q> range_in_square(const TextureOf<Texel>& t, std::int64_t i, std::int64_t j, Polygon<Q> part) {
@@ -210,13 +241,23 @@ Range<Q> range(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Enough enou
   };
   for_each_box<Q>(
       t, polygon,
-      [&](const BoxTexels<Texel>& texels, const BoxPart<Q>&, bool whole) {
+      [&](const BoxTexels<Texel>& texels, const BoxPart<Q>& one, bool whole) {
         if (found && enough(*found)) return true;
         const Range<Q> bound = range<Q>(t, texels);
-        if (found && found->least <= bound.least && bound.greatest <= found->greatest) return true;
-        if (!whole && bound.least < bound.greatest) return false;
-        take(bound);
-        return true;
+        const auto nothing_new = [&] {
+          return found && found->least <= bound.least && bound.greatest <= found->greatest;
+        };
+        if (nothing_new()) return true;
+        if (whole || bound.least == bound.greatest) {
+          take(bound);
+          return true;
+        }
+        if (one.box.columns.size() * one.box.rows.size() < few_squares) return false;
+        // A long part holds most texels, wherever it lies.
+        const Place<Q> middle = centroid(one.part);
+        for (const TexelAt<Texel>& at : {texels.least, texels.greatest})
+          if (has_centre(t, one.part, middle, at)) take(Range<Q>(texel<Q>(t, at.i, at.j)));
+        return nothing_new();
       },
       [&](std::int64_t i, std::int64_t j, const Polygon<Q>& part) { take(range_in_square(t, i, j, part)); });
   return found.value();

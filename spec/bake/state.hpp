@@ -136,15 +136,6 @@ Polygon<Q> micro_triangle(const BaseTriangle<Q>& uv, Level n, std::uint32_t inde
   return polygon;
 }
 
-/// The centroid: the mean of the corners.
-template <class Q>
-Place<Q> centroid(const Polygon<Q>& polygon) {
-  Place<Q> sum{0, 0};
-  for (const Place<Q>& p : polygon) sum = {sum.x + p.x, sum.y + p.y};
-  const Q share = fraction<Q>(1, static_cast<std::int64_t>(polygon.size()));
-  return {sum.x * share, sum.y * share};
-}
-
 /// The state of a micro-triangle: O or T if it is so in every mip level that may be sampled; else UO or UT, as alpha at
 /// its centroid is rather opaque or not in the first mip level, the largest.
 /// Mips: in the order of sampling.  2-state maps hold micromap::force2 of this.
