@@ -25,12 +25,12 @@ void add_effort(CLI::App& command, BakeEffort& effort, const std::string& about)
 }
 
 proofs::scene::BakeSample sample_of(const BakeEffort& effort, const proofs::scene::Data& data,
-                                    unsigned threads) {
+                                    unsigned threads, std::uint64_t whole) {
   if (effort.exhaustive) return {};
   if (effort.samples) return {.size = effort.samples};
   constexpr double laws = 2;
-  return {.work = effort.budget ? proofs::scene::work_of_seconds(data, *effort.budget / laws, threads)
-                                : proofs::scene::usual_work(data)};
+  if (effort.budget) return {.work = proofs::scene::work_of_seconds(data, *effort.budget / laws, threads)};
+  return {.work = proofs::scene::usual_work(data), .whole = whole};
 }
 
 std::string word_of(const BakeEffort& effort) {

@@ -20,9 +20,9 @@ struct BakeEffort {
 /// Adds the three options; each help text begins with `about`.
 void add_effort(CLI::App& command, BakeEffort& effort, const std::string& about = "");
 
-/// The micro-triangles that each law looks at.
+/// The micro-triangles that each law looks at; all if their work is at most `whole`, unless the user says otherwise.
 proofs::scene::BakeSample sample_of(const BakeEffort& effort, const proofs::scene::Data& data,
-                                    unsigned threads);
+                                    unsigned threads, std::uint64_t whole = 0);
 
 /// The setting as a word, for the identity of a journal.
 std::string word_of(const BakeEffort& effort);

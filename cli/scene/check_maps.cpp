@@ -216,8 +216,8 @@ int check_maps(const CheckMapsOptions& options) {
   const proofs::scene::Data data{scene,    maps.plan,  maps.baked,     no_arrays,
                                  no_pairs, no_squares, options.margin, options.states == 2};
   const proofs::scene::SceneLaws laws = proofs::scene::map_laws(
-      data, sample_of(options.effort, data, 0), options.raw.data.empty() ? options.file : options.raw.data,
-      command_of(options));
+      data, sample_of(options.effort, data, 0, proofs::scene::work_of_a_minute),
+      options.raw.data.empty() ? options.file : options.raw.data, command_of(options));
   if (!options.replay.empty()) return replayed(laws, options);
   std::fflush(out);
   TextReport text(out, false);

@@ -133,7 +133,7 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
   law.says = claim.says;
   law.source = "design of state: closed micro-triangles, glTF 2.0 Alpha Coverage; spec/bake/state.hpp";
   law.divisible = true;
-  const LookedByLevel levels = looked_at(claim, data.baked, sample);
+  const LookedByLevel levels = looked_at(claim, data, sample);
   law.cases = [levels](Level n, const Run&) { return levels.at(n).at; };
   if (std::any_of(levels.begin(), levels.end(), [](const Looked& l) { return !l.whole(); }))
     law.method = Method::sample;

@@ -14,11 +14,15 @@ namespace mmverify::proofs::scene {
 inline constexpr Level piece = 4;
 
 /// The micro-triangles that a law looks at: a number, as many of each level that occurs; or those that some work
-/// allows; all if neither is given.
+/// allows; all if neither is given.  The unit of work is the exact state of a micro-triangle of few texels.
 struct BakeSample {
   std::optional<std::uint64_t> size = {};
-  std::optional<std::uint64_t> work = {};  ///< exact states of a law
+  std::optional<std::uint64_t> work = {};
+  std::uint64_t whole = 0;  ///< beside `work`: all micro-triangles if they take no more than this
 };
+
+/// The work below which all of a file's maps are looked at: less than a minute on two cores.
+inline constexpr std::uint64_t work_of_a_minute = 4'000'000;
 
 /// The work that takes about as long as loading and baking do, by the texels and micro-triangles that these read.
 /// The same on every machine.
@@ -33,6 +37,6 @@ struct Looked {
   bool whole() const { return at == all; }
 };
 using LookedByLevel = std::array<Looked, 13>;
-LookedByLevel looked_at(const Claim& claim, const mmverify::scene::Baked& baked, const BakeSample& sample);
+LookedByLevel looked_at(const Claim& claim, const Data& data, const BakeSample& sample);
 
 }  // namespace mmverify::proofs::scene

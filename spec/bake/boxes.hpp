@@ -160,6 +160,14 @@ void halves(const BoxPart<Q>& one, bool by_column, const Q& offset, Take take) {
   }
 }
 
+/// Whether a box is cut across its columns: the longer axis, but for one that repeats where the other does not.
+inline bool across_columns(const Box& box, const Box& texels) {
+  const bool columns_repeat = box.columns.size() > 2 * texels.columns.size(),
+             rows_repeat = box.rows.size() > 2 * texels.rows.size();
+  if (columns_repeat != rows_repeat) return rows_repeat;
+  return box.columns.size() >= box.rows.size();
+}
+
 /// Cuts a polygon into parts in boxes of squares, the largest first, until each is settled.
 ///   settled(texels, one, whole): whether nothing more is to be learnt from a box and its part, given the box's least
 ///   and greatest texel; `whole`: all of the box is in the polygon
@@ -183,13 +191,13 @@ void for_each_box(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Settled 
     if (!by_column && !by_row)
       leaf(one.box.columns.first, one.box.rows.first, one.part);
     else
-      halves(one, by_column && (!by_row || one.box.columns.size() >= one.box.rows.size()), offset,
+      halves(one, by_column && (!by_row || across_columns(one.box, texels)), offset,
              [&boxes](BoxPart<Q> half) { boxes.push_back(std::move(half)); });
   }
 }
 
 /// Boxes of fewer squares are halved without a look at single texels.
-inline constexpr std::int64_t few_squares = 64;
+inline constexpr std::int64_t few_squares = 8;
 
 /// Whether a convex polygon with an area holds a place.
 template <class Q>
@@ -226,52 +234,6 @@ Range<Q> range_in_square(const TextureOf<Texel>& t, std::int64_t i, std::int64_t
   const Cell<Q> cell(t, i, j);
   for (Place<Q>& p : part) p = cell.local(p);
   return range(cell, part);
-}
-
-/// The range over any polygon, up to the first extremes that are enough: range_by_parts(), unless `enough` is true of
-/// a lesser range on the way.
-/// Domain, errors: those of for_each_part.
-template <class Q, class Texel, class Enough>
-Range<Q> range(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Enough enough) {
-  std::optional<Range<Q>> found;
-  const auto take = [&found](const Range<Q>& here) {
-    if (!found) found = here;
-    found->take(here.least);
-    found->take(here.greatest);
-  };
-  for_each_box<Q>(
-      t, polygon,
-      [&](const BoxTexels<Texel>& texels, const BoxPart<Q>& one, bool whole) {
-        if (found && enough(*found)) return true;
-        const Range<Q> bound = range<Q>(t, texels);
-        const auto nothing_new = [&] {
-          return found && found->least <= bound.least && bound.greatest <= found->greatest;
-        };
-        if (nothing_new()) return true;
-        if (whole || bound.least == bound.greatest) {
-          take(bound);
-          return true;
-        }
-        if (one.box.columns.size() * one.box.rows.size() < few_squares) return false;
-        // A long part holds most texels, wherever it lies.
-        const Place<Q> middle = centroid(one.part);
-        for (const TexelAt<Texel>& at : {texels.least, texels.greatest})
-          if (has_centre(t, one.part, middle, at)) take(Range<Q>(texel<Q>(t, at.i, at.j)));
-        return nothing_new();
-      },
-      [&](std::int64_t i, std::int64_t j, const Polygon<Q>& part) { take(range_in_square(t, i, j, part)); });
-  return found.value();
-}
-
-/// The range over any polygon.
-template <class Q, class Texel>
-Range<Q> range(const TextureOf<Texel>& t, const Polygon<Q>& polygon) {
-  return range(t, polygon, [](const Range<Q>&) { return false; });
-}
-
-template <class Q, class Texel>
-State state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Q& cutoff) {
-  return state(range(t, polygon), cutoff);
 }
 
 }  // namespace mmverify::spec::bake

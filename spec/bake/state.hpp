@@ -10,7 +10,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "spec/bake/boxes.hpp"
+#include "spec/bake/range.hpp"
 #include "spec/index/index.hpp"
 #include "spec/micromap/micromap.hpp"
 
