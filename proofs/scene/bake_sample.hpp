@@ -31,7 +31,7 @@ std::uint64_t usual_work(const Data& data);
 /// Domain: seconds > 0; threads 0: as many as the machine has.
 std::uint64_t work_of_seconds(const Data& data, double seconds, unsigned threads);
 
-/// By level: the number of micro-triangles that the claim is about, and that the law looks at.
+/// The number of micro-triangles of a level that a claim is about, and of those that the law looks at.
 struct Looked {
   std::uint64_t all = 0, at = 0;
   bool whole() const { return at == all; }

@@ -85,11 +85,47 @@ State closed_state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const M
   return in(range(t, polygon, [&](const Range<Q>& some) { return in(some) == State::C; }));
 }
 
+/// The state of an open polygon with an area, nearest filtering: that of all texels that it meets in an area.
+template <class Q, class Texel, class Mode>
+State open_nearest(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Mode& mode) {
+  std::optional<State> all;
+  const auto take = [&](const Range<Q>& texels) {
+    const State here = state_in(mode, texels);
+    all = all ? merged(*all, here) : here;
+  };
+  for_each_box<Q>(
+      t, polygon,
+      [&](const BoxTexels<Texel>& texels, const BoxPart<Q>& one, bool) {
+        if (all == State::C || !has_area(one.part)) return true;
+        const Range<Q> bound = range<Q>(t, texels);
+        if (state_in(mode, bound) != State::C) {
+          take(bound);
+          return true;
+        }
+        if (one.box.columns.size() == 1 || one.box.rows.size() == 1) {
+          take(open_strip(t, one, one.box.rows.size() == 1));
+          return true;
+        }
+        const Place<Q> middle = centroid(one.part);
+        for (const TexelAt<Texel>& at : {texels.least, texels.greatest})
+          if (has_centre(t, one.part, middle, at)) take(Range<Q>(texel<Q>(t, at.i, at.j)));
+        return all == State::C;
+      },
+      [](std::int64_t, std::int64_t, const Polygon<Q>&) {});
+  return all.value();
+}
+
 /// The state of an open polygon, from each cell, or texel, that it meets in an area above 0.  One without area is
 /// closed.
 template <class Q, class Texel, class Mode>
 State open_state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Mode& mode) {
   if (!has_area(polygon)) return closed_state(t, polygon, mode);
+  if (t.filter == Filter::nearest) return open_nearest(t, polygon, mode);
+  // Alpha is continuous: it is on an area near an extreme what it is just above or below it.
+  const auto mixed = [&](const Range<Q>& alpha) {
+    return !mode.opaque_above(alpha.least) && !mode.transparent_below(alpha.greatest);
+  };
+  if (mixed(range(t, polygon, mixed))) return State::C;
   std::optional<State> all;
   const auto take = [&all](State here) { all = all ? merged(*all, here) : here; };
   for_each_box<Q>(

@@ -136,6 +136,17 @@ Range<Q> nearest_strip(const TextureOf<Texel>& t, const BoxPart<Q>& one, const s
   return range<Q>(t, least_and_greatest(t, texels_of(t, met)));
 }
 
+/// The range of the texels that a part in a row or a column meets in an area, with nearest filtering.
+/// Domain: a part with an area.
+template <class Q, class Texel>
+Range<Q> open_strip(const TextureOf<Texel>& t, const BoxPart<Q>& one, bool along_x) {
+  const auto axis = axes<Q>(t, along_x);
+  const Range<Q> along = extent(one.part, axis[0].along);
+  Box met = one.box;
+  met.*axis[0].squares = {floored(along.least), -floored(-along.greatest) - 1};
+  return range<Q>(t, least_and_greatest(t, texels_of(t, met)));
+}
+
 /// Takes what a strip's part tells.  Returns whether nothing more is to be learnt from it.
 /// Domain: one row, or rows of one meaning, `along_x`; else columns.
 template <class Q, class Texel, class Take, class Known>

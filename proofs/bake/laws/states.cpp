@@ -312,9 +312,20 @@ constexpr char tight_blend[] =
     "at a point of it";
 constexpr char side[] = "an unknown micro-triangle is UO where alpha at its centroid is opaque, else UT";
 
-}  // namespace
+std::vector<Law> span_laws() {
+  return {
+      state_law(
+          "bake.conservative_on_spans", conservative, not_conservative, spans,
+          {spoiled("texels are counted in 32 bits: none are opaque", "bake", {0, 3}, counts_in_32_bits)}),
+      state_law("bake.tight_on_spans", tight, not_tight, spans,
+                {spoiled("unknown across more than 2^30 texels", "bake", {0, 3}, forgets_long)}),
+      state_law(
+          "bake.unknown_side_on_spans", side, wrong_side, spans,
+          {side_of_another("the side is that of coordinates in steps of 2^-3", {0, 3}, in_steps_of(3))}),
+  };
+}
 
-std::vector<Law> state_laws() {
+std::vector<Law> other_laws() {
   const auto far = claims_one({0, 128, 128, 0}, Wrap::mirrored_repeat, Wrap::mirror_once, -3);
   return {
       state_law("bake.conservative", conservative, not_conservative, bilinear,
@@ -357,14 +368,6 @@ std::vector<Law> state_laws() {
       state_law("bake.conservative_on_sides", conservative, not_conservative, of_sides,
                 {asked_for_another("mirrored repeats of more than 64 texels are one shorter", {0, 1},
                                    mirrors_by_centres)}),
-      state_law(
-          "bake.conservative_on_spans", conservative, not_conservative, spans,
-          {spoiled("texels are counted in 32 bits: none are opaque", "bake", {0, 3}, counts_in_32_bits)}),
-      state_law("bake.tight_on_spans", tight, not_tight, spans,
-                {spoiled("unknown across more than 2^30 texels", "bake", {0, 3}, forgets_long)}),
-      state_law(
-          "bake.unknown_side_on_spans", side, wrong_side, spans,
-          {side_of_another("the side is that of coordinates in steps of 2^-3", {0, 3}, in_steps_of(3))}),
       state_law("bake.conservative_on_strata", conservative, not_conservative, strata,
                 {asked_for_another("of a border of 16 bits the low byte is read", {0, 9}, byte_border)}),
       state_law("bake.tight_on_strata", tight, not_tight, strata,
@@ -375,6 +378,15 @@ std::vector<Law> state_laws() {
           {side_of_another("the side is that of coordinates in steps of 2^-12", {5, 9}, in_steps_of(12))}),
       grid_law(),
   };
+}
+
+}  // namespace
+
+std::vector<Law> state_laws() {
+  std::vector<Law> all = other_laws();
+  const std::vector<Law> spans = span_laws();
+  all.insert(all.end() - 1, spans.begin(), spans.end());  // the last one is of the long tier
+  return all;
 }
 
 }  // namespace mmverify::proofs::bake

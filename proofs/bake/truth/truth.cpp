@@ -216,11 +216,15 @@ Place centre_of(const bake::Box& box, const bake::TexelAt<Stored>& at, std::int6
   return {bake::fraction<Rational>(2 * i + 1, 2), bake::fraction<Rational>(2 * j + 1, 2)};
 }
 
-/// Takes a place of the least alpha on a polygon and one of the greatest, and others.
+/// Takes a place of the least alpha on a polygon and one of the greatest, and others.  Along many repeats, where
+/// `most_boxes` do not hold them, the best that these hold.
 template <class Stored, class Take>
 void extreme_places(const bake::TextureOf<Stored>& t, const bake::Polygon<Rational>& polygon, Take take) {
+  constexpr int most_boxes = 4096;
   const std::int64_t next = t.filter == Filter::bilinear ? 1 : 0;
+  const auto all = bake::range(t, polygon);
   std::optional<bake::Range<Rational>> found;
+  int boxes = 0;
   const auto taken = [&](const Place& p) {
     const Rational alpha = bake::alpha(t, p);
     if (!found) found = bake::Range<Rational>(alpha);
@@ -230,12 +234,18 @@ void extreme_places(const bake::TextureOf<Stored>& t, const bake::Polygon<Ration
   bake::for_each_box<Rational>(
       t, polygon,
       [&](const bake::BoxTexels<Stored>& texels, const bake::BoxPart<Rational>& one, bool whole) {
-        const auto bound = bake::range<Rational>(t, texels);
-        if (found && found->least <= bound.least && bound.greatest <= found->greatest) return true;
-        if (!whole) return false;
-        taken(centre_of(one.box, texels.least, next));
-        taken(centre_of(one.box, texels.greatest, next));
-        return true;
+        const auto knows = [&](const bake::Range<Rational>& some) {
+          return found && found->least <= some.least && some.greatest <= found->greatest;
+        };
+        if (knows(all) || knows(bake::range<Rational>(t, texels)) || ++boxes > most_boxes) return true;
+        const Place middle = bake::centroid(one.part);
+        for (const auto& at : {texels.least, texels.greatest})
+          if (whole)
+            taken(centre_of(one.box, at, next));
+          else if (bake::has_centre(t, one.part, middle, at))
+            taken({bake::Cell<Rational>::along(bake::nearest_index(t.wrap_x, at.i, t.width, middle.x)),
+                   bake::Cell<Rational>::along(bake::nearest_index(t.wrap_y, at.j, t.height, middle.y))});
+        return whole;
       },
       [&](std::int64_t i, std::int64_t j, const bake::Polygon<Rational>& part) {
         if (t.filter == Filter::nearest)
@@ -243,6 +253,7 @@ void extreme_places(const bake::TextureOf<Stored>& t, const bake::Polygon<Ration
         else
           candidates(t, i, j, part, taken);
       });
+  if (!found) taken(bake::centroid(polygon));
 }
 
 }  // namespace
