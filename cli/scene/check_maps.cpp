@@ -117,12 +117,13 @@ std::string command_of(const CheckMapsOptions& o) {
 void print_maps(std::FILE* out, const std::string& file, const Scene& scene, const StoredMaps& maps) {
   micromap::StateCounts states{};
   std::array<std::uint64_t, 13> levels{};
-  for (const BakedTriangle& t : maps.baked.triangles) {
+  for (const MapLink& link : maps.links) {
+    const BakedTriangle& t = maps.baked.triangles[link.planned];
     ++levels[t.level];
     for (std::size_t k = 0; k < 4; ++k) states[k] += t.states[k];
   }
-  say(out, "{}: {} triangles with maps, {} of them special indices\n", file,
-      grouped(maps.baked.triangles.size()), grouped(maps.special));
+  say(out, "{}: {} triangles with maps, {} of them special indices; {} differ\n", file,
+      grouped(maps.links.size()), grouped(maps.special), grouped(maps.plan.triangles.size()));
   std::string by_level;
   for (std::size_t n = 0; n < levels.size(); ++n)
     if (levels[n] != 0)
@@ -220,10 +221,9 @@ int check_maps(const CheckMapsOptions& options) {
   const SquareMaps no_squares;
   const proofs::scene::Data data{scene,    maps.plan,  maps.baked,     no_arrays,
                                  no_pairs, no_squares, options.margin, options.states == 2};
-  proofs::scene::BakeSample sample;
-  if (!options.exhaustive) sample.size = options.samples;
   const proofs::scene::SceneLaws laws = proofs::scene::map_laws(
-      data, sample, options.raw.data.empty() ? options.file : options.raw.data, command_of(options));
+      data, sample_of(options.effort, data, 0, proofs::scene::work_of_a_minute),
+      options.raw.data.empty() ? options.file : options.raw.data, command_of(options));
   if (!options.replay.empty()) return replayed(laws, options);
   std::fflush(out);
   TextReport text(out, false);

@@ -72,10 +72,16 @@ class ExactSurfaces::OfSurface {
 
   template <class Q>
   Range<Q> range(const scene::UvTriangle& uv, Level n, std::uint32_t index) const {
+    return std::visit([&](const auto& t) { return spec::bake::range(t, polygon<Q>(t, uv, n, index)); },
+                      texture_);
+  }
+
+  template <class Q>
+  State state(const scene::UvTriangle& uv, Level n, std::uint32_t index) const {
     return std::visit(
         [&](const auto& t) {
-          return spec::bake::range(
-              t, dilated(micro_triangle(base<Q>(uv), n, index, t.width, t.height), number<Q>(bits(margin_))));
+          return in_mode<Q>(
+              [&](const auto& mode) { return closed_state(t, polygon<Q>(t, uv, n, index), mode); });
         },
         texture_);
   }
@@ -99,6 +105,13 @@ class ExactSurfaces::OfSurface {
   bool near_change(const scene::UvTriangle& uv, Level n, std::uint32_t index) const;
 
  private:
+  /// The micro-triangle in texels, dilated by the margin.
+  template <class Q, class Texel>
+  Polygon<Q> polygon(const TextureOf<Texel>& t, const scene::UvTriangle& uv, Level n,
+                     std::uint32_t index) const {
+    return dilated(micro_triangle(base<Q>(uv), n, index, t.width, t.height), number<Q>(bits(margin_)));
+  }
+
   scene::Surface surface_;
   float margin_;
   std::variant<TextureOf<std::uint8_t>, TextureOf<std::uint16_t>> texture_;
@@ -154,10 +167,7 @@ const ExactSurfaces::OfSurface& ExactSurfaces::of(std::size_t triangle) const {
 
 State ExactSurfaces::state(std::size_t triangle, Level n, std::uint32_t index) const {
   const OfSurface& surface = of(triangle);
-  return in_few_bits([&]<class Q>() {
-    const Range<Q> alpha = surface.range<Q>(plan_.triangles[triangle].uvs, n, index);
-    return surface.in_mode<Q>([&](const auto& mode) { return state_in(mode, alpha); });
-  });
+  return in_few_bits([&]<class Q>() { return surface.state<Q>(plan_.triangles[triangle].uvs, n, index); });
 }
 
 bool ExactSurfaces::rather_opaque(std::size_t triangle, Level n, std::uint32_t index) const {

@@ -35,8 +35,9 @@ void keep(BakedTriangle& baked, impl::micromap::Bytes map, bool two_state) {
     return;
   }
   baked.format = Format::two_state;
-  baked.map.resize(impl::micromap::packed_bytes(count, Format::two_state));
-  impl::micromap::force2(map, count, baked.map);
+  impl::micromap::Bytes two(impl::micromap::packed_bytes(count, Format::two_state));
+  impl::micromap::force2(map, count, two);
+  baked.map = std::move(two);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "impl/bake/triangles.hpp"
 #include "impl/micromap/array.hpp"
+#include "scene/bake/map_bytes.hpp"
 #include "scene/plan/plan.hpp"
 
 namespace mmverify::scene {
@@ -17,7 +18,7 @@ struct BakedTriangle {
   impl::micromap::Format format = impl::micromap::Format::four_state;
   impl::micromap::StateCounts states{};          ///< micro-triangles by 4-state code
   std::optional<impl::micromap::State> uniform;  ///< the state of all micro-triangles; then there is no map
-  impl::micromap::Bytes map;                     ///< packed
+  MapBytes map;                                  ///< packed
 };
 
 struct Baked {

@@ -34,7 +34,7 @@ Bytes map_of(const BakedTriangle& baked, const VertexOrder& order) {
   } else if (baked.format == Format::two_state) {
     widen(baked.map, count, map);
   } else {
-    map = baked.map;
+    map.assign(baked.map.begin(), baked.map.end());
   }
   reorder(map, baked.level, Format::four_state, order, out);
   return out;

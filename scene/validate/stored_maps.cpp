@@ -1,10 +1,12 @@
 #include "scene/validate/stored_maps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "scene/validate/indices.hpp"
 
@@ -51,11 +53,11 @@ BakedTriangle uniform(micromap::State state) {
 }
 
 /// The records and data of a build.
-micromap::Array array_of(const Build& in) {
+StoredArray array_of(const Build& in) {
   micromap::Array array;
   for (std::uint64_t k = 0; k < in.record_count; ++k) array.records.push_back(record_of(in, k));
   array.data.assign(in.data.begin(), in.data.end());
-  return array;
+  return std::make_shared<const micromap::Array>(std::move(array));
 }
 
 /// A collector of the stored maps of primitives.
@@ -89,24 +91,56 @@ class Collector {
       all_.special += special ? 1 : 0;
       MapLink link{primitive, static_cast<std::size_t>(t), array, in.base_triangle, {}};
       if (!special) link.record = std::uint64_t{code} + in.base_triangle;
-      all_.baked.triangles.push_back(special ? uniform(*special)
-                                             : stored_map(all_.arrays[array], *link.record));
-      all_.links.push_back(link);
       PlannedTriangle triangle;
       triangle.surface = planned->surface;
       for (std::size_t vertex = 0; vertex < 3; ++vertex)
         triangle.uvs[vertex] = given.uvs.at(given.triangles[static_cast<std::size_t>(t)][vertex]);
-      triangle.unique = triangle.placed = 1;
-      all_.plan.triangles.push_back(triangle);
+      add(link, triangle, special);
     }
   }
 
   StoredMaps taken() { return std::move(all_); }
 
  private:
+  /// The numbers that planned triangles of equal maps have in common: of the primitive, the UVs, the order of their
+  /// corners, the array, and the record or the special state.
+  using Key = std::tuple<std::size_t, std::size_t, VertexOrder, std::size_t, std::uint64_t, bool>;
+
+  void add(MapLink link, const PlannedTriangle& triangle, const std::optional<micromap::State>& special) {
+    const UvDuplicates::Found same =
+        uvs_.add(triangle.surface, triangle.uvs, periods(all_.plan.surfaces[triangle.surface].sampler));
+    const Key key{link.primitive,
+                  same.number,
+                  same.order,
+                  link.array,
+                  special ? static_cast<std::uint64_t>(*special) : *link.record,
+                  special.has_value()};
+    const auto [at, is_new] = planned_as_.try_emplace(key, all_.plan.triangles.size());
+    link.planned = at->second;
+    all_.links.push_back(link);
+    if (is_new) {
+      all_.first.push_back(all_.links.size() - 1);
+      all_.plan.triangles.push_back(triangle);
+      all_.baked.triangles.push_back(special ? uniform(*special) : map_of(link.array, *link.record));
+    }
+    PlannedTriangle& stands = all_.plan.triangles[at->second];
+    stands.placed = ++stands.unique;
+  }
+
+  /// A record's map; its states are counted once.
+  const BakedTriangle& map_of(std::size_t array, std::uint64_t record) {
+    const micromap::Record& r = all_.arrays[array]->records.at(static_cast<std::size_t>(record));
+    const auto [at, is_new] = maps_.try_emplace({array, r.offset, r.level, r.format});
+    if (is_new) at->second = stored_map(all_.arrays[array], record);
+    return at->second;
+  }
+
   const Scene& scene_;
   const Plan planned_;
   StoredMaps all_;
+  UvDuplicates uvs_;
+  std::map<Key, std::size_t> planned_as_;
+  std::map<std::array<std::uint64_t, 4>, BakedTriangle> maps_;  ///< by array, offset, level and format
 };
 
 std::span<const unsigned char> view_of(const Buffers& buffers, const Json& micromap, const char* name) {
@@ -115,15 +149,14 @@ std::span<const unsigned char> view_of(const Buffers& buffers, const Json& micro
 
 }  // namespace
 
-BakedTriangle stored_map(const micromap::Array& array, std::uint64_t number) {
-  const micromap::Record& record = array.records.at(static_cast<std::size_t>(number));
+BakedTriangle stored_map(const StoredArray& array, std::uint64_t number) {
+  const micromap::Record& record = array->records.at(static_cast<std::size_t>(number));
   BakedTriangle t;
   t.level = record.level;
   t.format = static_cast<micromap::Format>(record.format);
   const std::uint64_t count = micromap::micro_triangles(t.level),
                       bytes = micromap::packed_bytes(count, t.format);
-  const auto from = array.data.begin() + record.offset;
-  t.map.assign(from, from + static_cast<std::ptrdiff_t>(bytes));
+  t.map = MapBytes(array, std::span(array->data).subspan(record.offset, bytes));
   t.states = micromap::count_states(t.map, t.format, count);
   return t;
 }

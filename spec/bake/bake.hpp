@@ -117,6 +117,15 @@ bool has_area(const Polygon<Q>& polygon) {
   return false;
 }
 
+/// The centroid: the mean of the corners.
+template <class Q>
+Place<Q> centroid(const Polygon<Q>& polygon) {
+  Place<Q> sum{0, 0};
+  for (const Place<Q>& p : polygon) sum = {sum.x + p.x, sum.y + p.y};
+  const Q share = fraction<Q>(1, static_cast<std::int64_t>(polygon.size()));
+  return {sum.x * share, sum.y * share};
+}
+
 /// The corners of the convex hull of some points, each once; fewer than three if they are on a line.
 /// Domain: any points.  Source: A. M. Andrew, Another Efficient Algorithm for Convex Hulls in Two Dimensions.
 template <class Q>
@@ -248,10 +257,11 @@ void for_each_part(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Visit v
     });
 }
 
-/// The range over any polygon: cell by cell, or of all texels whose half-open squares it meets.
+/// The range over any polygon: cell by cell, or of all texels whose half-open squares it meets.  range() of boxes.hpp is
+/// the same in less time.
 /// Domain, errors: those of for_each_part.
 template <class Q, class Texel>
-Range<Q> range(const TextureOf<Texel>& t, const Polygon<Q>& polygon) {
+Range<Q> range_by_parts(const TextureOf<Texel>& t, const Polygon<Q>& polygon) {
   std::optional<Range<Q>> found;
   for_each_part(t, polygon, [&found](const Polygon<Q>&, const Range<Q>& here) {
     if (!found) found = here;
@@ -272,11 +282,6 @@ enum class State : std::uint8_t {
 template <class Q>
 State state(const Range<Q>& alpha, const Q& cutoff) {
   return alpha.least >= cutoff ? State::O : alpha.greatest < cutoff ? State::T : State::C;
-}
-
-template <class Q, class Texel>
-State state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Q& cutoff) {
-  return state(range(t, polygon), cutoff);
 }
 
 }  // namespace mmverify::spec::bake

@@ -10,7 +10,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "spec/bake/bake.hpp"
+#include "spec/bake/range.hpp"
 #include "spec/index/index.hpp"
 #include "spec/micromap/micromap.hpp"
 
@@ -78,17 +78,67 @@ State open_state_in(const Mode& mode, const Range<Q>& alpha) {
 /// nothing.
 enum class Contact : std::uint8_t { closed, open };
 
+/// The state of a closed polygon.
+template <class Q, class Texel, class Mode>
+State closed_state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Mode& mode) {
+  const auto in = [&](const Range<Q>& alpha) { return state_in(mode, alpha); };
+  return in(range(t, polygon, [&](const Range<Q>& some) { return in(some) == State::C; }));
+}
+
+/// The state of an open polygon with an area, nearest filtering: that of all texels that it meets in an area.
+template <class Q, class Texel, class Mode>
+State open_nearest(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Mode& mode) {
+  std::optional<State> all;
+  const auto take = [&](const Range<Q>& texels) {
+    const State here = state_in(mode, texels);
+    all = all ? merged(*all, here) : here;
+  };
+  for_each_box<Q>(
+      t, polygon,
+      [&](const BoxTexels<Texel>& texels, const BoxPart<Q>& one, bool) {
+        if (all == State::C || !has_area(one.part)) return true;
+        const Range<Q> bound = range<Q>(t, texels);
+        if (state_in(mode, bound) != State::C) {
+          take(bound);
+          return true;
+        }
+        if (one.box.columns.size() == 1 || one.box.rows.size() == 1) {
+          take(open_strip(t, one, one.box.rows.size() == 1));
+          return true;
+        }
+        const Place<Q> middle = centroid(one.part);
+        for (const TexelAt<Texel>& at : {texels.least, texels.greatest})
+          if (has_centre(t, one.part, middle, at)) take(Range<Q>(texel<Q>(t, at.i, at.j)));
+        return all == State::C;
+      },
+      [](std::int64_t, std::int64_t, const Polygon<Q>&) {});
+  return all.value();
+}
+
 /// The state of an open polygon, from each cell, or texel, that it meets in an area above 0.  One without area is
 /// closed.
 template <class Q, class Texel, class Mode>
 State open_state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Mode& mode) {
-  if (!has_area(polygon)) return state_in(mode, range(t, polygon));
+  if (!has_area(polygon)) return closed_state(t, polygon, mode);
+  if (t.filter == Filter::nearest) return open_nearest(t, polygon, mode);
+  // Alpha is continuous: it is on an area near an extreme what it is just above or below it.
+  const auto mixed = [&](const Range<Q>& alpha) {
+    return !mode.opaque_above(alpha.least) && !mode.transparent_below(alpha.greatest);
+  };
+  if (mixed(range(t, polygon, mixed))) return State::C;
   std::optional<State> all;
-  for_each_part(t, polygon, [&](const Polygon<Q>& part, const Range<Q>& alpha) {
-    if (!has_area(part)) return;
-    const State here = open_state_in(mode, alpha);
-    all = all ? merged(*all, here) : here;
-  });
+  const auto take = [&all](State here) { all = all ? merged(*all, here) : here; };
+  for_each_box<Q>(
+      t, polygon,
+      [&](const BoxTexels<Texel>& texels, const BoxPart<Q>& one, bool) {
+        if (all == State::C || !has_area(one.part)) return true;
+        const State closed = state_in(mode, range<Q>(t, texels));
+        if (closed != State::C) take(closed);  // what holds on the closed box holds on its inside
+        return closed != State::C;
+      },
+      [&](std::int64_t i, std::int64_t j, const Polygon<Q>& part) {
+        if (has_area(part)) take(open_state_in(mode, range_in_square(t, i, j, part)));
+      });
   return all.value();
 }
 
@@ -122,15 +172,6 @@ Polygon<Q> micro_triangle(const BaseTriangle<Q>& uv, Level n, std::uint32_t inde
   return polygon;
 }
 
-/// The centroid: the mean of the corners.
-template <class Q>
-Place<Q> centroid(const Polygon<Q>& polygon) {
-  Place<Q> sum{0, 0};
-  for (const Place<Q>& p : polygon) sum = {sum.x + p.x, sum.y + p.y};
-  const Q share = fraction<Q>(1, static_cast<std::int64_t>(polygon.size()));
-  return {sum.x * share, sum.y * share};
-}
-
 /// The state of a micro-triangle: O or T if it is so in every mip level that may be sampled; else UO or UT, as alpha at
 /// its centroid is rather opaque or not in the first mip level, the largest.
 /// Mips: in the order of sampling.  2-state maps hold micromap::force2 of this.
@@ -145,7 +186,7 @@ micromap::State micro_state(std::span<const TextureOf<Texel>> mips, const BaseTr
   const auto in = [&](const TextureOf<Texel>& t) { return micro_triangle(uv, n, index, t.width, t.height); };
   const auto state = [&](const TextureOf<Texel>& t) {
     const Polygon<Q> polygon = dilated(in(t), margin);
-    return contact == Contact::open ? open_state(t, polygon, mode) : state_in(mode, range(t, polygon));
+    return contact == Contact::open ? open_state(t, polygon, mode) : closed_state(t, polygon, mode);
   };
   State all = state(mips[0]);
   for (const TextureOf<Texel>& t : mips.subspan(1)) {

@@ -1,6 +1,4 @@
 // [memory] impl/bake/bake.hpp and impl/bake/square/map.hpp: every state as spec/bake/bake.hpp has it; the box; which way is up.
-#include "spec/bake/bake.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "impl/bake/square/map.hpp"
+#include "spec/bake/range.hpp"
 #include "tests/sanitized.hpp"
 
 namespace impl_bake_test {

@@ -94,15 +94,16 @@ StoredMaps stored(const Scene& scene, unsigned n = level) {
         states.assign(count, *map.uniform);
       else
         impl::micromap::unpack(map.map, map.format, states);
-      map = BakedTriangle{n, Format::four_state, map.states, {}, {}};
-      map.map.resize(impl::micromap::packed_bytes(count, Format::four_state));
-      impl::micromap::pack(states, Format::four_state, map.map);
+      impl::micromap::Bytes packed(impl::micromap::packed_bytes(count, Format::four_state));
+      impl::micromap::pack(states, Format::four_state, packed);
+      map = BakedTriangle{n, Format::four_state, map.states, {}, std::move(packed)};
       array.records.push_back(
           {static_cast<std::uint32_t>(array.data.size()), static_cast<std::uint16_t>(n), 2});
       array.data.insert(array.data.end(), map.map.begin(), map.map.end());
-      maps.links.push_back({p, t, p, 0, t});
+      maps.first.push_back(maps.links.size());
+      maps.links.push_back({p, t, p, 0, t, maps.links.size()});
     }
-    maps.arrays.push_back(array);
+    maps.arrays.push_back(std::make_shared<const Array>(array));
   }
   return maps;
 }
@@ -125,12 +126,20 @@ std::string code(const Scene& scene, const StoredMaps& maps) {
   return found ? found->code : "none";
 }
 
+void change(StoredArray& stored, const std::function<void(Array&)>& by) {
+  Array array = *stored;
+  by(array);
+  stored = std::make_shared<const Array>(std::move(array));
+}
+
 /// Puts other states in the place of a triangle's.
 void set(StoredMaps& maps, std::size_t k, const std::vector<State>& states) {
-  impl::micromap::pack(states, Format::four_state, maps.baked.triangles[k].map);
-  Array& array = maps.arrays[maps.links[k].array];
-  std::copy(maps.baked.triangles[k].map.begin(), maps.baked.triangles[k].map.end(),
-            array.data.begin() + array.records[*maps.links[k].record].offset);
+  impl::micromap::Bytes packed(maps.baked.triangles[k].map.size());
+  impl::micromap::pack(states, Format::four_state, packed);
+  change(maps.arrays[maps.links[k].array], [&](Array& array) {
+    std::copy(packed.begin(), packed.end(), array.data.begin() + array.records[*maps.links[k].record].offset);
+  });
+  maps.baked.triangles[k].map = std::move(packed);
 }
 
 std::vector<State> states(const StoredMaps& maps, std::size_t k) {
@@ -331,8 +340,10 @@ TEST(Cause, NamesLinks) {
             }),
             "indices_equal");
   EXPECT_EQ(named([](StoredMaps& maps) {
-              for (Array& array : maps.arrays)
-                for (auto& record : array.records) record.offset = 0;
+              for (StoredArray& stored : maps.arrays)
+                change(stored, [](Array& array) {
+                  for (auto& record : array.records) record.offset = 0;
+                });
               for (std::size_t k = 0; k < maps.links.size(); ++k)
                 link(maps, k, maps.links[k].array, *maps.links[k].record);
             }),
@@ -358,9 +369,9 @@ TEST(Cause, NamesLinks) {
             }),
             "other_triangles");
   EXPECT_EQ(named([](StoredMaps& maps) {
-              for (auto& array : maps.arrays) {  // a record that nobody has is before the others
-                array.records.insert(array.records.begin(), array.records[2]);
-              }
+              for (StoredArray& stored : maps.arrays)  // a record that nobody has is before the others
+                change(stored,
+                       [](Array& array) { array.records.insert(array.records.begin(), array.records[2]); });
               for (std::size_t k = 0; k < maps.links.size(); ++k)
                 link(maps, k, maps.links[k].array, *maps.links[k].record);
             }),

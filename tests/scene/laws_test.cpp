@@ -52,7 +52,9 @@ void change_last(Made& made, std::size_t triangle, unsigned from, unsigned to) {
   const unsigned b = impl::micromap::bits(t.format);
   std::uint32_t at = (1u << 2 * t.level) - 1;
   while (code(t.map, at, b) != from) --at;
-  t.map[at * b / 8] = static_cast<std::uint8_t>(t.map[at * b / 8] ^ (from ^ to) << (at * b % 8));
+  impl::micromap::Bytes map(t.map.begin(), t.map.end());
+  map[at * b / 8] = static_cast<std::uint8_t>(map[at * b / 8] ^ (from ^ to) << (at * b % 8));
+  t.map = std::move(map);
   --t.states[from], ++t.states[to];
 }
 

@@ -1,6 +1,4 @@
 // [release] spec/bake/bake.hpp: wrapping, bilinear alpha and the extremes of polygons by hand, and against points.
-#include "spec/bake/bake.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include "spec/bake/range.hpp"
 
 namespace spec_bake_test {
 

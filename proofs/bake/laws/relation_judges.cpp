@@ -1,5 +1,7 @@
 #include "proofs/bake/laws/relation_judges.hpp"
 
+#include <cmath>
+
 namespace mmverify::proofs::bake {
 std::vector<State> map_of(const BakeSubject& s, const Case& one, Level n, Format format) {
   std::optional<Baked> baked = s.functions.bake(one, n, format);
@@ -90,12 +92,29 @@ Case mip_of(const Case& one, std::uint32_t mip) {
   return other;
 }
 
+/// The period of a texture along an axis, in repeats; 0 if there is none.
+float period(Wrap wrap) { return wrap == Wrap::repeat ? 1.0f : wrap == Wrap::mirrored_repeat ? 2.0f : 0.0f; }
+
+/// Whether each micro-triangle of level n holds a whole period: the legs lie along the axes, and its own are two
+/// periods and more.
+bool holds_periods(const Case& one, Level n) {
+  const float u = period(one.wrap_u), v = period(one.wrap_v);
+  const auto long_enough = [n](float from, float to, float repeats) {
+    return repeats != 0 && std::fabs(double{to} - from) >= std::ldexp(2.0 * repeats, static_cast<int>(n));
+  };
+  return one.uv[3] == one.uv[1] && one.uv[4] == one.uv[0] && long_enough(one.uv[0], one.uv[2], u) &&
+         long_enough(one.uv[1], one.uv[5], v);
+}
+
+/// Whether micro-triangles that hold the same texels cannot have both states, apart from the side of unknown ones.
+bool contradict_but_for_side(const BakeSubject& s, State a, State b) {
+  if (s.functions.tight) return unknown(a) != unknown(b) || (!unknown(a) && a != b);
+  return a != b && !unknown(a) && !unknown(b);
+}
+
 }  // namespace
 
 Finding keeps_shifts(const BakeSubject& s, const Case& one, Level n) {
-  const auto period = [](Wrap w) {
-    return w == Wrap::repeat ? 1.0f : w == Wrap::mirrored_repeat ? 2.0f : 0.0f;
-  };
   const float u = period(one.wrap_u), v = period(one.wrap_v);
   const std::vector<State> map = map_of(s, one, n);
   for (const auto& [x, y] : {std::pair{u, 0.0f}, {0.0f, -v}, {-3 * u, 5 * v}, {40 * u, -70 * v}}) {
@@ -105,6 +124,27 @@ Finding keeps_shifts(const BakeSubject& s, const Case& one, Level n) {
     if (const auto wrong =
             differ(s, fmt::format("shifted by {:g}, {:g}:", x, y).c_str(), map, map_of(s, other, n)))
       return *wrong;
+  }
+  return {hash_of(map)};
+}
+
+Finding keeps_lengths(const BakeSubject& s, const Case& one, Level n) {
+  if (!holds_periods(one, n)) return unsupported();
+  const float u = period(one.wrap_u), v = period(one.wrap_v);
+  const std::vector<State> map = map_of(s, one, n);
+  const State all = map.front();
+  for (const float periods : {0.0f, 1.0f, 7.0f, 1'000.0f, 65'536.0f}) {
+    Case other = one;
+    // The legs lie along the axes: (1) is along u, (2) along v.
+    other.uv[2] += std::copysign(periods * u, one.uv[2] - one.uv[0]);
+    other.uv[5] += std::copysign(periods * v, one.uv[5] - one.uv[1]);
+    if (fitted(s.functions.support, other, 0).uv != other.uv) continue;  // outside the subject's support
+    const std::vector<State> states = periods == 0 ? map : map_of(s, other, n);
+    for (std::size_t k = 0; k < states.size(); ++k)
+      if (contradict_but_for_side(s, states[k], all))
+        return wrong(fmt::format("longer by {:g} periods: micro-triangle {} {}, as all that hold a period",
+                                 periods, k, name_of(all)),
+                     name_of(states[k]));
   }
   return {hash_of(map)};
 }

@@ -15,6 +15,7 @@ std::vector<State> map_of(const BakeSubject& s, const Case& one, Level n, Format
 
 // All throw Declined and Unpadded.
 Finding keeps_shifts(const BakeSubject&, const Case&, Level);    ///< by whole repeats
+Finding keeps_lengths(const BakeSubject&, const Case&, Level);   ///< legs longer by whole repeats
 Finding keeps_orders(const BakeSubject&, const Case&, Level);    ///< of the vertices
 Finding keeps_formats(const BakeSubject&, const Case&, Level);   ///< 2-state beside 4-state
 Finding keeps_levels(const BakeSubject&, const Case&, Level);    ///< children beside parents

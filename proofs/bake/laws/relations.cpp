@@ -1,6 +1,7 @@
 // Laws between the maps of one texture: nothing has to be known of them but that they fit together, so that
 // textures and levels may be larger than the specification's pace allows.
 #include "proofs/bake/domains/samples.hpp"
+#include "proofs/bake/domains/spans.hpp"
 #include "proofs/bake/domains/strata.hpp"
 #include "proofs/bake/laws.hpp"
 #include "proofs/bake/laws/relation_judges.hpp"
@@ -220,6 +221,28 @@ Law in_turn_law() {
       sample_in_turn, keeps_no_other, {}, count_in_turn);
 }
 
+/// The last micro-triangle of a triangle of more than 2^9 repeats is another state.
+void differs_when_long(const Case& one, Level, std::vector<State>& states) {
+  if (std::fabs(one.uv[2] - one.uv[0]) < 512) return;
+  states.back() = states.back() == State::T ? State::O : State::T;
+}
+
+Law lengths_law() {
+  Law law =
+      relation({.id = "bake.length",
+                .says = "all micro-triangles that hold a whole period of the texture have one state but for "
+                        "the side of unknown ones, however many periods longer they are",
+                .source = "Vulkan, Wrapping Operation; all texels are under each",
+                .subjects = {"bake"},
+                .domain = whole_period_samples_text(),
+                .mutants = {spoiled("the last one beyond 2^9 repeats", "bake", {0, 3}, differs_when_long)}},
+               whole_period_sample, keeps_lengths, has_no_repeats,
+               [](Level, Tier tier) -> std::uint64_t { return tier == Tier::fast ? 24 : 2'000; });
+  law.tiers.fast = {0, 3};
+  law.tiers.long_run = {0, 5};
+  return law;
+}
+
 }  // namespace
 
 std::vector<Law> relation_laws() {
@@ -237,6 +260,7 @@ std::vector<Law> relation_laws() {
                 .subjects = {"bake"},
                 .mutants = {changed("a transparent one 30 above", {5, 5}, above, State::T, State::UT)}},
                periodic_sample, keeps_shifts, has_no_repeats),
+      lengths_law(),
       relation({.id = "bake.order",
                 .says = "the vertices in another order give the same states, each to the micro-triangle that "
                         "is where it was",

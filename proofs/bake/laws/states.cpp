@@ -7,6 +7,7 @@
 #include "proofs/bake/diagnosis/diagnosis.hpp"
 #include "proofs/bake/domains/family.hpp"
 #include "proofs/bake/domains/samples.hpp"
+#include "proofs/bake/domains/spans.hpp"
 #include "proofs/bake/domains/strata.hpp"
 #include "proofs/bake/law_parts.hpp"
 #include "proofs/bake/laws.hpp"
@@ -163,6 +164,12 @@ constexpr Domain of_sides{
     [](Level, Tier tier) { return side_count() * distances * (tier == Tier::fast ? 1 : 64); },
     {0, 1},
     {0, 3}};
+constexpr Domain spans{nullptr,
+                       span_sample,
+                       span_samples_text,
+                       [](Level, Tier tier) -> std::uint64_t { return tier == Tier::fast ? 40 : 4'000; },
+                       {0, 3},
+                       {0, 5}};
 constexpr Domain strata{
     nullptr,
     [](std::uint64_t seed, Level n, std::uint64_t k) { return stratified(seed, n, stratum(n, k)); },
@@ -305,9 +312,20 @@ constexpr char tight_blend[] =
     "at a point of it";
 constexpr char side[] = "an unknown micro-triangle is UO where alpha at its centroid is opaque, else UT";
 
-}  // namespace
+std::vector<Law> span_laws() {
+  return {
+      state_law(
+          "bake.conservative_on_spans", conservative, not_conservative, spans,
+          {spoiled("texels are counted in 32 bits: none are opaque", "bake", {0, 3}, counts_in_32_bits)}),
+      state_law("bake.tight_on_spans", tight, not_tight, spans,
+                {spoiled("unknown across more than 2^30 texels", "bake", {0, 3}, forgets_long)}),
+      state_law(
+          "bake.unknown_side_on_spans", side, wrong_side, spans,
+          {side_of_another("the side is that of coordinates in steps of 2^-3", {0, 3}, in_steps_of(3))}),
+  };
+}
 
-std::vector<Law> state_laws() {
+std::vector<Law> other_laws() {
   const auto far = claims_one({0, 128, 128, 0}, Wrap::mirrored_repeat, Wrap::mirror_once, -3);
   return {
       state_law("bake.conservative", conservative, not_conservative, bilinear,
@@ -360,6 +378,15 @@ std::vector<Law> state_laws() {
           {side_of_another("the side is that of coordinates in steps of 2^-12", {5, 9}, in_steps_of(12))}),
       grid_law(),
   };
+}
+
+}  // namespace
+
+std::vector<Law> state_laws() {
+  std::vector<Law> all = other_laws();
+  const std::vector<Law> spans = span_laws();
+  all.insert(all.end() - 1, spans.begin(), spans.end());  // the last one is of the long tier
+  return all;
 }
 
 }  // namespace mmverify::proofs::bake

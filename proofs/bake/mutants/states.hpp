@@ -128,6 +128,26 @@ inline void forgets_wide(const Case& one, Level n, std::vector<State>& states) {
   for (State& s : states) s = spec::micromap::as_unknown(s);
 }
 
+/// The texels under the box of a micro-triangle, as filters take them: two more than its length along each axis.
+inline std::uint64_t texels_under(const Case& one, Level n) {
+  const auto along = [&](std::size_t axis, std::uint32_t size) {
+    const auto [low, high] = std::minmax({one.uv[axis], one.uv[2 + axis], one.uv[4 + axis]});
+    return 2 + static_cast<std::uint64_t>(std::ldexp((double{high} - low) * size, -static_cast<int>(n)));
+  };
+  return along(0, one.width) * along(1, one.height);
+}
+/// An unknown whose texels, counted in 32 bits, are none, is opaque.
+inline void counts_in_32_bits(const Case& one, Level n, std::vector<State>& states) {
+  if (const std::uint64_t texels = texels_under(one, n);
+      texels != 0 && texels % (std::uint64_t{1} << 32) == 0)
+    for (State& s : states)
+      if (spec::micromap::unknown(s)) s = State::O;
+}
+inline void forgets_long(const Case& one, Level n, std::vector<State>& states) {
+  if (texels_under(one, n) >> 30 != 0)
+    for (State& s : states) s = spec::micromap::as_unknown(s);
+}
+
 /// Mutants on textures with `rows` rows, at a micro-triangle that samples are judged at.
 inline Spoil claims_of_rows(std::uint32_t rows) {
   return [=](const Case& one, Level n, std::vector<State>& states) {

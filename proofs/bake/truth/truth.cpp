@@ -205,6 +205,59 @@ bake::Polygon<Rational> corners_of(const Case& one, Level n, std::uint32_t index
   return bake::micro_triangle(base_triangle<Rational>(one), n, index, one.width, one.height);
 }
 
+namespace {
+
+/// The place of a texel that is an extreme of a box in a polygon: its centre.
+template <class Stored>
+Place centre_of(const bake::Box& box, const bake::TexelAt<Stored>& at, std::int64_t next) {
+  // The texel's index is the box's own, or that of the end that the box is clamped to.
+  const auto i = std::clamp(at.i, box.columns.first, box.columns.last + next),
+             j = std::clamp(at.j, box.rows.first, box.rows.last + next);
+  return {bake::fraction<Rational>(2 * i + 1, 2), bake::fraction<Rational>(2 * j + 1, 2)};
+}
+
+/// Takes a place of the least alpha on a polygon and one of the greatest, and others.  Along many repeats, where
+/// `most_boxes` do not hold them, the best that these hold.
+template <class Stored, class Take>
+void extreme_places(const bake::TextureOf<Stored>& t, const bake::Polygon<Rational>& polygon, Take take) {
+  constexpr int most_boxes = 4096;
+  const std::int64_t next = t.filter == Filter::bilinear ? 1 : 0;
+  const auto all = bake::range(t, polygon);
+  std::optional<bake::Range<Rational>> found;
+  int boxes = 0;
+  const auto taken = [&](const Place& p) {
+    const Rational alpha = bake::alpha(t, p);
+    if (!found) found = bake::Range<Rational>(alpha);
+    found->take(alpha);
+    take(p, alpha);
+  };
+  bake::for_each_box<Rational>(
+      t, polygon,
+      [&](const bake::BoxTexels<Stored>& texels, const bake::BoxPart<Rational>& one, bool whole) {
+        const auto knows = [&](const bake::Range<Rational>& some) {
+          return found && found->least <= some.least && some.greatest <= found->greatest;
+        };
+        if (knows(all) || knows(bake::range<Rational>(t, texels)) || ++boxes > most_boxes) return true;
+        const Place middle = bake::centroid(one.part);
+        for (const auto& at : {texels.least, texels.greatest})
+          if (whole)
+            taken(centre_of(one.box, at, next));
+          else if (bake::has_centre(t, one.part, middle, at))
+            taken({bake::Cell<Rational>::along(bake::nearest_index(t.wrap_x, at.i, t.width, middle.x)),
+                   bake::Cell<Rational>::along(bake::nearest_index(t.wrap_y, at.j, t.height, middle.y))});
+        return whole;
+      },
+      [&](std::int64_t i, std::int64_t j, const bake::Polygon<Rational>& part) {
+        if (t.filter == Filter::nearest)
+          taken(bake::centroid(part));  // below its high sides, as some corner is: the texel's own
+        else
+          candidates(t, i, j, part, taken);
+      });
+  if (!found) taken(bake::centroid(polygon));
+}
+
+}  // namespace
+
 Extremes extremes(const Case& one, Level n, std::uint32_t index) {
   const auto margin = bake::number<Rational>(bake::Binary32{std::bit_cast<std::uint32_t>(one.margin)});
   return with_textures(one, [&](const auto& mips) {
@@ -213,20 +266,12 @@ Extremes extremes(const Case& one, Level n, std::uint32_t index) {
       const auto& t = mips[mip];
       const bake::Polygon<Rational> polygon = bake::dilated(
           bake::micro_triangle(base_triangle<Rational>(one), n, index, t.width, t.height), margin);
-      const auto take = [&](const Place& p) {
-        const Extreme here{p, bake::alpha(t, p), mip};
+      extreme_places(t, polygon, [&](const Place& p, const Rational& alpha) {
+        const Extreme here{p, alpha, mip};
         if (!found) found = Extremes{here, here};
         if (here.alpha < found->least.alpha) found->least = here;
         if (here.alpha > found->greatest.alpha) found->greatest = here;
-      };
-      if (t.filter == Filter::nearest)
-        bake::for_each_square(polygon, Rational(0), [&](std::int64_t, std::int64_t, const auto& part) {
-          take(bake::centroid(part));  // below its high sides, as some corner is: the texel's own
-        });
-      else
-        bake::for_each_square(
-            polygon, bake::fraction<Rational>(1, 2),
-            [&](std::int64_t i, std::int64_t j, const auto& part) { candidates(t, i, j, part, take); });
+      });
     }
     return found.value();
   });

@@ -8,7 +8,6 @@
 #include <map>
 #include <memory>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "proofs/engine/interrupt.hpp"
@@ -40,14 +39,14 @@ struct Candidate {
 class Search {
  public:
   explicit Search(const Judged& judged) : judged_(judged), inputs_(inputs_of(judged)) {
-    find_distinct();
+    choose_all();
     const std::vector<States> right = expected(judged, inputs_, all_);
     for (std::size_t k = 0; k < all_.size(); ++k) {
       stored_[all_[k]] = states_of(judged.maps.baked.triangles[all_[k]]);
       right_[all_[k]] = right[k];
       const Fit here = fits_[all_[k]] = fit(stored_[all_[k]], right[k]);
       as_stored_ += here;
-      wrong_ += here.wrong + here.needless != 0 ? times_[all_[k]] : 0;
+      wrong_ += here.wrong + here.needless != 0 ? times(all_[k]) : 0;
     }
     choose();
   }
@@ -68,26 +67,17 @@ class Search {
   }
 
  private:
-  /// Finds the triangles to look at: one of those that have equal UVs, surface and map.
-  void find_distinct() {
-    const auto& links = judged_.maps.links;
-    std::map<std::tuple<mmverify::scene::UvTriangle, std::uint32_t, std::size_t, std::size_t,
-                        std::optional<std::uint64_t>, Level>,
-             std::size_t>
-        seen;
-    std::vector<std::size_t> distinct;
-    for (std::size_t k = 0; k < links.size(); ++k) {
-      const auto& planned = judged_.maps.plan.triangles[k];
-      const auto [at, is_new] = seen.try_emplace(
-          {planned.uvs, planned.surface, links[k].primitive, links[k].array, links[k].record, level(k)}, k);
-      if (is_new) distinct.push_back(k);
-      ++times_[at->second];
-    }
+  /// Chooses the triangles to look at.
+  void choose_all() {
+    const std::size_t count = judged_.maps.plan.triangles.size();
     std::uint64_t micro_triangles = 0;
-    for (const std::size_t k : distinct) micro_triangles += impl::micromap::micro_triangles(level(k));
+    for (std::size_t k = 0; k < count; ++k) micro_triangles += impl::micromap::micro_triangles(level(k));
     const std::uint64_t step = 1 + (micro_triangles - 1) / most_looked_at;
-    for (std::size_t k = 0; k < distinct.size(); k += step) all_.push_back(distinct[k]);
+    for (std::size_t k = 0; k < count; k += step) all_.push_back(k);
   }
+
+  /// The triangles of the file that a planned one stands for.
+  std::uint64_t times(std::size_t k) const { return judged_.maps.plan.triangles[k].unique; }
 
   Level level(std::size_t k) const { return judged_.maps.baked.triangles[k].level; }
 
@@ -124,14 +114,14 @@ class Search {
   Sum sum(const std::vector<std::size_t>& triangles, const Maps& maps) const {
     std::map<std::size_t, std::array<Sum, 2>> of_primitive;
     for (std::size_t k = 0; k < triangles.size(); ++k) {
-      auto& [now, changed] = of_primitive[judged_.maps.links[triangles[k]].primitive];
+      auto& [now, changed] = of_primitive[judged_.maps.link(triangles[k]).primitive];
       const Fit& was = fits_.at(triangles[k]);
       const Fit is = fit(maps.stored[k], maps.expected[k]);
       now.fit += was;
       now.all_right = now.all_right && was.is_right();
       changed.fit += is;
       changed.all_right = changed.all_right && is.wrong == 0;
-      changed.explained += was.wrong + was.needless != 0 && is.wrong == 0 ? times_.at(triangles[k]) : 0;
+      changed.explained += was.wrong + was.needless != 0 && is.wrong == 0 ? times(triangles[k]) : 0;
     }
     Sum all;
     for (const auto& [primitive, both] : of_primitive) {
@@ -210,7 +200,7 @@ class Search {
           fits[turn] = fit(turns[turn], maps.expected[k]);
           if (fits[turn] < fits[best]) best = turn;
         }
-        counts[best] += times_[triangles[k]];
+        counts[best] += times(triangles[k]);
         maps.stored.push_back(turns[best]);
       }
       return maps;
@@ -302,7 +292,7 @@ class Search {
   std::optional<std::pair<std::string, Fit>> fitting_record(std::size_t k) {
     constexpr std::uint64_t most = 4096;
     for (std::size_t a = 0; a < judged_.maps.arrays.size(); ++a)
-      for (std::uint64_t r = 0; r < std::min<std::uint64_t>(most, judged_.maps.arrays[a].records.size());
+      for (std::uint64_t r = 0; r < std::min<std::uint64_t>(most, judged_.maps.arrays[a]->records.size());
            ++r) {
         const BakedTriangle map = mmverify::scene::stored_map(judged_.maps.arrays[a], r);
         const Fit is = fit(states_of(map), right_at(k, map.level));
@@ -317,8 +307,8 @@ class Search {
     std::uint64_t wrong = 0;
     for (const std::size_t k : all_) {
       if (fits_[k].is_right()) continue;
-      if (judged_.maps.links[k].record) return;
-      wrong += times_[k];
+      if (judged_.maps.link(k).record) return;
+      wrong += times(k);
     }
     if (wrong == 0 || as_stored_.equal < least_equal) return;
     best_ = std::make_unique<Candidate>(
@@ -340,7 +330,6 @@ class Search {
   const Inputs inputs_;
   std::vector<std::size_t> all_, tried_;
   // These have an entry for each triangle that is looked at.
-  std::map<std::size_t, std::uint64_t> times_;  ///< the triangles that it stands for
   std::map<std::size_t, States> stored_, right_;
   std::map<std::size_t, Fit> fits_;
   Fit as_stored_, tried_fit_;

@@ -106,7 +106,7 @@ class Changes {
     std::vector<bool> is_read(of_primitive.size());
     std::vector<mmverify::scene::UvTriangle> uvs = inputs_.uvs;
     for (std::size_t k = 0; k < uvs.size(); ++k) {
-      const mmverify::scene::MapLink& link = judged_.maps.links[k];
+      const mmverify::scene::MapLink& link = judged_.maps.link(k);
       const mmverify::scene::Primitive& primitive = judged_.scene.primitives[link.primitive];
       if (!is_read[link.primitive]) {
         is_read[link.primitive] = true;

@@ -14,6 +14,7 @@ namespace {
 using impl::micromap::Array;
 using mmverify::scene::BakedTriangle;
 using mmverify::scene::MapLink;
+using mmverify::scene::StoredArray;
 using mmverify::scene::StoredMaps;
 
 /// The place of a map: an array's record.
@@ -63,21 +64,22 @@ class Links {
   void add(std::string code, std::string says, Rule rule) {
     all_.push_back({std::move(code), std::move(says),
                     [&maps = maps_, rule = std::move(rule)](std::size_t k) -> std::optional<BakedTriangle> {
-                      if (!maps.links[k].record) return {};
-                      const std::optional<Place> place = rule(maps.links[k]);
-                      if (!place || place->record >= maps.arrays[place->array].records.size()) return {};
+                      if (!maps.link(k).record) return {};
+                      const std::optional<Place> place = rule(maps.link(k));
+                      if (!place || place->record >= maps.arrays[place->array]->records.size()) return {};
                       return mmverify::scene::stored_map(maps.arrays[place->array], place->record);
                     }});
   }
 
   /// Records that all point to one place, read as if their maps lay one after another.
   void equal_offsets() {
-    std::vector<Array> arrays = maps_.arrays;
+    std::vector<StoredArray> arrays = maps_.arrays;
     bool changes = false;
-    for (Array& array : arrays) {
-      const auto same = [&](const auto& record) { return record.offset == array.records[0].offset; };
-      if (array.records.size() < 2 || !std::all_of(array.records.begin(), array.records.end(), same))
-        continue;
+    for (StoredArray& stored : arrays) {
+      const auto& records = stored->records;
+      const auto same = [&](const auto& record) { return record.offset == records[0].offset; };
+      if (records.size() < 2 || !std::all_of(records.begin(), records.end(), same)) continue;
+      Array array = *stored;
       std::uint64_t end = array.records[0].offset;
       for (auto& record : array.records) {
         const std::uint64_t bytes =
@@ -87,13 +89,14 @@ class Links {
         record.offset = static_cast<std::uint32_t>(end);
         end += bytes;
       }
+      stored = std::make_shared<const Array>(std::move(array));
       changes = true;
     }
     if (!changes) return;
     all_.push_back(
         {"offsets_equal", "the offsets of all records are equal; their maps lie one after another",
          [&maps = maps_, arrays = std::move(arrays)](std::size_t k) -> std::optional<BakedTriangle> {
-           const MapLink& link = maps.links[k];
+           const MapLink& link = maps.link(k);
            if (!link.record) return {};
            return mmverify::scene::stored_map(arrays[link.array], *link.record);
          }});
@@ -115,8 +118,8 @@ class Links {
 
   void other_bases() {
     std::int64_t most = 0;
-    for (const Array& array : maps_.arrays)
-      most = std::max(most, static_cast<std::int64_t>(array.records.size()));
+    for (const StoredArray& array : maps_.arrays)
+      most = std::max(most, static_cast<std::int64_t>(array->records.size()));
     most = std::min(most - 1, most_shift);
     for (std::int64_t by = -most; by <= most; ++by) {
       if (by == 0) continue;
