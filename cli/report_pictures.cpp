@@ -39,10 +39,10 @@ std::string shown_picture(const std::string& result, const std::string& named) {
   std::error_code none;
   if (path.is_relative() && !std::filesystem::exists(path, none))
     path = std::filesystem::path(result).parent_path() / path;
-  scene::ColourImage image;
-  scene::decode_colour(scene::read_file(path, named, "picture"), image, named, "picture");
-  const scene::RgbPicture small = scene::made_smaller(image, longest_shown);
-  return base64(scene::png(small.width, small.height, small.rgb));
+  mmverify::scene::ColourImage image;
+  mmverify::scene::decode_colour(mmverify::scene::read_file(path, named, "picture"), image, named, "picture");
+  const mmverify::scene::RgbPicture small = mmverify::scene::made_smaller(image, longest_shown);
+  return base64(mmverify::scene::png(small.width, small.height, small.rgb));
 }
 
 /// The pictures that a result names, each with its number; for views they are in the rows.
@@ -66,7 +66,7 @@ Json pictures_of(const std::vector<ReportInput>& inputs) {
       Json picture{{"file", file}, {"picture", number}};
       try {
         picture["png"] = shown_picture(inputs[file].name, name);
-      } catch (const scene::BadScene& bad) {
+      } catch (const mmverify::scene::BadScene& bad) {
         picture["why"] = bad.what();
       }
       pictures.push_back(std::move(picture));

@@ -7,11 +7,11 @@
 namespace mmverify::proofs::bake {
 namespace {
 
-constexpr std::uint64_t stream = 0x7370616e;
+constexpr std::uint64_t span_stream = 0x7370616e;
 constexpr std::int64_t shortest = 8, longest = 20;  ///< of a span, as powers of two
-constexpr int parts = 8;                            ///< corners lie at multiples of 1/8 of a texel
+constexpr int span_parts = 8;                       ///< corners lie at multiples of 1/8 of a texel
 
-void draw_texture(Random& random, Case& one) {
+void draw_small_texture(Random& random, Case& one) {
   // Sides of powers of two keep coordinates exact.
   const auto side = [&] {
     return static_cast<std::uint32_t>(random.below(2) != 0 ? 1u << random.below(6) : 1 + random.below(12));
@@ -43,37 +43,39 @@ struct Corner {
   std::int64_t x, y;  ///< in 1/8 of a texel
 };
 
-float coordinate(std::int64_t along, std::uint32_t size) {
-  return static_cast<float>(static_cast<double>(along) / (static_cast<double>(parts) * size));
+float uv_at(std::int64_t along, std::uint32_t size) {
+  return static_cast<float>(static_cast<double>(along) / (static_cast<double>(span_parts) * size));
 }
 
-void place(Case& one, const std::array<Corner, 3>& corners) {
+void place_corners(Case& one, const std::array<Corner, 3>& corners) {
   for (std::size_t k = 0; k < 3; ++k) {
-    one.uv[2 * k] = coordinate(corners[k].x, one.width);
-    one.uv[2 * k + 1] = coordinate(corners[k].y, one.height);
+    one.uv[2 * k] = uv_at(corners[k].x, one.width);
+    one.uv[2 * k + 1] = uv_at(corners[k].y, one.height);
   }
 }
 
 }  // namespace
 
 Case span_sample(std::uint64_t seed, Level n, std::uint64_t k) {
-  Random random(seed, stream + n, k);
+  Random random(seed, span_stream + n, k);
   Case one;
-  draw_texture(random, one);
+  draw_small_texture(random, one);
   one.wrap_u = static_cast<Wrap>(random.below(5));
   one.wrap_v = static_cast<Wrap>(random.below(5));
   Span u = any_span(random), v = any_span(random);
   if (k % 4 == 3) v = u = {random.between(16, longest), random.between(-4, 4)};
-  const std::int64_t side = std::int64_t{1} << n, x = u.texels() * parts * side,
-                     y = v.texels() * parts * side;
+  const std::int64_t side = std::int64_t{1} << n, x = u.texels() * span_parts * side,
+                     y = v.texels() * span_parts * side;
   // The first corner is anywhere about the texture; a mirrored triangle is as likely.
-  const auto about = [&](std::uint32_t size) { return random.between(-2 * parts, 2 * parts) * size / 2; };
+  const auto about = [&](std::uint32_t size) {
+    return random.between(-2 * span_parts, 2 * span_parts) * size / 2;
+  };
   const Corner p{about(one.width), about(one.height)};
   const std::int64_t sign_x = random.below(2) != 0 ? 1 : -1, sign_y = random.below(2) != 0 ? 1 : -1;
   // Three of four have legs along the axes; the others are sheared.
   const std::int64_t shear_x = random.below(4) == 0 ? random.between(-x, x) : 0,
                      shear_y = random.below(4) == 0 ? random.between(-y / 4, y / 4) : 0;
-  place(one, {p, {p.x + sign_x * x, p.y + shear_y}, {p.x + shear_x, p.y + sign_y * y}});
+  place_corners(one, {p, {p.x + sign_x * x, p.y + shear_y}, {p.x + shear_x, p.y + sign_y * y}});
   return one;
 }
 
@@ -84,9 +86,9 @@ const char* span_samples_text() {
 }
 
 Case whole_period_sample(std::uint64_t seed, Level n, std::uint64_t k) {
-  Random random(seed, stream + 64 + n, k);
+  Random random(seed, span_stream + 64 + n, k);
   Case one;
-  draw_texture(random, one);
+  draw_small_texture(random, one);
   one.width = 1u << random.below(6);
   one.height = 1u << random.below(6);
   one.alpha.resize(std::size_t{one.width} * one.height, one.alpha.front());
@@ -94,13 +96,14 @@ Case whole_period_sample(std::uint64_t seed, Level n, std::uint64_t k) {
   one.wrap_v = random.below(2) != 0 ? Wrap::repeat : Wrap::mirrored_repeat;
   const std::int64_t side = std::int64_t{1} << n;
   const auto leg = [&](Wrap wrap, std::uint32_t size) {
-    const std::int64_t period = (wrap == Wrap::repeat ? 1 : 2) * std::int64_t{size} * parts;
+    const std::int64_t period = (wrap == Wrap::repeat ? 1 : 2) * std::int64_t{size} * span_parts;
     return side * (2 * period + random.between(0, 4) * period + random.between(0, period));
   };
   const std::int64_t x = leg(one.wrap_u, one.width), y = leg(one.wrap_v, one.height);
-  const Corner p{random.between(-4 * parts, 4 * parts), random.between(-4 * parts, 4 * parts)};
+  const Corner p{random.between(-4 * span_parts, 4 * span_parts),
+                 random.between(-4 * span_parts, 4 * span_parts)};
   const std::int64_t sign_x = random.below(2) != 0 ? 1 : -1, sign_y = random.below(2) != 0 ? 1 : -1;
-  place(one, {p, {p.x + sign_x * x, p.y}, {p.x, p.y + sign_y * y}});
+  place_corners(one, {p, {p.x + sign_x * x, p.y}, {p.x, p.y + sign_y * y}});
   return one;
 }
 
