@@ -64,8 +64,8 @@ int repair(const RepairOptions& options) try {
   RepairOutput output(options.file, options.output);
   JsonOutput json(options.json);
   std::FILE* const out = json.text();
-  need_micromaps(options.file);
   FileRepair repair(options.file, options.request);
+  need_micromaps(options.file);
   repair.run();
   if (!repair.report().is_right()) say(out, "{}\n", printable(options.file));
   print_repairs(out, options, repair.scene(), repair.report());

@@ -187,6 +187,13 @@ std::size_t EditedFile::add_view(std::size_t buffer, std::span<const unsigned ch
   return views.size() - 1;
 }
 
+std::vector<std::size_t> EditedFile::unread_views() const {
+  std::vector<std::size_t> unread;
+  for (std::size_t v = 0; v < member(json, "bufferViews").size(); ++v)
+    if (references_to(json, v) == 0) unread.push_back(v);
+  return unread;
+}
+
 bool EditedFile::is_changed() const { return !changed_.empty() || json != document_.json; }
 
 std::set<std::string> EditedFile::uris() const {

@@ -44,6 +44,9 @@ class EditedFile {
 
   std::size_t buffer_of(std::size_t view) const;
 
+  /// The bufferViews to which nothing refers.
+  std::vector<std::size_t> unread_views() const;
+
   /// Whether anything was changed so far.
   bool is_changed() const;
 

@@ -146,7 +146,7 @@ class ArrayEditor {
     return by_content_[{map.level, static_cast<unsigned>(map.format), {map.map.begin(), map.map.end()}}];
   }
 
-  /// Those among the records whose wanted maps other records have, and keep.
+  /// The records whose wanted maps are those of other records, which keep them.
   Records to_link(const std::map<std::size_t, std::size_t>& wanted) {
     Records linked;
     for (const auto& [r, map] : wanted)

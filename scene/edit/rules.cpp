@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "impl/micromap/array.hpp"
+#include "impl/micromap/validate.hpp"
 #include "scene/edit/index_codes.hpp"
 #include "scene/edit/map_edits.hpp"
 #include "scene/read/bad_scene.hpp"
@@ -53,17 +53,31 @@ class Rules {
   std::string repair(const FileViolation& violation) {
     using Repair = std::string (Rules::*)(const std::string&);
     static const std::map<std::string_view, Repair> repairs{
-        {"used.listed", &Rules::list_use},        {"required.unlisted", &Rules::unlist_requirement},
-        {"micromap.name", &Rules::erase},         {"micromap.missing", &Rules::count_records},
-        {"view.stride", &Rules::tighten},         {"usage.array", &Rules::count_records},
-        {"usage.integer", &Rules::count_records}, {"usage.length", &Rules::count_records},
-        {"counts.zero", &Rules::count_records},   {"counts.level_12", &Rules::count_records},
-        {"counts.format", &Rules::count_records}, {"counts.array", &Rules::count_records},
-        {"records.whole", &Rules::cut_records},   {"record.overlap", &Rules::lay_out},
-        {"record.region", &Rules::lay_out},       {"primitive.micromap", &Rules::first_micromap},
-        {"primitive.base", &Rules::erase},        {"indices.component", &Rules::unsigned_bytes},
-        {"indices.normalized", &Rules::erase},    {"indices.count", &Rules::cut_indices},
-        {"align.index", &Rules::align},           {"index.special", &Rules::drop_indices},
+        {"used.listed", &Rules::list_use},
+        {"required.unlisted", &Rules::unlist_requirement},
+        {"micromap.name", &Rules::erase},
+        {"micromap.missing", &Rules::count_records},
+        {"view.stride", &Rules::tighten},
+        {"usage.array", &Rules::count_records},
+        {"usage.integer", &Rules::count_records},
+        {"usage.length", &Rules::count_records},
+        {"counts.zero", &Rules::count_records},
+        {"counts.level_12", &Rules::count_records},
+        {"counts.format", &Rules::count_records},
+        {"counts.array", &Rules::count_records},
+        {"records.whole", &Rules::cut_records},
+        {"micromap.view", &Rules::find_views},
+        {"record.format", &Rules::find_views},
+        {"record.level_12", &Rules::find_views},
+        {"record.overlap", &Rules::lay_out},
+        {"record.region", &Rules::lay_out},
+        {"primitive.micromap", &Rules::first_micromap},
+        {"primitive.base", &Rules::erase},
+        {"indices.component", &Rules::unsigned_bytes},
+        {"indices.normalized", &Rules::erase},
+        {"indices.count", &Rules::cut_indices},
+        {"align.index", &Rules::align},
+        {"index.special", &Rules::drop_indices},
         {"index.range", &Rules::drop_indices},
     };
     const auto found = repairs.find(violation.rule);
@@ -179,10 +193,46 @@ class Rules {
       end += micromap::packed_bytes(micromap::micro_triangles(records.back().level),
                                     static_cast<micromap::Format>(records.back().format));
     }
-    if (end != file_.view(micromap_of(*number).at("data").get<std::size_t>()).size()) return "";
+    if (end != file_.view(micromap_of(*number).at("data").get<std::size_t>()).size())
+      return find_views(pointer);
     if (!file_.is_alone(view, 0, bytes.size())) return "";
     file_.overwrite(view, 0, micromap::record_buffer(records));
     return "laid the maps one after another";
+  }
+
+  /// Links a micromap to views that nothing else reads, if one pair of them is records and data that keep all rules: a
+  /// tool that renumbers views, and does not know the extension, leaves such.
+  std::string find_views(const std::string& pointer) {
+    constexpr std::size_t most = 64;
+    const auto number = number_behind(pointer, "micromaps");
+    if (!number) return "";
+    Json& given = micromap_of(*number);
+    const std::vector<std::size_t> views = file_.unread_views();
+    std::vector<std::pair<std::size_t, std::size_t>> fitting;
+    for (const std::size_t triangles : views)
+      for (const std::size_t data : views)
+        if (triangles != data && views.size() <= most && are_micromap(triangles, data, given))
+          fitting.emplace_back(triangles, data);
+    if (fitting.size() != 1) return "";
+    given["triangles"] = fitting[0].first;
+    given["data"] = fitting[0].second;
+    return "named bufferViews that nothing else reads";
+  }
+
+  /// Whether two views are the records and data that a micromap's usage counts are about.
+  bool are_micromap(std::size_t triangles, std::size_t data, const Json& given) const {
+    std::vector<micromap::UsageCount> counts;
+    for (std::size_t k = 0; k < given.at("usageCounts").size(); ++k)
+      counts.push_back({given["usageCounts"][k].get<std::uint32_t>(),
+                        given.at("usageLevels").at(k).get<std::uint32_t>(),
+                        given.at("usageFormats").at(k).get<std::uint32_t>()});
+    micromap::Input in;
+    in.sets = micromap::glTF;
+    in.records = file_.view(triangles);
+    in.record_count = in.records.size() / micromap::record_bytes;
+    in.data = file_.view(data);
+    in.array_counts = counts;
+    return in.record_count != 0 && micromap::validate(in).empty();
   }
 
   std::string first_micromap(const std::string& pointer) {

@@ -204,6 +204,19 @@ TEST(RepairedRules, OthersAreLeft) {
   done(s.file.glb(), 4);
 }
 
+TEST(RepairedRules, ViewsThatWereRenumberedAreFound) {
+  Subject s;
+  const Json data = s.micromap()["data"], records = s.micromap()["triangles"];
+  s.micromap()["data"] = 0;
+  s.micromap()["triangles"] = 1;
+  const OnDisk disk(s.file.glb());
+  EditedFile file = disk.opened();
+  const RepairedRules repaired = repair_rules(file);
+  EXPECT_TRUE(repaired.left.empty()) << lines(repaired.left);
+  EXPECT_EQ(file.json["extensions"][name]["micromaps"][0]["data"], data);
+  EXPECT_EQ(file.json["extensions"][name]["micromaps"][0]["triangles"], records);
+}
+
 TEST(RepairedRules, TouchesNothingElse) {
   Subject s;
   const std::string before = s.file.bytes;
