@@ -187,7 +187,7 @@ TEST(FileRepair, FlipsTheUnknownSideBack) {
     return recoded(states, {State::T, State::O, State::UO, State::UT});
   });
   const std::vector<std::string> did = back_to_right(planted);
-  EXPECT_EQ(number_of(did, "UT and UO exchanged"), did.size());
+  EXPECT_EQ(number_of(did, "recoded: UT and UO are exchanged"), did.size());
 }
 
 TEST(FileRepair, LeavesAChoiceOfSidesAlone) {
@@ -224,7 +224,7 @@ TEST(FileRepair, TakesTwoFaultsBack) {
     return recoded(states, {State::O, State::T, State::UT, State::UO});
   });
   const std::vector<std::string> did = back_to_right(planted);
-  EXPECT_GT(number_of(did, "T and O are exchanged; turned by 2 corners"), 3u);
+  EXPECT_GT(number_of(did, "recoded: T and O are exchanged; turned by 2 corners"), 3u);
 }
 
 TEST(FileRepair, ShiftsTheBaseBack) {

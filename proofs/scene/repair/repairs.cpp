@@ -103,7 +103,7 @@ class RepairSearch {
     if (turn->order != VertexOrder{0, 1, 2}) states = turned(states, map.level, turn->order);
     std::string did = from;
     for (const std::string& more :
-         {change ? map_changes()[*change].says : "", std::string(name_of(turn->order))})
+         {change ? "recoded: " + map_changes()[*change].says : "", std::string(name_of(turn->order))})
       if (!more.empty()) did += (did.empty() ? "" : "; ") + more;
     all_[k] = {Kind::found, packed(states, map.level, map.format), did, false};
     found_[k] = {unknown_of(all_[k].map), turn->side};
@@ -214,7 +214,8 @@ class RepairSearch {
       if (from.uniform || from.states[2] + from.states[3] == 0) continue;
       States states = states_of(from);
       for (State& s : states) s = s == State::UT ? State::UO : s == State::UO ? State::UT : s;
-      const std::string did = all_[k].did + (all_[k].did.empty() ? "" : "; ") + "UT and UO exchanged";
+      const std::string did =
+          all_[k].did + (all_[k].did.empty() ? "" : "; ") + "recoded: UT and UO are exchanged";
       all_[k] = {Kind::found, packed(states, from.level, from.format), did, false};
     }
   }
