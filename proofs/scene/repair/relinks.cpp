@@ -102,8 +102,8 @@ class RelinkSearch {
         const auto& p = judged_.scene.primitives[other];
         attempt({primitive, first.array, first.base, other,
                  fmt::format("linked as mesh {} primitive {} was", p.mesh, p.number)},
-                [&, this](const MapLink& link) {
-                  const MapLink& at = maps_.links[its[link.triangle]];
+                [&of_other = links_.at(other), this](const MapLink& link) {
+                  const MapLink& at = maps_.links[of_other[link.triangle]];
                   return LinkPlace{at.array, at.record};
                 });
       }
