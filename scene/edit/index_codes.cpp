@@ -11,10 +11,18 @@ namespace {
 using Json = nlohmann::json;
 using impl::micromap::Encoding;
 
-std::uint32_t code_at(std::span<const unsigned char> bytes, std::size_t at, std::size_t width) {
+Code code_at(std::span<const unsigned char> bytes, std::size_t at, Encoding encoding) {
+  const std::size_t width = impl::micromap::width(encoding) / 8;
   std::uint32_t code = 0;
   std::memcpy(&code, bytes.data() + at * width, width);
-  return code;
+  const auto state = impl::micromap::special_state(code, encoding);
+  return state ? special(*state) : Code{code};
+}
+
+/// The code as it is stored.  Domain: a code that the encoding holds.
+std::uint32_t stored(Code code, Encoding encoding) {
+  return is_special(code) ? impl::micromap::special_code(static_cast<impl::micromap::State>(~code), encoding)
+                          : static_cast<std::uint32_t>(code);
 }
 
 /// The triangles of a list, as the validator counts them.
@@ -43,16 +51,19 @@ int type_of_component(Encoding encoding) {
 }
 
 /// The codes in an encoding.
-Bytes bytes_of(const std::vector<std::uint32_t>& codes, Encoding encoding) {
+Bytes bytes_of(const std::vector<Code>& codes, Encoding encoding) {
   const std::size_t width = impl::micromap::width(encoding) / 8;
   Bytes bytes(codes.size() * width);
-  for (std::size_t t = 0; t < codes.size(); ++t) std::memcpy(bytes.data() + t * width, &codes[t], width);
+  for (std::size_t t = 0; t < codes.size(); ++t) {
+    const std::uint32_t code = stored(codes[t], encoding);
+    std::memcpy(bytes.data() + t * width, &code, width);
+  }
   return bytes;
 }
 
 /// The least encoding that holds plain codes up to `most`, from the given one on.
-Encoding holding(Encoding encoding, std::uint32_t most) {
-  while (most >= impl::micromap::index_limit(encoding)) {
+Encoding holding(Encoding encoding, Code most) {
+  while (static_cast<std::uint64_t>(most) >= impl::micromap::index_limit(encoding)) {
     if (encoding == Encoding::u32 || encoding == Encoding::i32)
       throw std::length_error("the indices reach beyond 32 bits");
     encoding = encoding == Encoding::u8    ? Encoding::u16
@@ -63,14 +74,11 @@ Encoding holding(Encoding encoding, std::uint32_t most) {
 }
 
 /// Updates the members min and max of an accessor, where it has them.
-void set_range(Json& accessor, const std::vector<std::uint32_t>& codes, Encoding encoding) {
+void set_range(Json& accessor, const std::vector<Code>& codes, Encoding encoding) {
   if (codes.empty()) return;
-  const auto value = [&](std::uint32_t code) {
-    const bool is_negative = is_signed(encoding) && code >= impl::micromap::index_limit(encoding);
-    return std::int64_t{code} - (is_negative ? std::int64_t{1} << impl::micromap::width(encoding) : 0);
-  };
-  std::int64_t least = value(codes[0]), greatest = least;
-  for (const std::uint32_t code : codes) {
+  const auto value = [&](Code code) { return is_signed(encoding) ? code : Code{stored(code, encoding)}; };
+  Code least = value(codes[0]), greatest = least;
+  for (const Code code : codes) {
     least = std::min(least, value(code));
     greatest = std::max(greatest, value(code));
   }
@@ -114,7 +122,7 @@ std::vector<LinkedPrimitive> linked_primitives(const EditedFile& file, const Doc
                           Encoding::u32,
                           {}};
       one.codes.resize(triangles_of(file.json, primitive));
-      for (std::size_t t = 0; t < one.codes.size(); ++t) one.codes[t] = static_cast<std::uint32_t>(t);
+      for (std::size_t t = 0; t < one.codes.size(); ++t) one.codes[t] = static_cast<Code>(t);
       if (given.contains("micromapIndices")) {
         one.accessor = given["micromapIndices"].get<std::size_t>();
         Report report;
@@ -122,7 +130,7 @@ std::vector<LinkedPrimitive> linked_primitives(const EditedFile& file, const Doc
             read_micromap_indices(document, buffers, *one.accessor, "", report).value();
         one.encoding = indices.encoding;
         for (std::size_t t = 0; t < one.codes.size(); ++t)
-          one.codes[t] = code_at(indices.bytes, t, impl::micromap::width(indices.encoding) / 8);
+          one.codes[t] = code_at(indices.bytes, t, indices.encoding);
       }
       all.push_back(std::move(one));
     }
@@ -130,15 +138,9 @@ std::vector<LinkedPrimitive> linked_primitives(const EditedFile& file, const Doc
 }
 
 void write_codes(EditedFile& file, const LinkedPrimitive& to, const std::vector<LinkedPrimitive>& others) {
-  std::uint32_t most = 0;
-  for (const std::uint32_t code : to.codes)
-    if (!impl::micromap::special_state(code, to.encoding)) most = std::max(most, code);
+  const std::vector<Code>& codes = to.codes;
+  const Code most = codes.empty() ? 0 : std::max<Code>(0, *std::max_element(codes.begin(), codes.end()));
   const Encoding encoding = holding(to.encoding, most);
-  std::vector<std::uint32_t> codes = to.codes;
-  if (encoding != to.encoding)
-    for (std::uint32_t& code : codes)
-      if (const auto state = impl::micromap::special_state(code, to.encoding))
-        code = impl::micromap::special_code(*state, encoding);
   const Bytes bytes = bytes_of(codes, encoding);
   Json accessor = {{"type", "SCALAR"}};
   if (to.accessor) {

@@ -8,6 +8,11 @@
 
 namespace mmverify::scene {
 
+/// A triangle's index, whatever its encoding: a number from 0; -1 T, -2 O, -3 UT, -4 UO.
+using Code = std::int64_t;
+constexpr Code special(impl::micromap::State state) { return ~static_cast<Code>(state); }
+constexpr bool is_special(Code code) { return code < 0; }
+
 /// The link of a primitive to its micromap.
 struct LinkedPrimitive {
   std::size_t mesh = 0, number = 0;  ///< meshes[mesh].primitives[number]
@@ -15,7 +20,7 @@ struct LinkedPrimitive {
   std::uint32_t base = 0;
   std::optional<std::size_t> accessor;  ///< of its indices; none: triangle t has index t
   impl::micromap::Encoding encoding = impl::micromap::Encoding::u32;
-  std::vector<std::uint32_t> codes;  ///< by triangle
+  std::vector<Code> codes;  ///< by triangle
 };
 
 /// All primitives with a micromap.  Domain: a file without findings of validate_micromaps().

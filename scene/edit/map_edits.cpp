@@ -107,8 +107,7 @@ class ArrayEditor {
       const BakedTriangle& map = maps_[wanted[t]];
       const auto record = record_of(primitive, t);
       if (record && array_.holds(array_.records[*record], map)) continue;
-      primitive.codes[t] =
-          map.uniform ? micromap::special_code(*map.uniform, primitive.encoding) : plain_code(map, primitive);
+      primitive.codes[t] = map.uniform ? special(*map.uniform) : plain_code(map, primitive);
       changes = true;
     }
     return changes;
@@ -123,9 +122,9 @@ class ArrayEditor {
 
  private:
   std::optional<std::size_t> record_of(const LinkedPrimitive& primitive, std::size_t t) const {
-    const std::uint32_t code = primitive.codes[t];
-    if (primitive.accessor && micromap::special_state(code, primitive.encoding)) return {};
-    return std::size_t{code} + primitive.base;
+    const Code code = primitive.codes[t];
+    if (is_special(code)) return {};
+    return static_cast<std::size_t>(code) + primitive.base;
   }
 
   struct Content {
@@ -161,14 +160,14 @@ class ArrayEditor {
   }
 
   /// The code of a record with this map, a new one where there is none.
-  std::uint32_t plain_code(const BakedTriangle& map, const LinkedPrimitive& primitive) {
+  Code plain_code(const BakedTriangle& map, const LinkedPrimitive& primitive) {
     Records& equal = equal_to(map);
     auto at = equal.lower_bound(primitive.base);
     if (at == equal.end()) {
       array_.records.push_back(array_.appended(map));
       at = equal.insert(array_.records.size() - 1).first;
     }
-    return static_cast<std::uint32_t>(*at - primitive.base);
+    return static_cast<Code>(*at - primitive.base);
   }
 
   void put(const char* name, std::span<const unsigned char> bytes) {

@@ -310,10 +310,10 @@ class Rules {
     if (!primitive->accessor) return "";
     std::size_t dropped = 0;
     for (std::size_t t = 0; t < primitive->codes.size(); ++t) {
-      std::uint32_t& code = primitive->codes[t];
-      if (special_state(code, primitive->encoding)) continue;
-      if (is_index(code, primitive->encoding) && std::uint64_t{code} + primitive->base < records) continue;
-      code = special_code(micromap::State::UO, primitive->encoding);
+      Code& code = primitive->codes[t];
+      if (is_special(code)) continue;
+      if (plain(*primitive, code) != 0 && plain(*primitive, code) + primitive->base <= records) continue;
+      code = special(micromap::State::UO);
       all_.unlinked.push_back({*mesh, *number, t});
       ++dropped;
     }
@@ -321,9 +321,12 @@ class Rules {
     return "made " + std::to_string(dropped) + (dropped == 1 ? " index" : " indices") + " special: unknown";
   }
 
-  /// The number behind a plain code; 0 for a special one.
-  static std::uint64_t plain(const LinkedPrimitive& primitive, std::uint32_t code) {
-    return primitive.accessor && !is_index(code, primitive.encoding) ? 0 : std::uint64_t{code} + 1;
+  /// The number behind a plain code; 0 for one that is none.
+  static std::uint64_t plain(const LinkedPrimitive& primitive, Code code) {
+    if (is_special(code)) return 0;
+    const bool is_valid =
+        !primitive.accessor || is_index(static_cast<std::uint32_t>(code), primitive.encoding);
+    return is_valid ? static_cast<std::uint64_t>(code) + 1 : 0;
   }
 
   EditedFile& file_;

@@ -274,6 +274,63 @@ TEST(WrittenMaps, ALoneRecordIsOverwritten) {
   EXPECT_EQ(after.bytes.substr(0, wanted.size()), wanted);
 }
 
+TEST(WrittenMaps, APrimitiveWithoutIndicesGetsThem) {
+  Subject s;
+  const OnDisk disk(s.file.glb());
+  EditedFile edited = disk.opened();
+  BakedTriangle map;
+  map.level = 1;
+  map.format = impl::micromap::Format::four_state;
+  map.map = impl::micromap::Bytes{0xe4};
+  write_maps(edited, {map}, {{0, 1, 0, 0}});  // its record is that of primitive 0, too
+  const Bytes written = edited.written().bytes;
+  EXPECT_TRUE(validate_micromaps("f.glb", written).empty()) << lines(validate_micromaps("f.glb", written));
+  Subject t;
+  t.file = taken_apart(written);
+  const Json& accessor = t.file.json["accessors"][t.extension(1)["micromapIndices"].get<std::size_t>()];
+  EXPECT_EQ(accessor["componentType"], 5125);
+  EXPECT_EQ(accessor["count"], 1);
+  EXPECT_EQ(t.byte_of(t.view_of(accessor["bufferView"]), 0), 1) << "record 2 from base triangle 1";
+  EXPECT_EQ(t.micromap()["usageCounts"], (Json{1, 1, 1}));
+}
+
+TEST(WrittenMaps, CodesThatANarrowTypeCannotHoldGetAWiderOne) {
+  Subject s;
+  // 8 bits, and records up to 252, which 8 bits name no more.
+  std::string records, data(4 + 252, '\0');
+  for (std::uint32_t k = 0; k < 252; ++k)
+    records += little_endian(k == 0 ? 0 : 3 + k) + std::string(k == 0 ? "\2\0\2\0" : "\1\0\1\0", 4);
+  s.micromap()["data"] = s.file.add_view(data);
+  s.micromap()["triangles"] = s.file.add_view(records);
+  s.micromap()["usageCounts"] = {1, 251};
+  s.micromap()["usageLevels"] = {2, 1};
+  s.micromap()["usageFormats"] = {2, 1};
+  s.accessor()["componentType"] = 5121;
+  s.file.set_buffer_length();
+  s.byte_of(s.indices_view(), 0) = 0;
+  s.byte_of(s.indices_view(), 1) = '\xfe';
+  ASSERT_TRUE(s.found().empty()) << lines(s.found());
+  const OnDisk disk(s.file.glb());
+  EditedFile edited = disk.opened();
+  BakedTriangle map;
+  map.level = 1;
+  map.format = impl::micromap::Format::four_state;
+  map.map = impl::micromap::Bytes{0xe4};
+  write_maps(edited, {map}, {{0, 0, 0, 0}, {0, 1, 0, 0}});
+  const Bytes written = edited.written().bytes;
+  EXPECT_TRUE(validate_micromaps("f.glb", written).empty()) << lines(validate_micromaps("f.glb", written));
+  map.map = impl::micromap::Bytes{0x1b};
+  EditedFile again = disk.opened();
+  write_maps(again, {map, map}, {{0, 0, 1, 0}});
+  Subject t;
+  t.file = taken_apart(again.written().bytes);
+  EXPECT_TRUE(t.found().empty()) << lines(t.found());
+  EXPECT_EQ(t.accessor()["componentType"], 5123);
+  EXPECT_EQ(t.byte_of(t.indices_view(), 0), 0);
+  EXPECT_EQ(t.byte_of(t.indices_view(), 2), '\xfc') << "record 252";
+  EXPECT_EQ(t.byte_of(t.indices_view(), 3), 0);
+}
+
 TEST(WrittenMaps, AUniformMapIsASpecialIndex) {
   Subject s;
   const OnDisk disk(s.file.glb());

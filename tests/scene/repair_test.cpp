@@ -360,6 +360,35 @@ TEST(FileRepair, GivesASharedRecordThatNeedsTwoTurnsASecondOne) {
     EXPECT_EQ(before.json[same], after.file.json[same]) << same;
 }
 
+TEST(FileRepair, PrimitivesThatShareIndicesButNotCornersGetTheirOwn) {
+  Planted planted;
+  // The same triangles once more, their corners turned by one.
+  Json* const first = planted.primitives()[0];
+  Json copy = *first;
+  const Json indices = copy["indices"];
+  const std::size_t size = planted.width(indices) * planted.count(indices);
+  std::string turned = planted.file.bytes.substr(planted.place(indices, 0), size);
+  const auto corner = static_cast<std::ptrdiff_t>(planted.width(indices));
+  for (auto at = turned.begin(); at != turned.end(); at += 3 * corner)
+    std::rotate(at, at + corner, at + 3 * corner);
+  Json accessor = planted.file.json["accessors"][indices.get<std::size_t>()];
+  accessor["bufferView"] = planted.file.add_view(turned);
+  accessor.erase("byteOffset");
+  copy["indices"] = planted.file.add("accessors", accessor);
+  planted.file.json["meshes"][0]["primitives"].push_back(copy);
+  planted.file.set_buffer_length();
+  const GltfFile before = planted.file;
+  const Repaired after = repaired(before.glb());
+  ASSERT_TRUE(after.is_whole);
+  EXPECT_GT(number_of(after.did, "turned by 1 corner"), 3u);
+  Json wanted = before.json["meshes"];
+  wanted[0]["primitives"].back()["extensions"][extension_name]["micromapIndices"] =
+      before.json["accessors"].size();
+  EXPECT_EQ(after.file.json["meshes"], wanted);
+  EXPECT_EQ(after.file.bytes.substr(0, before.bytes.size()), before.bytes)
+      << "all bytes before are others' too";
+}
+
 TEST(FileRepair, RandomMapsNeedTheBaker) {
   Planted planted;
   proofs::Random random(5, 0, 0);
