@@ -67,8 +67,13 @@ int repair(const RepairOptions& options) try {
   FileRepair repair(options.file, options.request);
   need_micromaps(options.file);
   repair.run();
-  if (!repair.report().is_right()) say(out, "{}\n", printable(options.file));
-  print_repairs(out, options, repair.scene(), repair.report());
+  const RepairReport& report = repair.report();
+  if (report.is_right() && report.judged.empty())
+    throw UsageError(
+        fmt::format("{}: no map can be judged: {}", options.file,
+                    report.not_judged.empty() ? "no triangle has one" : sentence(report.not_judged[0].why)));
+  if (!report.is_right() || !report.not_judged.empty()) say(out, "{}\n", printable(options.file));
+  print_repairs(out, options, repair.scene(), report);
   std::fflush(out);
   const int code = finished(options, repair, output, out);
   json.write([&] { return repairs_json(options, repair.scene(), repair.report()); });

@@ -20,6 +20,9 @@ using proofs::scene::RepairedTriangle;
 using proofs::scene::RepairReport;
 using OrderedJson = nlohmann::ordered_json;
 
+/// Lines of triangles' repairs that are printed without --details.
+constexpr std::size_t most_lines = 16;
+
 /// A repair without its numbers: "given the map of record 3" and "... of record 7" are of one kind.
 std::string kind_of(const std::string& did) {
   std::string kind;
@@ -64,6 +67,12 @@ OrderedJson triangles_json(const Scene& scene, const std::vector<RepairedTriangl
   return all;
 }
 
+void print_not_judged(std::FILE* out, const Scene& scene, const RepairReport& report) {
+  for (const NotJudged& one : report.not_judged)
+    say(out, "  not judged: {}, {} triangles: {}\n", name_of(scene, one.primitive), grouped(one.triangles),
+        sentence(one.why));
+}
+
 void print_left(std::FILE* out, const RepairOptions& options, const Scene& scene,
                 const RepairReport& report) {
   for (const FileViolation& one : report.broken) say(out, "  left: {}\n", printable(describe(one)));
@@ -84,12 +93,20 @@ void print_repairs(std::FILE* out, const RepairOptions& options, const Scene& sc
     say(out, "  {}: {}: {}\n", one.rule, printable(one.pointer), one.did);
   for (const RelinkedPrimitive& one : report.primitives)
     say(out, "  {}: {}\n", name_of(scene, one.primitive), one.did);
-  for (const auto& [key, count] : counted(report.triangles))
+  const Counts counts = counted(report.triangles);
+  std::size_t lines = 0;
+  for (const auto& [key, count] : counts) {
+    if (++lines > most_lines && !options.details) break;
     say(out, "  {}: {} of {} triangles {}\n", name_of(scene, key.first), grouped(count),
         grouped(report.judged.at(key.first)), key.second);
+  }
+  if (counts.size() > most_lines && !options.details)
+    say(out, "  and {} more such lines: {} triangles in all; --details prints them\n",
+        grouped(counts.size() - most_lines), grouped(report.triangles.size()));
   if (options.details)
     for (const RepairedTriangle& one : report.triangles)
       say(out, "    {} triangle {}: {}\n", name_of(scene, one.primitive), one.triangle, one.did);
+  print_not_judged(out, scene, report);
   print_left(out, options, scene, report);
 }
 

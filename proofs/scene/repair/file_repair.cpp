@@ -38,6 +38,7 @@ void FileRepair::run() {
   if (!report_.broken.empty()) return;
   scene_ = load(document());
   maps_ = stored_maps(document(), scene_);
+  report_.not_judged = maps_.not_judged;
   if (maps_.plan.triangles.empty()) return;
   relink();
   repair_maps(rules.unlinked);
@@ -47,6 +48,11 @@ std::string FileRepair::broken_law(const WrittenFile& written) {
   const auto open = [&] { return file_.reopened(written); };
   for (const FileViolation& violation : validate_micromaps(open)) return describe(violation);
   maps_ = stored_maps(open(), scene_);
+  if (maps_.plan.triangles.empty()) return "";
+  const std::vector<MapRepair> repairs = searched([](const auto& judged) { return map_repairs(judged); });
+  for (std::size_t k = 0; k < repairs.size(); ++k)
+    if (repairs[k].kind != MapRepair::Kind::none)
+      return "the map of triangle " + std::to_string(maps_.link(k).triangle) + " is still wrong";
   const SceneArrays no_arrays;
   const Pairs no_pairs;
   const SquareMaps no_squares;

@@ -33,7 +33,8 @@ struct RepairReport {
   std::vector<RelinkedPrimitive> primitives;
   std::vector<RepairedTriangle> triangles, left;
   std::map<std::size_t, std::size_t> judged;  ///< triangles with maps by primitive
-  std::string cause;                          ///< the one of the maps that are left, where there is one
+  std::vector<mmverify::scene::NotJudged> not_judged;
+  std::string cause;  ///< the one of the maps that are left, where there is one
 
   bool is_right() const { return rules.empty() && primitives.empty() && triangles.empty() && is_whole(); }
   bool is_whole() const { return broken.empty() && left.empty(); }
@@ -59,7 +60,8 @@ class FileRepair {
   const mmverify::scene::Scene& scene() const { return scene_; }
   mmverify::scene::EditedFile& file() { return file_; }
 
-  /// The rule, or the law of baking, that the file breaks as it is written; empty where it keeps all of them.
+  /// The rule, or the law of baking, that the file breaks as it is written; empty where it keeps all of them, and each map
+  /// is that of the exact baker.
   /// Domain: after run(), of which nothing is left.  Errors: as of run().
   std::string broken_law(const mmverify::scene::WrittenFile& written);
 
