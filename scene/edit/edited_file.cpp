@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <functional>
+#include <stdexcept>
 
 #include "scene/edit/base64.hpp"
 #include "scene/edit/json_patch.hpp"
@@ -209,7 +210,9 @@ std::string EditedFile::json_text(const Json& changed) const {
   std::string text = split(original_, file_).json;
   if (changed == document_.json) return text;
   if (is_glb(original_)) text.erase(text.find_last_not_of(' ') + 1);  // the padding
-  return patched_json(text, document_.json, changed);
+  const std::string patched = patched_json(text, document_.json, changed);
+  if (Json::parse(patched) != changed) throw std::logic_error(file_ + ": the JSON was patched wrongly");
+  return patched;
 }
 
 WrittenFile EditedFile::written() const {

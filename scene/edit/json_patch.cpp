@@ -15,6 +15,7 @@ class Patch {
   explicit Patch(const std::string& text) : text_(text) {}
 
   std::string patched(const Json& was, const Json& is) {
+    if (text_.starts_with("\xef\xbb\xbf")) keep(3);  // the mark of UTF-8
     value(was, is);
     keep(text_.size());
     return std::move(out_);

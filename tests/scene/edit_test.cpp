@@ -1,7 +1,7 @@
 // scene/edit/: what is changed in a file, and that the rest of it stays.
 #include <gtest/gtest.h>
 
-#include "scene/edit/base64.hpp"
+#include "proofs/engine/random.hpp"
 #include "scene/edit/edited_file.hpp"
 #include "scene/edit/json_patch.hpp"
 #include "scene/edit/map_edits.hpp"
@@ -64,6 +64,55 @@ TEST(PatchedJson, ReadsEscapedNames) {
 TEST(PatchedJson, RefusesAnotherText) {
   EXPECT_THROW(patched_json("[1,2", Json{1, 2}, Json{1, 3}), std::invalid_argument);
   EXPECT_THROW(patched_json("[1]", Json{1, 2}, Json{1, 3}), std::invalid_argument);
+}
+
+/// A random value, at most so deep.
+Json random_json(proofs::Random& random, int depth) {
+  const auto kind = random.below(depth == 0 ? 4 : 6);
+  if (kind == 0) return random.below(9);
+  if (kind == 1) return std::string("a\"}],{\\ b").substr(0, random.below(10));
+  if (kind == 2) return random.below(2) == 0 ? Json(nullptr) : Json(0.5);
+  if (kind == 3) return -1.5e30;
+  Json all = kind == 4 ? Json::array() : Json::object();
+  for (auto k = random.below(5); k != 0; --k)
+    if (kind == 4)
+      all.push_back(random_json(random, depth - 1));
+    else
+      all["m\"" + std::to_string(random.below(4))] = random_json(random, depth - 1);
+  return all;
+}
+
+/// Changes a random part of a value.
+void change_somewhere(Json& value, proofs::Random& random) {
+  if (value.is_structured() && !value.empty() && random.below(4) != 0) {
+    auto at = value.begin();
+    std::advance(at, static_cast<std::ptrdiff_t>(random.below(value.size())));
+    if (random.below(4) == 0)
+      value.erase(at);
+    else
+      change_somewhere(*at, random);
+    return;
+  }
+  if (value.is_array())
+    value.insert(value.begin() + static_cast<std::ptrdiff_t>(random.below(value.size() + 1)), 7);
+  else if (value.is_object())
+    value["new"] = {1, 2};
+  else
+    value = random_json(random, 1);
+}
+
+TEST(PatchedJson, RandomChangesOfRandomTexts) {
+  proofs::Random random(11, 0, 0);
+  for (int round = 0; round < 5000; ++round) {
+    const Json was = random_json(random, 4);
+    Json is = was;
+    for (auto k = random.below(4); k != 0; --k) change_somewhere(is, random);
+    const std::string mark = random.below(8) == 0 ? "\xef\xbb\xbf" : "";
+    const std::string text = mark + was.dump(static_cast<int>(random.below(4)) - 1) + "\n";
+    const std::string out = patched_json(text, was, is);
+    ASSERT_EQ(Json::parse(out), is) << text << out;
+    ASSERT_TRUE(was != is || out == text) << text << out;
+  }
 }
 
 /// A file on disk.
