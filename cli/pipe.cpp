@@ -200,9 +200,7 @@ void add_maps(CLI::App& command, CheckMapsOptions& options) {
       ->check(CLI::IsMember({2, 4}));
   command.add_option("--margin", options.margin, "maps: texels by which micro-triangles were dilated")
       ->check(finite_within(0, 64));
-  command.add_option("--samples", options.samples, "maps: micro-triangles that each law is checked on")
-      ->check(whole_within(1, std::uint64_t{1} << 40));
-  command.add_flag("--exhaustive", options.exhaustive, "maps: all micro-triangles");
+  add_effort(command, options.effort, "maps: ");
   command.add_option("--replay", options.replay, "maps: show one case of a law again")->type_name("LAW");
   command.add_option("--case", options.at, "the case of --replay")->type_name("LEVEL@CASE");
   command.add_flag("--quiet", options.quiet, "no progress");

@@ -215,10 +215,9 @@ int check_maps(const CheckMapsOptions& options) {
   const SquareMaps no_squares;
   const proofs::scene::Data data{scene,    maps.plan,  maps.baked,     no_arrays,
                                  no_pairs, no_squares, options.margin, options.states == 2};
-  proofs::scene::BakeSample sample;
-  if (!options.exhaustive) sample.size = options.samples;
   const proofs::scene::SceneLaws laws = proofs::scene::map_laws(
-      data, sample, options.raw.data.empty() ? options.file : options.raw.data, command_of(options));
+      data, sample_of(options.effort, data, 0, proofs::scene::work_of_a_minute),
+      options.raw.data.empty() ? options.file : options.raw.data, command_of(options));
   if (!options.replay.empty()) return replayed(laws, options);
   std::fflush(out);
   TextReport text(out, false);

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "cli/scene/bake_effort.hpp"
+
 namespace mmverify::cli {
 
 /// An array as in the buffers of a build: files with its bytes.
@@ -18,11 +20,12 @@ struct RawArray {
 struct CheckMapsOptions {
   std::string file, json, junit, replay, at;
   RawArray raw;
-  std::uint64_t samples = 60000, seed = 1;
+  BakeEffort effort;
+  std::uint64_t seed = 1;
   std::size_t errors = 1;
   int states = 4;
   float margin = 0;
-  bool exhaustive = false, quiet = false;
+  bool quiet = false;
 };
 
 /// Reads the maps, checks that they are well-formed, and runs the laws of baking on them. Returns the exit

@@ -16,6 +16,7 @@
 #include "cli/output_file.hpp"
 #include "cli/plot_file.hpp"
 #include "cli/run_identity.hpp"
+#include "cli/scene/bake_effort.hpp"
 #include "cli/scene/loaded.hpp"
 #include "cli/scene/scene.hpp"
 #include "cli/streams.hpp"
@@ -44,9 +45,10 @@ using proofs::RunOptions;
 struct SceneOptions {
   std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at, subject;
   double timeout = 10;
-  std::uint64_t memory = std::uint64_t{1} << 30, samples = 60000, seed = 1;
+  std::uint64_t memory = std::uint64_t{1} << 30, seed = 1;
+  BakeEffort effort;
   unsigned threads = 0, level_limit = finest_level;
-  bool exhaustive = false, quiet = false;
+  bool no_laws = false, quiet = false;
   float margin = 0;
   int states = 4;
 };
@@ -279,9 +281,10 @@ int scene(const SceneOptions& options) {
   const proofs::scene::Data data{loaded,     made.plan,    made.baked,     made.arrays,
                                  made.pairs, made.squares, options.margin, options.states == 2};
   if (baker) return judged(data, baker, options, output);
-  proofs::scene::BakeSample sample;
-  if (!options.exhaustive) sample.size = options.samples;
-  const proofs::scene::SceneLaws laws = proofs::scene::scene_laws(data, sample, command(options));
+  const proofs::scene::SceneLaws laws =
+      options.no_laws ? proofs::scene::SceneLaws()
+                      : proofs::scene::scene_laws(data, sample_of(options.effort, data, options.threads),
+                                                  command(options));
   if (!options.replay.empty()) return replayed(laws.jobs, options);
   print_left_out(output.text(), laws.left_out);
 
@@ -295,10 +298,10 @@ int scene(const SceneOptions& options) {
   print_figures(output.text(), figures);
   output.glb(made.plan, loaded, made.arrays);
 
-  say(output.text(), "\nlaws on this scene\n");
+  if (!options.no_laws) say(output.text(), "\nlaws on this scene\n");
   std::fflush(output.text());
   const Report report =
-      ran(laws.jobs, options, output.text(), options.exhaustive ? "all" : fmt::format("{}", options.samples));
+      options.no_laws ? Report() : ran(laws.jobs, options, output.text(), word_of(options.effort));
   output.plot(figures);
   output.json(report, scene_json(&figures, loaded, made.plan, laws.left_out));
   return exit_code(report);
@@ -355,9 +358,8 @@ Action add_scene(CLI::App& program) {
           "texels by which micro-triangles are dilated along both axes; sampler: 5/1024, for 8-bit weights")
       ->transform(CLI::Transformer(std::map<std::string, float>{{"sampler", sampler_margin}}))
       ->check(finite_within(0, 64));
-  command->add_option("--samples", options->samples, "micro-triangles that each law of baking is checked on")
-      ->check(whole_within(1, std::uint64_t{1} << 40));
-  command->add_flag("--exhaustive", options->exhaustive, "run the laws of baking on all micro-triangles");
+  add_effort(*command, options->effort);
+  auto* const no_laws = command->add_flag("--no-laws", options->no_laws, "bake, without the laws");
   auto* const sizes = command
                           ->add_option("--sizes", options->sizes,
                                        "also the sizes with every triangle at each of these levels")
@@ -376,8 +378,8 @@ Action add_scene(CLI::App& program) {
       ->add_option("--threads", options->threads,
                    "worker threads; as many as the machine has where not given")
       ->check(whole_within(1, 1024));
-  add_replay(*command, *options, {json, output, plot, sizes});
-  add_subject(*command, *options, {states, output, sizes});
+  add_replay(*command, *options, {json, output, plot, sizes, no_laws});
+  add_subject(*command, *options, {states, output, sizes, no_laws});
   command->add_flag("--quiet", options->quiet, "no progress");
   return [options] { return scene(*options); };
 }

@@ -1,8 +1,10 @@
 // The laws of baking, on a scene's own triangles.
+#include <algorithm>
 #include <cstdio>
-#include <limits>
 
 #include "proofs/engine/random.hpp"
+#include "proofs/scene/bake_sample.hpp"
+#include "proofs/scene/claimed.hpp"
 #include "proofs/scene/exact_surface.hpp"
 #include "proofs/scene/laws.hpp"
 #include "spec/micromap/micromap.hpp"
@@ -13,20 +15,6 @@ namespace {
 namespace micromap = impl::micromap;
 using mmverify::scene::BakedTriangle;
 using spec::bake::State;
-
-unsigned code_of(const BakedTriangle& t, std::uint32_t index) {
-  if (t.uniform) return static_cast<unsigned>(*t.uniform);
-  const unsigned b = micromap::bits(t.format);
-  return t.map[std::size_t{index} * b / 8] >> (index * b % 8) & ((1u << b) - 1);
-}
-
-/// Whether a code is that of a known state, T or O.
-constexpr bool is_known(unsigned code) { return code < 2; }
-
-struct Place {
-  std::size_t triangle;
-  std::uint32_t index;
-};
 
 /// The planned triangles of a level, and the surfaces to judge them by.
 struct OfLevel {
@@ -40,28 +28,6 @@ struct OfLevel {
   }
 };
 
-/// A law: the codes that it is about, and the true state that denies them.
-struct Claim {
-  const char* id;
-  const char* says;
-  enum About { known, unknown, forced } what;
-  const char* states;  ///< the states that it is about, in words
-
-  bool about(unsigned code) const { return what == forced || is_known(code) == (what == known); }
-  /// Whether a code agrees with the true state.  `leans`: whether alpha at the centroid is rather opaque.  Domain: a
-  /// code that the law is about.
-  bool holds(unsigned code, State truly, bool leans) const {
-    if (what == unknown) return truly == State::C;
-    if (what == forced && truly == State::C) return code == (leans ? 1u : 0u);
-    return truly == (code == 1 ? State::O : State::T);
-  }
-  /// The number of micro-triangles of a map that the law is about.
-  std::uint64_t count(const BakedTriangle& t) const {
-    return (what == unknown ? 0 : t.states[0] + t.states[1]) +
-           (what == known ? 0 : t.states[2] + t.states[3]);
-  }
-};
-
 constexpr Claim conservative{"bake.conservative", "a micro-triangle is T or O only where all of it is",
                              Claim::known, "T and O"};
 constexpr Claim tight{"bake.tight", "a micro-triangle is unknown only where it is truly mixed",
@@ -70,15 +36,15 @@ constexpr Claim forced{"bake.force2",
                        "in 2-state a mixed micro-triangle is as alpha at its centroid, another what it is",
                        Claim::forced, "2-state"};
 
-std::string text(const Place& p) { return fmt::format("t{}:i{}", p.triangle, p.index); }
+std::string text(const MicroTriangle& p) { return fmt::format("t{}:i{}", p.triangle, p.index); }
 
 const char* name_of_code(unsigned code) {
   return spec::micromap::name_of(static_cast<spec::micromap::State>(code));
 }
 
-void judge(const Claim& claim, const OfLevel& of, Level n, const Place& p, std::uint64_t number,
+void judge(const Claim& claim, const OfLevel& of, Level n, const MicroTriangle& p, std::uint64_t number,
            Tally& tally) {
-  const unsigned code = code_of(of.data.baked.triangles[p.triangle], p.index);
+  const unsigned code = state_code(of.data.baked.triangles[p.triangle], p.index);
   const State truly = of.exact->state(p.triangle, n, p.index);
   const bool leans =
       claim.what == Claim::forced && truly == State::C && of.exact->rather_opaque(p.triangle, n, p.index);
@@ -93,25 +59,18 @@ void judge(const Claim& claim, const OfLevel& of, Level n, const Place& p, std::
   });
 }
 
-/// A micro-triangle that the claim is about, drawn by a number.  Every second one is near a change of state, if 512
+/// A micro-triangle that the claim is about, drawn by a number.  Every second one is near a change of state, if 64
 /// draws find such.
-Place drawn(const Claim& claim, const OfLevel& of, const std::vector<std::size_t>& from, Level n,
-            std::uint64_t seed, std::uint64_t number) {
+MicroTriangle drawn(const Claim& claim, const OfLevel& of, const Claimed& from, Level n, std::uint64_t seed,
+                    std::uint64_t number) {
   Random random(seed, 70 + static_cast<std::uint64_t>(claim.what), number << 5 | n);
-  Place best{from.front(), 0};
-  bool found = false;
-  for (int draw = 0; draw < 512; ++draw) {
-    const Place p{from[random.below(from.size())],
-                  static_cast<std::uint32_t>(random.below(micromap::micro_triangles(n)))};
-    if (!claim.about(code_of(of.data.baked.triangles[p.triangle], p.index))) continue;
-    if (!found) best = p, found = true;
-    if (number % 2 == 0 || of.exact->near_change(p.triangle, n, p.index)) return p;
-  }
-  if (found) return best;
-  // Rare states: the first one of some triangle.
-  for (std::uint32_t k = 0;; ++k)
-    if (claim.about(code_of(of.data.baked.triangles[from[number % from.size()]], k)))
-      return {from[number % from.size()], k};
+  const auto any = [&] { return from.at(random.next() % from.size()); };
+  const MicroTriangle first = any();
+  if (number % 2 == 0) return first;
+  MicroTriangle p = first;
+  for (int draw = 0; draw < 64; ++draw, p = any())
+    if (of.exact->near_change(p.triangle, n, p.index)) return p;
+  return first;
 }
 
 /// Judges node `index` of depth m, all of whose 4^(n-m) micro-triangles are in the chunk.
@@ -121,7 +80,7 @@ void descend(const Claim& claim, const OfLevel& of, Level n, std::size_t triangl
   const std::uint64_t count = std::uint64_t{1} << (2 * (n - m));
   const BakedTriangle& baked = of.data.baked.triangles[triangle];
   if (m == n) {
-    if (claim.about(code_of(baked, index))) judge(claim, of, n, {triangle, index}, base + index, tally);
+    if (claim.about(state_code(baked, index))) judge(claim, of, n, {triangle, index}, base + index, tally);
     return;
   }
   const State truly = of.exact->state(triangle, m, index);
@@ -133,7 +92,7 @@ void descend(const Claim& claim, const OfLevel& of, Level n, std::size_t triangl
   // All micro-triangles of a node that is T or O have that state.
   const unsigned right = truly == State::O ? 1 : 0;
   for (std::uint32_t k = first; k < first + count; ++k) {
-    const unsigned code = code_of(baked, k);
+    const unsigned code = state_code(baked, k);
     if (!claim.about(code)) continue;
     if (code != right) {
       judge(claim, of, n, {triangle, k}, base + k, tally);
@@ -144,8 +103,6 @@ void descend(const Claim& claim, const OfLevel& of, Level n, std::size_t triangl
   }
 }
 
-constexpr Level piece = 4;  ///< a unit of the whole domain has 4^piece micro-triangles
-
 Replayed replay(const Claim& claim, const Data& data, const ExactSurfaces& exact, Level n,
                 const std::string& at) {
   std::size_t triangle = 0;
@@ -154,7 +111,7 @@ Replayed replay(const Claim& claim, const Data& data, const ExactSurfaces& exact
       fmt::format("t{}:i{}", triangle, index) != at || triangle >= data.baked.triangles.size() ||
       data.baked.triangles[triangle].level != n || index >= micromap::micro_triangles(n))
     throw BadCase(fmt::format("{}: no micro-triangle of level {} of this scene; write t17:i1234", at, n));
-  const unsigned code = code_of(data.baked.triangles[triangle], index);
+  const unsigned code = state_code(data.baked.triangles[triangle], index);
   const State truly = exact.state(triangle, n, index);
   const bool leans =
       claim.what == Claim::forced && truly == State::C && exact.rather_opaque(triangle, n, index);
@@ -176,34 +133,27 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
   law.says = claim.says;
   law.source = "design of state: closed micro-triangles, glTF 2.0 Alpha Coverage; spec/bake/state.hpp";
   law.divisible = true;
-  const auto total = [&data, claim](Level n) {
-    std::uint64_t sum = 0;
-    for (const BakedTriangle& t : data.baked.triangles)
-      if (t.level == n) sum += claim.count(t);
-    return sum;
+  const LookedByLevel levels = looked_at(claim, data, sample);
+  law.cases = [levels](Level n, const Run&) { return levels.at(n).at; };
+  if (std::any_of(levels.begin(), levels.end(), [](const Looked& l) { return !l.whole(); }))
+    law.method = Method::sample;
+  law.domain = [levels, claim](Level n) {
+    return fmt::format("the {} {} micro-triangles of level {} of this scene{}", levels.at(n).all,
+                       claim.states, n,
+                       levels.at(n).whole() ? ""
+                                            : "; every second one drawn within a texel of a change, where 64 "
+                                              "draws find one");
   };
-  std::uint64_t levels = 0;
-  for (Level n = 0; n <= 12; ++n) levels += total(n) != 0;
-  const std::uint64_t most = sample.size && levels != 0 ? (*sample.size + levels - 1) / levels
-                                                        : std::numeric_limits<std::uint64_t>::max();
-  const auto cases = [total, most](Level n) { return std::min(most, total(n)); };
-  law.cases = [cases](Level n, const Run&) { return cases(n); };
-  const auto whole = [total, most](Level n) { return total(n) <= most; };
-  for (const BakedTriangle& t : data.baked.triangles)
-    if (!whole(t.level)) law.method = Method::sample;
-  law.domain = [total, whole, claim](Level n) {
-    return fmt::format(
-        "the {} {} micro-triangles of level {} of this scene{}", total(n), claim.states, n,
-        whole(n) ? "" : "; every second one drawn within a texel of a change, where 512 draws find one");
+  law.how = [levels](Level n) {
+    return std::string(levels.at(n).whole() ? "exhaustive, rational" : "sample, rational");
   };
-  law.how = [whole](Level n) { return std::string(whole(n) ? "exhaustive, rational" : "sample, rational"); };
-  law.unfit = [total, claim](const Subject&, Level n) -> std::optional<std::string> {
-    if (total(n) != 0) return std::nullopt;
+  law.unfit = [levels, claim](const Subject&, Level n) -> std::optional<std::string> {
+    if (levels.at(n).all != 0) return std::nullopt;
     return fmt::format("no micro-triangle is {}", claim.states);
   };
-  law.judge = [claim, &data, exact, whole, cases](const Subject&, Level n, const Run& run) {
+  law.judge = [claim, &data, exact, levels](const Subject&, Level n, const Run& run) {
     const OfLevel of(data, exact, n);
-    if (whole(n)) {
+    if (levels.at(n).whole()) {
       const Level depth = n > piece ? n - piece : 0;
       const std::uint64_t pieces = std::uint64_t{1} << (2 * depth);
       return sweep(run, of.triangles.size() * pieces, 16, [&](Chunk chunk, Tally& tally) {
@@ -212,10 +162,8 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
                   (k / pieces) << (2 * n), tally);
       });
     }
-    std::vector<std::size_t> from;
-    for (const std::size_t k : of.triangles)
-      if (claim.count(data.baked.triangles[k]) != 0) from.push_back(k);
-    return sweep(run, cases(n), 64, [&](Chunk chunk, Tally& tally) {
+    const Claimed from(claim, data.baked, n);
+    return sweep(run, levels.at(n).at, 64, [&](Chunk chunk, Tally& tally) {
       for (std::uint64_t k = chunk.begin; k < chunk.end; ++k)
         judge(claim, of, n, drawn(claim, of, from, n, run.seed, k), k, tally);
     });

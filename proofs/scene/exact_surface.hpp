@@ -6,7 +6,7 @@
 
 #include "proofs/engine/result.hpp"
 #include "scene/plan/plan.hpp"
-#include "spec/bake/boxes.hpp"
+#include "spec/bake/range.hpp"
 
 namespace mmverify::proofs::scene {
 

@@ -2,14 +2,10 @@
 #pragma once
 
 #include "proofs/engine/runner.hpp"
+#include "proofs/scene/bake_sample.hpp"
 #include "proofs/scene/subject_maps.hpp"
 
 namespace mmverify::proofs::scene {
-
-/// How many micro-triangles a law of baking looks at, as many of each level that occurs; none: all.
-struct BakeSample {
-  std::optional<std::uint64_t> size;
-};
 
 // `data` outlives the laws.
 std::vector<Law> bake_laws(const Data& data, const BakeSample& sample);

@@ -117,6 +117,15 @@ bool has_area(const Polygon<Q>& polygon) {
   return false;
 }
 
+/// The centroid: the mean of the corners.
+template <class Q>
+Place<Q> centroid(const Polygon<Q>& polygon) {
+  Place<Q> sum{0, 0};
+  for (const Place<Q>& p : polygon) sum = {sum.x + p.x, sum.y + p.y};
+  const Q share = fraction<Q>(1, static_cast<std::int64_t>(polygon.size()));
+  return {sum.x * share, sum.y * share};
+}
+
 /// The corners of the convex hull of some points, each once; fewer than three if they are on a line.
 /// Domain: any points.  Source: A. M. Andrew, Another Efficient Algorithm for Convex Hulls in Two Dimensions.
 template <class Q>

@@ -160,6 +160,14 @@ void halves(const BoxPart<Q>& one, bool by_column, const Q& offset, Take take) {
   }
 }
 
+/// Whether a box is cut across its columns: the longer axis, but for one that repeats where the other does not.
+inline bool across_columns(const Box& box, const Box& texels) {
+  const bool columns_repeat = box.columns.size() > 2 * texels.columns.size(),
+             rows_repeat = box.rows.size() > 2 * texels.rows.size();
+  if (columns_repeat != rows_repeat) return rows_repeat;
+  return box.columns.size() >= box.rows.size();
+}
+
 /// Cuts a polygon into parts in boxes of squares, the largest first, until each is settled.
 ///   settled(texels, one, whole): whether nothing more is to be learnt from a box and its part, given the box's least
 ///   and greatest texel; `whole`: all of the box is in the polygon
@@ -183,9 +191,40 @@ void for_each_box(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Settled 
     if (!by_column && !by_row)
       leaf(one.box.columns.first, one.box.rows.first, one.part);
     else
-      halves(one, by_column && (!by_row || one.box.columns.size() >= one.box.rows.size()), offset,
+      halves(one, by_column && (!by_row || across_columns(one.box, texels)), offset,
              [&boxes](BoxPart<Q> half) { boxes.push_back(std::move(half)); });
   }
+}
+
+/// Boxes of fewer squares are halved without a look at single texels.
+inline constexpr std::int64_t few_squares = 8;
+
+/// Whether a convex polygon with an area holds a place.
+template <class Q>
+bool holds(const Polygon<Q>& polygon, const Place<Q>& p) {
+  bool left = false, right = false;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Place<Q>&from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
+    const Q side = (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+    (side > 0 ? left : right) |= side != 0;
+  }
+  return left != right;
+}
+
+/// The index that means the same texel as `index` whose centre is nearest to a coordinate.
+template <class Q>
+std::int64_t nearest_index(Wrap wrap, std::int64_t index, std::uint32_t size, const Q& coordinate) {
+  if (wrap != Wrap::repeat && wrap != Wrap::mirrored_repeat) return index;
+  const std::int64_t period = (wrap == Wrap::repeat ? 1 : 2) * static_cast<std::int64_t>(size);
+  return index + period * floored((coordinate - fraction<Q>(index, 1)) / Q(period));
+}
+
+/// Whether the centre of a texel, or of one that means the same, lies in the part of a box.
+template <class Q, class Texel>
+bool has_centre(const TextureOf<Texel>& t, const Polygon<Q>& part, const Place<Q>& middle,
+                const TexelAt<Texel>& at) {
+  return holds(part, {Cell<Q>::along(nearest_index(t.wrap_x, at.i, t.width, middle.x)),
+                      Cell<Q>::along(nearest_index(t.wrap_y, at.j, t.height, middle.y))});
 }
 
 /// The range over the part of a polygon in one square, or in squares along whose side alpha is constant.
@@ -195,42 +234,6 @@ Range<Q> range_in_square(const TextureOf<Texel>& t, std::int64_t i, std::int64_t
   const Cell<Q> cell(t, i, j);
   for (Place<Q>& p : part) p = cell.local(p);
   return range(cell, part);
-}
-
-/// The range over any polygon, up to the first extremes that are enough: range_by_parts(), unless `enough` is true of
-/// a lesser range on the way.
-/// Domain, errors: those of for_each_part.
-template <class Q, class Texel, class Enough>
-Range<Q> range(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Enough enough) {
-  std::optional<Range<Q>> found;
-  const auto take = [&found](const Range<Q>& here) {
-    if (!found) found = here;
-    found->take(here.least);
-    found->take(here.greatest);
-  };
-  for_each_box<Q>(
-      t, polygon,
-      [&](const BoxTexels<Texel>& texels, const BoxPart<Q>&, bool whole) {
-        if (found && enough(*found)) return true;
-        const Range<Q> bound = range<Q>(t, texels);
-        if (found && found->least <= bound.least && bound.greatest <= found->greatest) return true;
-        if (!whole && bound.least < bound.greatest) return false;
-        take(bound);
-        return true;
-      },
-      [&](std::int64_t i, std::int64_t j, const Polygon<Q>& part) { take(range_in_square(t, i, j, part)); });
-  return found.value();
-}
-
-/// The range over any polygon.
-template <class Q, class Texel>
-Range<Q> range(const TextureOf<Texel>& t, const Polygon<Q>& polygon) {
-  return range(t, polygon, [](const Range<Q>&) { return false; });
-}
-
-template <class Q, class Texel>
-State state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Q& cutoff) {
-  return state(range(t, polygon), cutoff);
 }
 
 }  // namespace mmverify::spec::bake

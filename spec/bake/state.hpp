@@ -10,7 +10,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "spec/bake/boxes.hpp"
+#include "spec/bake/range.hpp"
 #include "spec/index/index.hpp"
 #include "spec/micromap/micromap.hpp"
 
@@ -134,15 +134,6 @@ Polygon<Q> micro_triangle(const BaseTriangle<Q>& uv, Level n, std::uint32_t inde
     polygon.push_back({along(&Place<Q>::x) * Q(width), along(&Place<Q>::y) * Q(height)});
   }
   return polygon;
-}
-
-/// The centroid: the mean of the corners.
-template <class Q>
-Place<Q> centroid(const Polygon<Q>& polygon) {
-  Place<Q> sum{0, 0};
-  for (const Place<Q>& p : polygon) sum = {sum.x + p.x, sum.y + p.y};
-  const Q share = fraction<Q>(1, static_cast<std::int64_t>(polygon.size()));
-  return {sum.x * share, sum.y * share};
 }
 
 /// The state of a micro-triangle: O or T if it is so in every mip level that may be sampled; else UO or UT, as alpha at

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "impl/bake/square/map.hpp"
-#include "spec/bake/boxes.hpp"
+#include "spec/bake/range.hpp"
 #include "tests/sanitized.hpp"
 
 namespace impl_bake_test {

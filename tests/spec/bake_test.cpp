@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "spec/bake/boxes.hpp"
+#include "spec/bake/range.hpp"
 
 namespace spec_bake_test {
 
