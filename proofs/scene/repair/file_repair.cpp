@@ -58,7 +58,8 @@ std::string FileRepair::broken_law(const WrittenFile& written) {
   const SquareMaps no_squares;
   const Data data{scene_,   maps_.plan, maps_.baked,     no_arrays,
                   no_pairs, no_squares, request_.margin, request_.two_state};
-  const SceneLaws laws = map_laws(data, {request_.samples}, file_.document().file, "mmverify check maps");
+  const SceneLaws laws =
+      map_laws(data, {.size = request_.samples}, file_.document().file, "mmverify check maps");
   RunOptions run;
   run.seed = request_.seed;
   run.show_progress = request_.show_progress;
