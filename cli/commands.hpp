@@ -31,6 +31,7 @@ Action add_report(CLI::App& program);
 Action add_gen(CLI::App& program);
 Action add_check(CLI::App& program);
 Action add_validate(CLI::App& program);
+Action add_repair(CLI::App& program);
 Action add_vectors(CLI::App& program);
 Action add_schema(CLI::App& program);
 Action add_completion(CLI::App& program);

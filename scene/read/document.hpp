@@ -3,6 +3,7 @@
 
 #include <tiny_gltf.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -18,6 +19,7 @@ struct Document {
   nlohmann::json json;          ///< all of it, checked
   tinygltf::Model model;        ///< the part that is read through it; without buffers, images and animations
   std::optional<Bytes> binary;  ///< GLB's BIN chunk
+  std::map<std::string, Bytes> files = {};  ///< by URI: bytes in the place of those of a file beside it
 };
 
 /// Parses and checks: nesting, types, whole numbers below 2^31, references, the version.

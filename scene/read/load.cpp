@@ -100,6 +100,8 @@ std::vector<MeshUse> load_uses(const std::string& name, std::span<const unsigned
   return uses_of(open_document(name, bytes));
 }
 
+Scene load(const Document& document) { return scene_of(document); }
+
 Scene load(const std::string& file) { return scene_of(open_document(file)); }
 
 Scene load(const std::string& name, std::span<const unsigned char> bytes) {

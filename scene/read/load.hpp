@@ -8,6 +8,8 @@
 
 namespace mmverify::scene {
 
+struct Document;
+
 /// The scene of a .gltf (with buffers and images beside it or in data URIs) or a .glb; the first bytes tell
 /// them apart.
 ///   - Triangle lists, strips and fans become lists in the vertex order of glTF 2.0, 3.7.2.1. Vertices left
@@ -32,6 +34,10 @@ Scene load(const std::string& file);
 /// The scene of a file's bytes in memory; messages call the file `name`.
 /// Errors: as above, and BadScene if a URI names a file.
 Scene load(const std::string& name, std::span<const unsigned char> bytes);
+
+/// The scene of a document.
+/// Errors: as above.
+Scene load(const Document& document);
 
 /// The placed uses of the meshes of a file, in one order.  If no node places a mesh, each mesh is used once,
 /// at the identity.

@@ -17,6 +17,7 @@ std::filesystem::path path_of(const Document& document, const std::string& uri, 
 bool is_data_uri(const std::string& uri) { return tinygltf::IsDataURI(uri); }
 
 Bytes read_resource(const Document& document, const std::string& uri, const std::string& place) {
+  if (const auto held = document.files.find(uri); held != document.files.end()) return held->second;
   if (!is_data_uri(uri)) return read_file(path_of(document, uri, place), document.file, place);
   Bytes bytes;
   std::string mime_type;

@@ -116,6 +116,10 @@ std::vector<FileViolation> validate_micromaps(const std::string& name, std::span
   return validated([&] { return open_document(name, bytes); }, draft);
 }
 
+std::vector<FileViolation> validate_micromaps(const std::function<Document()>& open, Draft draft) {
+  return validated(open, draft);
+}
+
 NamesUsed names_used(const std::string& file) {
   return used([&] { return open_document(file); });
 }

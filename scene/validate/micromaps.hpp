@@ -1,6 +1,7 @@
 // The validator of a file's EXT_mesh_opacity_micromap against its draft: JSON, bytes, and references.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +10,8 @@
 #include "scene/validate/draft.hpp"
 
 namespace mmverify::scene {
+
+struct Document;
 
 /// A rule of the extension, or of glTF if the extension depends on it.
 struct FileRule {
@@ -41,6 +44,10 @@ std::string describe(const FileViolation& violation);
 /// (limits.indices) reports this.
 std::vector<FileViolation> validate_micromaps(const std::string& file, Draft draft = newest_draft);
 std::vector<FileViolation> validate_micromaps(const std::string& name, std::span<const unsigned char> bytes,
+                                              Draft draft = newest_draft);
+
+/// The violations of the document that `open` returns; its BadScene is a finding.
+std::vector<FileViolation> validate_micromaps(const std::function<Document()>& open,
                                               Draft draft = newest_draft);
 
 /// The names of the extension that a document uses: EXT's and KHR's.

@@ -162,7 +162,10 @@ BakedTriangle stored_map(const StoredArray& array, std::uint64_t number) {
 }
 
 StoredMaps stored_maps(const std::string& file, const Scene& scene) {
-  const Document document = open_document(file);
+  return stored_maps(open_document(file), scene);
+}
+
+StoredMaps stored_maps(const Document& document, const Scene& scene) {
   const Buffers buffers(document);
   Collector collector(scene);
   const auto build_of = [&](const Json& micromap) {

@@ -14,6 +14,8 @@
 
 namespace mmverify::scene {
 
+struct Document;
+
 /// A primitive with maps that are not judged, since its alpha is not the texture's alone.
 struct NotJudged {
   std::size_t primitive = 0;  ///< number in Scene::primitives
@@ -51,6 +53,7 @@ struct StoredMaps {
 /// The stored maps of a glTF file with EXT_mesh_opacity_micromap; special indices are maps of level 0.
 /// Domain: a file without findings of validate_micromaps(), and its scene by load().
 StoredMaps stored_maps(const std::string& file, const Scene& scene);
+StoredMaps stored_maps(const Document& document, const Scene& scene);
 
 /// The stored maps of an array and the indices of one primitive, as in a build's buffers.
 /// Domain: an input without findings of impl::micromap::validate(); as many triangles as the primitive has.

@@ -1,5 +1,7 @@
 #include "proofs/scene/cause/inputs.hpp"
 
+#include "proofs/engine/interrupt.hpp"
+
 namespace mmverify::proofs::scene {
 
 Inputs inputs_of(const Judged& judged) {
@@ -23,6 +25,9 @@ std::vector<States> baked(const Judged& judged, const Inputs& inputs,
   mmverify::scene::BakeOptions options;
   options.two_state = judged.two_state;
   options.margin = judged.margin;
+  options.done = [](std::uint64_t) {
+    if (interrupted()) throw Interrupted();
+  };
   std::vector<States> all;
   for (const auto& map : mmverify::scene::bake(judged.scene, plan, levels, options).triangles)
     all.push_back(states_of(map));

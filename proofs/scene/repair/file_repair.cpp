@@ -1,0 +1,143 @@
+#include "proofs/scene/repair/file_repair.hpp"
+
+#include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/runner.hpp"
+#include "proofs/scene/laws.hpp"
+#include "proofs/scene/repair/repairs.hpp"
+#include "scene/edit/index_codes.hpp"
+#include "scene/edit/map_edits.hpp"
+#include "scene/read/bad_scene.hpp"
+#include "scene/read/load.hpp"
+#include "scene/read/primitives.hpp"
+#include "scene/validate/report.hpp"
+#include "scene/validate/stored_maps.hpp"
+
+namespace mmverify::proofs::scene {
+
+using namespace mmverify::scene;
+
+template <class Search>
+auto FileRepair::searched(const Search& search) const {
+  const Document opened = document();
+  const Buffers buffers(opened);
+  Judged judged{scene_, maps_, request_.margin, request_.two_state};
+  judged.uvs = [&](const Primitive& primitive, const BaseColorTexture& texture) {
+    try {
+      return read_uvs(opened, buffers, primitive, texture);
+    } catch (const BadScene&) {
+      return std::vector<Uv>();  // no baker took UVs that cannot be read
+    }
+  };
+  return search(judged);
+}
+
+void FileRepair::run() {
+  RepairedRules rules = repair_rules(file_);
+  report_.rules = std::move(rules.repairs);
+  report_.broken = std::move(rules.left);
+  if (!report_.broken.empty()) return;
+  scene_ = load(document());
+  maps_ = stored_maps(document(), scene_);
+  report_.not_judged = maps_.not_judged;
+  if (maps_.plan.triangles.empty()) return;
+  relink();
+  repair_maps(rules.unlinked);
+}
+
+std::string FileRepair::broken_law(const WrittenFile& written) {
+  const auto open = [&] { return file_.reopened(written); };
+  for (const FileViolation& violation : validate_micromaps(open)) return describe(violation);
+  maps_ = stored_maps(open(), scene_);
+  if (maps_.plan.triangles.empty()) return "";
+  const std::vector<MapRepair> repairs = searched([](const auto& judged) { return map_repairs(judged); });
+  for (std::size_t k = 0; k < repairs.size(); ++k)
+    if (repairs[k].kind != MapRepair::Kind::none)
+      return "the map of triangle " + std::to_string(maps_.link(k).triangle) + " is still wrong";
+  const SceneArrays no_arrays;
+  const Pairs no_pairs;
+  const SquareMaps no_squares;
+  const Data data{scene_,   maps_.plan, maps_.baked,     no_arrays,
+                  no_pairs, no_squares, request_.margin, request_.two_state};
+  const SceneLaws laws =
+      map_laws(data, {.size = request_.samples}, file_.document().file, "mmverify check maps");
+  RunOptions run;
+  run.seed = request_.seed;
+  run.show_progress = request_.show_progress;
+  run.mutants = false;
+  const Report found = run_jobs(laws.jobs, run, [](const Result&) {});
+  if (found.interrupted) throw Interrupted();
+  for (const Result& result : found.results)
+    if (result.verdict == Verdict::refuted || result.verdict == Verdict::broken)
+      return result.law + " is refuted";
+  return "";
+}
+
+void FileRepair::apply(const Relink& relink, const nlohmann::json& before) {
+  const Primitive& primitive = scene_.primitives[relink.primitive];
+  nlohmann::json& given = extension_of(file_, primitive.mesh, primitive.number);
+  given["micromap"] = relink.micromap;
+  if (relink.base != 0)
+    given["micromapBaseTriangle"] = relink.base;
+  else
+    given.erase("micromapBaseTriangle");
+  if (!relink.indices_of) return;
+  const Primitive& other = scene_.primitives[*relink.indices_of];
+  const nlohmann::json& from =
+      extension(before["meshes"][other.mesh]["primitives"][other.number], micromap_extension);
+  if (from.contains("micromapIndices"))
+    given["micromapIndices"] = from["micromapIndices"];
+  else
+    given.erase("micromapIndices");
+}
+
+/// Gives primitives other links, if the file keeps all rules then.
+void FileRepair::relink() {
+  const std::vector<Relink> all = searched([](const auto& judged) { return relinks(judged); });
+  if (all.empty()) return;
+  const nlohmann::json before = file_.json;
+  for (const Relink& one : all) apply(one, before);
+  if (!validate_micromaps([&] { return document(); }).empty()) {
+    file_.json = before;
+    return;
+  }
+  maps_ = stored_maps(document(), scene_);
+  for (const Relink& one : all) report_.primitives.push_back({one.primitive, one.says});
+}
+
+std::set<std::size_t> FileRepair::planned(const std::vector<TriangleOfFile>& triangles) const {
+  std::set<std::size_t> all;
+  for (const TriangleOfFile& one : triangles)
+    for (const MapLink& link : maps_.links) {
+      const Primitive& primitive = scene_.primitives[link.primitive];
+      if (primitive.mesh == one.mesh && primitive.number == one.number && link.triangle == one.triangle)
+        all.insert(link.planned);
+    }
+  return all;
+}
+
+void FileRepair::repair_maps(const std::vector<TriangleOfFile>& unlinked) {
+  const std::vector<MapRepair> repairs =
+      searched([&](const auto& judged) { return map_repairs(judged, planned(unlinked)); });
+  std::vector<BakedTriangle> maps;
+  for (const MapRepair& one : repairs) maps.push_back(one.map);
+  std::vector<MapEdit> edits;
+  for (const MapLink& link : maps_.links) {
+    ++report_.judged[link.primitive];
+    const MapRepair& one = repairs[link.planned];
+    const bool is_baked = one.kind == MapRepair::Kind::baked;
+    if (one.kind == MapRepair::Kind::none || (is_baked && one.may_stay && !request_.bake)) continue;
+    const Primitive& primitive = scene_.primitives[link.primitive];
+    const bool is_left = is_baked && !request_.bake;
+    (is_left ? report_.left : report_.triangles)
+        .push_back({link.primitive, link.triangle,
+                    is_left    ? ""
+                    : is_baked ? "baked anew"
+                               : one.did});
+    if (!is_left) edits.push_back({primitive.mesh, primitive.number, link.triangle, link.planned});
+  }
+  if (report_.left.empty()) return write_maps(file_, maps, edits);
+  const auto cause = searched([](const auto& judged) { return cause_of(judged); });
+  if (cause && cause->explained == cause->wrong) report_.cause = cause->code + ": " + cause->says;
+}
+
+}  // namespace mmverify::proofs::scene
