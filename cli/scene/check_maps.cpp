@@ -135,6 +135,14 @@ void print_maps(std::FILE* out, const std::string& file, const Scene& scene, con
         scene.primitives[n.primitive].number, grouped(n.triangles), sentence(n.why));
 }
 
+/// A triangle by its primitive's numbers and its material's name.
+std::string triangle_name(const Scene& scene, const MapLink& link) {
+  const Primitive& primitive = scene.primitives[link.primitive];
+  const std::string& material = scene.material_of(primitive).name;
+  return fmt::format("mesh {} primitive {} triangle {}{}", primitive.mesh, primitive.number, link.triangle,
+                     material.empty() ? "" : fmt::format(" of material {}", material));
+}
+
 /// The cause of wrong maps, if one change explains all of them.
 std::optional<proofs::scene::Cause> cause_of(const CheckMapsOptions& options, const Scene& scene,
                                              const StoredMaps& maps) {
@@ -158,12 +166,54 @@ std::string json_of(const std::optional<proofs::scene::Cause>& cause) {
       .dump();
 }
 
+/// Whether repair undoes a cause without baking.
+bool is_repairable(const std::string& code) {
+  constexpr std::array codes{"states",
+                             "unknown_side",
+                             "order",
+                             "corners",
+                             "base_triangle",
+                             "other_micromap",
+                             "micromaps_exchanged",
+                             "other_primitive",
+                             "primitives_exchanged",
+                             "triangles_reversed",
+                             "other_triangles",
+                             "special_index"};
+  return std::find(codes.begin(), codes.end(), code) != codes.end();
+}
+
+/// Prints the command that may put the file right.
+void print_repair(std::FILE* out, const std::string& file, const std::optional<proofs::scene::Cause>& cause) {
+  say(out, "next: mmverify repair {} -o OUT.glb{}\n", shell_quoted(file),
+      cause && is_repairable(cause->code) ? "" : " --bake");
+}
+
 void print_cause(std::FILE* out, const std::optional<proofs::scene::Cause>& cause) {
   if (!cause)
     say(out, "cause: no single change explains these maps\n");
   else
     say(out, "cause: {}: {}; it explains {} of {} wrong triangles\n", cause->code, cause->says,
         grouped(cause->explained), grouped(cause->wrong));
+}
+
+/// Prints why maps are wrong, and what to do.  Returns the cause as JSON.
+std::string print_why(std::FILE* out, const CheckMapsOptions& options, const Scene& scene,
+                      const StoredMaps& maps) {
+  const std::optional<proofs::scene::Cause> cause = cause_of(options, scene, maps);
+  print_cause(out, cause);
+  if (options.raw.data.empty()) print_repair(out, options.file, cause);
+  return json_of(cause);
+}
+
+/// Refuses options that cannot go together.
+void refuse_conflicts(const CheckMapsOptions& options) {
+  if (options.file.empty()) throw UsageError("check maps: name the scene, FILE.gltf or FILE.glb");
+  if (options.replay.empty() != options.at.empty())
+    throw UsageError("--replay LAW and --case LEVEL@CASE go together");
+  if (options.json == "-" && options.junit == "-")
+    throw UsageError("--json and --junit: one standard output for both");
+  refuse_same_file({{"--json", options.json}, {"--junit", options.junit}});
 }
 
 int replayed(const proofs::scene::SceneLaws& laws, const CheckMapsOptions& options) {
@@ -189,12 +239,7 @@ int replayed(const proofs::scene::SceneLaws& laws, const CheckMapsOptions& optio
 }  // namespace
 
 int check_maps(const CheckMapsOptions& options) {
-  if (options.file.empty()) throw UsageError("check maps: name the scene, FILE.gltf or FILE.glb");
-  if (options.replay.empty() != options.at.empty())
-    throw UsageError("--replay LAW and --case LEVEL@CASE go together");
-  if (options.json == "-" && options.junit == "-")
-    throw UsageError("--json and --junit: one standard output for both");
-  refuse_same_file({{"--json", options.json}, {"--junit", options.junit}});
+  refuse_conflicts(options);
   const proofs::InterruptGuard guard;
   JsonOutput json(options.json);
   std::optional<OutputFile> junit;
@@ -219,8 +264,17 @@ int check_maps(const CheckMapsOptions& options) {
   const SceneArrays no_arrays;
   const Pairs no_pairs;
   const SquareMaps no_squares;
-  const proofs::scene::Data data{scene,    maps.plan,  maps.baked,     no_arrays,
-                                 no_pairs, no_squares, options.margin, options.states == 2};
+  const proofs::scene::Data data{
+      scene,
+      maps.plan,
+      maps.baked,
+      no_arrays,
+      no_pairs,
+      no_squares,
+      options.margin,
+      options.states == 2,
+      {},
+      [&](std::size_t triangle) { return triangle_name(scene, maps.link(triangle)); }};
   const proofs::scene::SceneLaws laws = proofs::scene::map_laws(
       data, sample_of(options.effort, data, 0, proofs::scene::work_of_a_minute),
       options.raw.data.empty() ? options.file : options.raw.data, command_of(options));
@@ -235,13 +289,7 @@ int check_maps(const CheckMapsOptions& options) {
   const proofs::Report report = run_jobs(laws.jobs, run, [&](const proofs::Result& r) { text.add(r); });
   text.finish(report, false);
   std::string cause_json;
-  if (!report.interrupted &&
-      std::any_of(report.results.begin(), report.results.end(),
-                  [](const proofs::Result& r) { return r.verdict == proofs::Verdict::refuted; })) {
-    const std::optional<proofs::scene::Cause> cause = cause_of(options, scene, maps);
-    print_cause(out, cause);
-    cause_json = json_of(cause);
-  }
+  if (!report.interrupted && exit_code(report) == failed) cause_json = print_why(out, options, scene, maps);
   json.write([&] { return to_json(report, options.seed, {}, {}, {}, {}, cause_json); });
   if (junit) junit->commit(to_junit(report));
   if (laws.jobs.empty()) refuse_nothing({});

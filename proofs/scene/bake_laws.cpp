@@ -42,6 +42,17 @@ const char* name_of_code(unsigned code) {
   return spec::micromap::name_of(static_cast<spec::micromap::State>(code));
 }
 
+/// The true state as text, with the alpha and the place that it has.
+std::string expected_text(const Data& data, const ExactSurfaces& exact, State truly, Level n,
+                          const MicroTriangle& p) {
+  return fmt::format("{} ({}{})",
+                     truly == State::T   ? "T"
+                     : truly == State::O ? "O"
+                                         : "unknown",
+                     exact.text(p.triangle, n, p.index),
+                     data.name_of ? "; " + data.name_of(p.triangle) : std::string());
+}
+
 void judge(const Claim& claim, const OfLevel& of, Level n, const MicroTriangle& p, std::uint64_t number,
            Tally& tally) {
   const unsigned code = state_code(of.data.baked.triangles[p.triangle], p.index);
@@ -52,10 +63,8 @@ void judge(const Claim& claim, const OfLevel& of, Level n, const MicroTriangle& 
   tally.digest(number, static_cast<std::uint64_t>(truly) << 2 | code);
   if (claim.holds(code, truly, leans)) return;
   tally.mismatch(Kind::interior, {n, number, 0}, [&] {
-    const std::string expected = truly == State::T ? "T" : truly == State::O ? "O" : "unknown";
-    return Counterexample{
-        {n, number, 0},    n, text(p), {}, expected + " (" + of.exact->text(p.triangle, n, p.index) + ")",
-        name_of_code(code)};
+    return Counterexample{{n, number, 0},    n, text(p), {}, expected_text(of.data, *of.exact, truly, n, p),
+                          name_of_code(code)};
   });
 }
 
@@ -117,10 +126,7 @@ Replayed replay(const Claim& claim, const Data& data, const ExactSurfaces& exact
       claim.what == Claim::forced && truly == State::C && exact.rather_opaque(triangle, n, index);
   Replayed replayed;
   replayed.holds = !claim.about(code) || claim.holds(code, truly, leans);
-  replayed.expected = std::string(truly == State::T   ? "T"
-                                  : truly == State::O ? "O"
-                                                      : "unknown") +
-                      " (" + exact.text(triangle, n, index) + ")";
+  replayed.expected = expected_text(data, exact, truly, n, {triangle, index});
   replayed.got = name_of_code(code);
   return replayed;
 }

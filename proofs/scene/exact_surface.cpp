@@ -104,6 +104,30 @@ class ExactSurfaces::OfSurface {
 
   bool near_change(const scene::UvTriangle& uv, Level n, std::uint32_t index) const;
 
+  /// The UV of a micro-triangle's centroid, rounded.
+  static scene::Uv middle(const scene::UvTriangle& uv, Level n, std::uint32_t index) {
+    double i = 0, j = 0;
+    for (const spec::index::Vertex& v : spec::index::corners(index, n)) i += v.i, j += v.j;
+    i /= 3 * spec::side(n), j /= 3 * spec::side(n);
+    const auto along = [&](std::size_t axis) {
+      return static_cast<float>(uv[0][axis] + i * (double{uv[1][axis]} - uv[0][axis]) +
+                                j * (double{uv[2][axis]} - uv[0][axis]));
+    };
+    return {along(0), along(1)};
+  }
+  /// The column and the row of the texel at a UV, as the sampler addresses them.
+  std::pair<std::uint32_t, std::uint32_t> texel_at(const scene::Uv& uv) const {
+    return std::visit(
+        [&](const auto& t) {
+          const auto at = [](float x, std::uint32_t size) {
+            return static_cast<std::int64_t>(std::floor(double{x} * size));
+          };
+          return std::pair(wrapped(t.wrap_x, at(uv[0], t.width), t.width).value_or(0),
+                           wrapped(t.wrap_y, at(uv[1], t.height), t.height).value_or(0));
+        },
+        texture_);
+  }
+
  private:
   /// The micro-triangle in texels, dilated by the margin.
   template <class Q, class Texel>
@@ -179,10 +203,16 @@ bool ExactSurfaces::rather_opaque(std::size_t triangle, Level n, std::uint32_t i
 }
 
 std::string ExactSurfaces::text(std::size_t triangle, Level n, std::uint32_t index) const {
-  const auto alpha = of(triangle).range<spec::Rational>(plan_.triangles[triangle].uvs, n, index);
+  const auto& planned = plan_.triangles[triangle];
+  const OfSurface& surface = of(triangle);
+  const auto alpha = surface.range<spec::Rational>(planned.uvs, n, index);
   std::ostringstream text;
   text << "alpha " << alpha.least << ".." << alpha.greatest;
-  return text.str();
+  const auto decimal = [](const spec::Rational& q) { return boost::rational_cast<double>(q); };
+  const scene::Uv uv = surface.middle(planned.uvs, n, index);
+  const auto [x, y] = surface.texel_at(uv);
+  return text.str() + fmt::format(", {:.3f}..{:.3f}, at UV ({:.4f}, {:.4f}), texel ({}, {})",
+                                  decimal(alpha.least), decimal(alpha.greatest), uv[0], uv[1], x, y);
 }
 
 bool ExactSurfaces::near_change(std::size_t triangle, Level n, std::uint32_t index) const {

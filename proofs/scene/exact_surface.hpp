@@ -23,7 +23,8 @@ class ExactSurfaces {
   /// Whether alpha at its centroid is rather opaque: UO, not UT.
   bool rather_opaque(std::size_t triangle, Level n, std::uint32_t index) const;
 
-  /// Its range of alpha and the cutoff as text, "alpha 1/5..4/5, cutoff 1/2".
+  /// Its range of alpha as quotients and decimals, and its place: "alpha 1/5..4/5, 0.200..0.800, at UV (0.2500, 0.5000),
+  /// texel (16, 32)".
   std::string text(std::size_t triangle, Level n, std::uint32_t index) const;
 
   /// Whether texels on both sides of the cutoff lie less than a texel from it; a choice for samples, no proof.

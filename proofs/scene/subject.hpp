@@ -32,6 +32,8 @@ struct Data {
   float margin = 0;        ///< the margin of the bake
   bool two_state = false;  ///< whether the maps were forced to 2-state
   Codecs codecs = {};
+  /// The name of a planned triangle in the file; empty: it has none.
+  std::function<std::string(std::size_t triangle)> name_of = {};
 };
 
 class SceneSubject : public Subject {

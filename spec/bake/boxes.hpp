@@ -160,11 +160,16 @@ void halves(const BoxPart<Q>& one, bool by_column, const Q& offset, Take take) {
   }
 }
 
-/// Whether a box is cut across its columns: the longer axis, but for one that repeats where the other does not.
-inline bool across_columns(const Box& box, const Box& texels) {
-  const bool columns_repeat = box.columns.size() > 2 * texels.columns.size(),
-             rows_repeat = box.rows.size() > 2 * texels.rows.size();
-  if (columns_repeat != rows_repeat) return rows_repeat;
+/// Whether a box is cut across its columns: the longer axis, but for one along which it holds whole periods: halves of
+/// these hold the same texels.
+template <class Texel>
+bool across_columns(const TextureOf<Texel>& t, const Box& box, const Box& texels) {
+  const auto holds_periods = [](Wrap wrap, const Interval& squares, const Interval& indices) {
+    return (wrap == Wrap::repeat || wrap == Wrap::mirrored_repeat) && squares.size() > 2 * indices.size();
+  };
+  const bool columns_do = holds_periods(t.wrap_x, box.columns, texels.columns),
+             rows_do = holds_periods(t.wrap_y, box.rows, texels.rows);
+  if (columns_do != rows_do) return rows_do;
   return box.columns.size() >= box.rows.size();
 }
 
@@ -191,7 +196,7 @@ void for_each_box(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Settled 
     if (!by_column && !by_row)
       leaf(one.box.columns.first, one.box.rows.first, one.part);
     else
-      halves(one, by_column && (!by_row || across_columns(one.box, texels)), offset,
+      halves(one, by_column && (!by_row || across_columns(t, one.box, texels)), offset,
              [&boxes](BoxPart<Q> half) { boxes.push_back(std::move(half)); });
   }
 }

@@ -111,7 +111,8 @@ State open_nearest(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const M
           if (has_centre(t, one.part, middle, at)) take(Range<Q>(texel<Q>(t, at.i, at.j)));
         return all == State::C;
       },
-      [](std::int64_t, std::int64_t, const Polygon<Q>&) {});
+      // Squares of one texel, of a state that is neither O nor T.
+      [&](std::int64_t i, std::int64_t j, const Polygon<Q>&) { take(Range<Q>(texel<Q>(t, i, j))); });
   return all.value();
 }
 

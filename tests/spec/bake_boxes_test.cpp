@@ -100,16 +100,23 @@ bake::State open_by_parts(const Texture& t, const Polygon& polygon, const Mode& 
   return all.value();
 }
 
+template <class Mode>
+void expect_states_by_parts(const Texture& t, const Polygon& polygon, const Mode& mode) {
+  EXPECT_EQ(bake::closed_state(t, polygon, mode), bake::state_in(mode, bake::range_by_parts(t, polygon)));
+  if (bake::has_area(polygon)) EXPECT_EQ(bake::open_state(t, polygon, mode), open_by_parts(t, polygon, mode));
+}
+
 TEST(SpecBakeBoxes, StatesAreThoseOfSingleSquares) {
   Draws draws;
   for (int round = 0; round < 300; ++round) {
     const Texture t = any_texture(draws);
     const Polygon polygon = any_polygon(draws);
+    SCOPED_TRACE(round);
     // A texel's own alpha is met exactly.
-    const bake::Mask<Q> mask{q(round % 2 == 0 ? 128 : t.alpha[0], 255)};
-    ASSERT_EQ(bake::closed_state(t, polygon, mask), bake::state_in(mask, bake::range_by_parts(t, polygon)));
-    if (!bake::has_area(polygon)) continue;
-    ASSERT_EQ(bake::open_state(t, polygon, mask), open_by_parts(t, polygon, mask)) << round;
+    const Q cutoff = q(round % 2 == 0 ? 128 : t.alpha[0], 255);
+    expect_states_by_parts(t, polygon, bake::Mask<Q>{cutoff});
+    expect_states_by_parts(t, polygon, bake::MaskAbove<Q>{cutoff});
+    expect_states_by_parts(t, polygon, bake::Blend<Q>{});
   }
 }
 

@@ -221,23 +221,32 @@ Law in_turn_law() {
       sample_in_turn, keeps_no_other, {}, count_in_turn);
 }
 
-/// The last micro-triangle of a triangle of more than 2^9 repeats is another state.
-void differs_when_long(const Case& one, Level, std::vector<State>& states) {
-  if (std::fabs(one.uv[2] - one.uv[0]) < 512) return;
-  states.back() = states.back() == State::T ? State::O : State::T;
+/// The last micro-triangle of a triangle of so many repeats is another state.
+Spoil differs_beyond(float repeats, bool (*meant)(const Case&)) {
+  return [=](const Case& one, Level, std::vector<State>& states) {
+    if (std::fabs(one.uv[2] - one.uv[0]) < repeats || !meant(one)) return;
+    states.back() = states.back() == State::T ? State::O : State::T;
+  };
 }
 
 Law lengths_law() {
-  Law law =
-      relation({.id = "bake.length",
-                .says = "all micro-triangles that hold a whole period of the texture have one state but for "
-                        "the side of unknown ones, however many periods longer they are",
-                .source = "Vulkan, Wrapping Operation; all texels are under each",
-                .subjects = {"bake"},
-                .domain = whole_period_samples_text(),
-                .mutants = {spoiled("the last one beyond 2^9 repeats", "bake", {0, 3}, differs_when_long)}},
-               whole_period_sample, keeps_lengths, has_no_repeats,
-               [](Level, Tier tier) -> std::uint64_t { return tier == Tier::fast ? 24 : 2'000; });
+  Law law = relation(
+      {.id = "bake.length",
+       .says = "all micro-triangles that hold a whole period of the texture have one state but for "
+               "the side of unknown ones, however many periods longer they are",
+       .source = "Vulkan, Wrapping Operation; all texels are under each",
+       .subjects = {"bake"},
+       .domain = whole_period_samples_text(),
+       .mutants = {spoiled("the last one beyond 2^9 repeats", "bake", {0, 3},
+                           differs_beyond(512, [](const Case&) { return true; })),
+                   spoiled("the last one beyond 2^15 repeats, mirrored", "bake", {0, 3},
+                           differs_beyond(
+                               32'768, [](const Case& one) { return one.wrap_u == Wrap::mirrored_repeat; })),
+                   spoiled(
+                       "the last one beyond 2^9 repeats, sampled nearest", "bake", {0, 3},
+                       differs_beyond(512, [](const Case& one) { return one.filter == Filter::nearest; }))}},
+      whole_period_sample, keeps_lengths, has_no_repeats,
+      [](Level, Tier tier) -> std::uint64_t { return tier == Tier::fast ? 24 : 2'000; });
   law.tiers.fast = {0, 3};
   law.tiers.long_run = {0, 5};
   return law;

@@ -313,15 +313,20 @@ constexpr char tight_blend[] =
 constexpr char side[] = "an unknown micro-triangle is UO where alpha at its centroid is opaque, else UT";
 
 std::vector<Law> span_laws() {
+  const Levels all{0, 3};
   return {
-      state_law(
-          "bake.conservative_on_spans", conservative, not_conservative, spans,
-          {spoiled("texels are counted in 32 bits: none are opaque", "bake", {0, 3}, counts_in_32_bits)}),
+      state_law("bake.conservative_on_spans", conservative, not_conservative, spans,
+                {spoiled("texels are counted in 32 bits: none are opaque", "bake", all, counts_in_32_bits),
+                 asked_for_another("repeats are clamped from the 512th on", all, clamps_far),
+                 asked_for_another("coordinates are in steps of a quarter", all, in_steps_of(2))}),
       state_law("bake.tight_on_spans", tight, not_tight, spans,
-                {spoiled("unknown across more than 2^30 texels", "bake", {0, 3}, forgets_long)}),
-      state_law(
-          "bake.unknown_side_on_spans", side, wrong_side, spans,
-          {side_of_another("the side is that of coordinates in steps of 2^-3", {0, 3}, in_steps_of(3))}),
+                {spoiled("unknown across more than 2^30 texels", "bake", all, forgets_long),
+                 unknown_where_another_differs("unknown, too, where clamping differs", all, clamps_far),
+                 unknown_where_another_differs("unknown, too, where quarters differ", all, in_steps_of(2))}),
+      state_law("bake.unknown_side_on_spans", side, wrong_side, spans,
+                {side_of_another("the side is that of coordinates in steps of 2^-3", all, in_steps_of(3)),
+                 side_of_another("the side is that of coordinates in steps of 2^-6", all, in_steps_of(6)),
+                 side_of_another("the side is that of clamped repeats", all, clamps_far)}),
   };
 }
 

@@ -143,6 +143,15 @@ inline void counts_in_32_bits(const Case& one, Level n, std::vector<State>& stat
     for (State& s : states)
       if (spec::micromap::unknown(s)) s = State::O;
 }
+/// Clamps an axis along which a coordinate is 512 repeats away.
+inline void clamps_far(Case& one) {
+  const auto is_far = [&](std::size_t axis) {
+    return std::max({std::fabs(one.uv[axis]), std::fabs(one.uv[2 + axis]), std::fabs(one.uv[4 + axis])}) >=
+           512;
+  };
+  if (is_far(0)) one.wrap_u = Wrap::clamp_to_edge;
+  if (is_far(1)) one.wrap_v = Wrap::clamp_to_edge;
+}
 inline void forgets_long(const Case& one, Level n, std::vector<State>& states) {
   if (texels_under(one, n) >> 30 != 0)
     for (State& s : states) s = spec::micromap::as_unknown(s);

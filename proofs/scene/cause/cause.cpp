@@ -251,8 +251,9 @@ class Search {
   void try_cutoff() {
     const std::optional<CutoffRange> range = cutoffs(judged_, tried_, picked(stored_, tried_));
     if (!range) return;
-    const bool blend = std::any_of(inputs_.surfaces.begin(), inputs_.surfaces.end(), [](const auto& surface) {
-      return surface.mode == mmverify::scene::AlphaMode::blend;
+    const bool blend = std::any_of(all_.begin(), all_.end(), [this](std::size_t k) {
+      return !fits_[k].is_right() && inputs_.surfaces[judged_.maps.plan.triangles[k].surface].mode ==
+                                         mmverify::scene::AlphaMode::blend;
     });
     const double middle = (range->least + range->greatest) / 2;
     attempt(
