@@ -122,8 +122,8 @@ void print_maps(std::FILE* out, const std::string& file, const Scene& scene, con
     ++levels[t.level];
     for (std::size_t k = 0; k < 4; ++k) states[k] += t.states[k];
   }
-  say(out, "{}: {} triangles with maps, {} of them special indices; {} differ\n", file,
-      grouped(maps.links.size()), grouped(maps.special), grouped(maps.plan.triangles.size()));
+  say(out, "{}: {} triangles with maps, {} distinct; {} of them special indices\n", file,
+      grouped(maps.links.size()), grouped(maps.plan.triangles.size()), grouped(maps.special));
   std::string by_level;
   for (std::size_t n = 0; n < levels.size(); ++n)
     if (levels[n] != 0)

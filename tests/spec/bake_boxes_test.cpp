@@ -103,7 +103,8 @@ bake::State open_by_parts(const Texture& t, const Polygon& polygon, const Mode& 
 template <class Mode>
 void expect_states_by_parts(const Texture& t, const Polygon& polygon, const Mode& mode) {
   EXPECT_EQ(bake::closed_state(t, polygon, mode), bake::state_in(mode, bake::range_by_parts(t, polygon)));
-  if (bake::has_area(polygon)) EXPECT_EQ(bake::open_state(t, polygon, mode), open_by_parts(t, polygon, mode));
+  if (!bake::has_area(polygon)) return;
+  EXPECT_EQ(bake::open_state(t, polygon, mode), open_by_parts(t, polygon, mode));
 }
 
 TEST(SpecBakeBoxes, StatesAreThoseOfSingleSquares) {
