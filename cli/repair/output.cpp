@@ -101,7 +101,8 @@ void RepairOutput::commit(const EditedFile& file, const WrittenFile& written) {
     const fs::path path = mmverify::scene::beside(output_, uri, uri);
     for (const NamedPath& one : inputs) refuse_same_file({{"-o", path.string()}, one});
     std::error_code error;
-    if (!same_folder_ && fs::exists(path, error)) {
+    // A repair into the same folder may be repeated: its buffers are then written anew, as its file is.
+    if (!(same_folder_ && fs::exists(output_, error)) && fs::exists(path, error)) {
       if (fs::is_regular_file(path, error) && read_file(path, path.string(), "") == bytes) continue;
       throw EnvironmentError(
           fmt::format("{}: it is there, with other bytes; name another folder", path.string()));

@@ -185,8 +185,9 @@ bool is_repairable(const std::string& code) {
 
 /// Prints the command that may put the file right.
 void print_repair(std::FILE* out, const std::string& file, const std::optional<proofs::scene::Cause>& cause) {
-  say(out, "next: mmverify repair {} -o OUT.glb{}\n", shell_quoted(file),
-      cause && is_repairable(cause->code) ? "" : " --bake");
+  const bool is_enough = cause && is_repairable(cause->code) && cause->explained == cause->wrong;
+  say(out, "next: mmverify repair {} -o OUT{}{}\n", shell_quoted(file),
+      file.ends_with(".gltf") ? ".gltf" : ".glb", is_enough ? "" : " --bake");
 }
 
 void print_cause(std::FILE* out, const std::optional<proofs::scene::Cause>& cause) {
@@ -213,7 +214,12 @@ void refuse_conflicts(const CheckMapsOptions& options) {
     throw UsageError("--replay LAW and --case LEVEL@CASE go together");
   if (options.json == "-" && options.junit == "-")
     throw UsageError("--json and --junit: one standard output for both");
-  refuse_same_file({{"--json", options.json}, {"--junit", options.junit}});
+  refuse_same_file({{"the scene", options.file},
+                    {"--data", options.raw.data},
+                    {"--records", options.raw.records},
+                    {"--indices", options.raw.indices},
+                    {"--json", options.json},
+                    {"--junit", options.junit}});
 }
 
 int replayed(const proofs::scene::SceneLaws& laws, const CheckMapsOptions& options) {

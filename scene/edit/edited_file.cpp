@@ -121,6 +121,10 @@ EditedFile::EditedFile(const std::string& file)
 
 std::span<const unsigned char> EditedFile::view(std::size_t number) const {
   const Json& view = json.at("bufferViews").at(number);
+  for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+    if (!extension(view, name).empty())
+      throw BadScene(file_, place("bufferView", number),
+                     std::string(name) + " compresses it; repair rewrites plain views only");
   const Bytes& buffer = buffers_.at(view.at("buffer").get<std::size_t>());
   const auto offset = offset_of(view), size = view.at("byteLength").get<std::uint64_t>();
   if (offset > buffer.size() || size > buffer.size() - offset)
@@ -148,6 +152,8 @@ bool EditedFile::is_alone(std::size_t number, std::uint64_t offset, std::uint64_
 }
 
 void EditedFile::overwrite(std::size_t number, std::uint64_t offset, std::span<const unsigned char> bytes) {
+  if (const auto all = view(number); offset > all.size() || bytes.size() > all.size() - offset)
+    throw BadScene(file_, place("bufferView", number), "the bytes to be rewritten reach beyond it");
   const Json& view = json.at("bufferViews").at(number);
   const std::size_t buffer = buffer_of(number);
   const auto at = buffers_[buffer].begin() + static_cast<std::ptrdiff_t>(offset_of(view) + offset);

@@ -387,8 +387,8 @@ TEST(Cause, NamesAChangedTexture) {
   const Scene scene = leaves();
   const StoredMaps maps = baked_from(scene, [](Scene& s) {
     auto& alpha = std::get<0>(s.images[0].alpha);
-    for (std::size_t y = 8; y < 16; ++y)
-      for (std::size_t x = 8; x < 16; ++x) alpha[x + 32 * y] = alpha[x + 32 * y] < 128 ? 255 : 0;
+    for (std::size_t y = 8; y < 14; ++y)
+      for (std::size_t x = 8; x < 14; ++x) alpha[x + 32 * y] = alpha[x + 32 * y] < 128 ? 255 : 0;
   });
   EXPECT_EQ(code(scene, maps), "texture_changed");
 }

@@ -121,7 +121,8 @@ class Search {
       now.all_right = now.all_right && was.is_right();
       changed.fit += is;
       changed.all_right = changed.all_right && is.wrong == 0;
-      changed.explained += was.wrong + was.needless != 0 && is.wrong == 0 ? times(triangles[k]) : 0;
+      const bool is_wrong = was.wrong + was.needless != 0;
+      changed.explained += is_wrong && is < was && is.wrong == 0 ? times(triangles[k]) : 0;
     }
     Sum all;
     for (const auto& [primitive, both] : of_primitive) {
@@ -179,7 +180,8 @@ class Search {
       attempt(change.code, change.says, [&](const std::vector<std::size_t>& triangles) {
         Maps maps{picked(stored_, triangles), picked(right_, triangles)};
         for (std::size_t k = 0; k < triangles.size(); ++k)
-          maps.stored[k] = change.undo(maps.stored[k], level(triangles[k]));
+          if (judged_.maps.link(triangles[k]).record)  // a special index has no order and no codes
+            maps.stored[k] = change.undo(maps.stored[k], level(triangles[k]));
         return maps;
       });
   }
