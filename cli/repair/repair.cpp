@@ -7,6 +7,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/json_output.hpp"
 #include "cli/repair/output.hpp"
+#include "cli/scene/loaded.hpp"
 #include "cli/streams.hpp"
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
@@ -66,6 +67,7 @@ int repair(const RepairOptions& options) try {
   std::FILE* const out = json.text();
   FileRepair repair(options.file, options.request);
   need_micromaps(options.file);
+  refuse_files_of(options.file, {{"--json", options.json}});
   repair.run();
   const RepairReport& report = repair.report();
   if (report.is_right() && report.judged.empty())

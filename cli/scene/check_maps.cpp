@@ -16,6 +16,7 @@
 #include "cli/json_output.hpp"
 #include "cli/junit.hpp"
 #include "cli/output_file.hpp"
+#include "cli/scene/loaded.hpp"
 #include "cli/scene/scene.hpp"
 #include "cli/streams.hpp"
 #include "cli/text.hpp"
@@ -252,6 +253,7 @@ int check_maps(const CheckMapsOptions& options) {
   if (!options.junit.empty()) junit.emplace(options.junit);
   std::FILE* const out = json.text();
   const Scene scene = load(options.file);
+  refuse_files_of(options.file, {{"--json", options.json}, {"--junit", options.junit}});
   StoredMaps maps;
   try {
     maps = options.raw.data.empty() ? of_file(options, scene) : of_buffers(options, scene);

@@ -281,6 +281,10 @@ int scene(const SceneOptions& options) {
   if (std::error_code none; !options.glb.empty() && std::filesystem::is_directory(options.file, none))
     throw UsageError("-o: a folder of textures is no scene to write");
   const Scene loaded = loaded_scene(options.file);
+  refuse_files_of(options.file, {{"--json", options.json},
+                                 {"--plot", options.plot},
+                                 {"-o", options.glb},
+                                 {"--journal", options.journal}});
   const double load_seconds = seconds_since(start);
   const SceneMicromaps made = micromaps_of(loaded, wanted, options, output);
   if (made.plan.triangles.empty()) {

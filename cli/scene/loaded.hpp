@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "cli/output_file.hpp"
 #include "scene/scene.hpp"
 
 namespace mmverify::cli {
@@ -13,5 +15,9 @@ inline constexpr char sample_name[] = "the suite's own scene";
 /// A glTF or GLB file's scene, or a folder's textures; the built-in scene if no file is named. Errors:
 /// scene::BadScene.
 mmverify::scene::Scene loaded_scene(const std::string& file);
+
+/// Refuses outputs that are buffers or images of a glTF file.  Domain: a file that can be read, or a folder, or none.
+/// Errors: UsageError.
+void refuse_files_of(const std::string& file, const std::vector<NamedPath>& outputs);
 
 }  // namespace mmverify::cli

@@ -393,6 +393,37 @@ TEST(Cause, NamesAChangedTexture) {
   EXPECT_EQ(code(scene, maps), "texture_changed");
 }
 
+TEST(Cause, AMapOfAnotherPlaceIsNoOlderTexture) {
+  const Scene scene = leaves();
+  const StoredMaps others = baked_from(scene, [](Scene& s) {
+    for (Primitive& p : s.primitives)
+      for (Uv& uv : p.uvs) uv = {1 - uv[1], uv[0] + 0.31f};
+  });
+  std::size_t tried = 0;
+  for (std::size_t k = 0; k < 2 * triangles_each; ++k) {
+    StoredMaps maps = stored(scene);
+    if (states(others, k) == states(maps, k)) continue;
+    set(maps, k, states(others, k));
+    ++tried;
+    EXPECT_NE(code(scene, maps), "texture_changed") << k;
+  }
+  EXPECT_GT(tried, 6u);
+}
+
+TEST(Cause, NamesExchangedStatesBesideASpecialIndex) {
+  const Scene scene = leaves();
+  StoredMaps maps = stored(scene);
+  for (std::size_t k = 0; k < maps.links.size(); ++k) {
+    std::vector<State> all = states(maps, k);
+    for (State& s : all) s = s == State::T ? State::O : s == State::O ? State::T : s;
+    set(maps, k, all);
+  }
+  // Unknown at level 0: nothing contradicts it.
+  maps.links[2].record = {};
+  maps.baked.triangles[2] = BakedTriangle{0, Format::four_state, {0, 0, 1, 0}, State::UT, {}};
+  EXPECT_EQ(code(scene, maps), "states");
+}
+
 TEST(Cause, NamesNoneOfRandomMaps) {
   const Scene scene = leaves();
   StoredMaps maps = stored(scene);
