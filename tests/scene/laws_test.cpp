@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 
+#include "proofs/scene/bake_sample.hpp"
+#include "proofs/scene/claimed.hpp"
 #include "tests/scene/made_scene.hpp"
 
 namespace {
@@ -43,6 +45,45 @@ TEST(SceneLaws, HoldOfOurOwnMaps) {
     EXPECT_EQ(verdict, law == "vq.square_map" || law.starts_with("bake.") ? checked : proved) << law;
   for (const auto& [law, verdict] : verdicts(judged(made.data(), std::nullopt)))
     EXPECT_EQ(verdict, law == "vq.square_map" ? checked : proved) << law;
+}
+
+TEST(SceneLaws, ClaimedMicroTrianglesAreNumberedInOrder) {
+  using proofs::scene::Claim;
+  const Made made;
+  for (const Claim::About about : {Claim::known, Claim::unknown, Claim::forced})
+    for (Level n = 0; n <= 7; ++n) {
+      const Claim claim{"", "", about, ""};
+      const proofs::scene::Claimed claimed(claim, made.b, n);
+      std::uint64_t number = 0;
+      for (std::size_t t = 0; t < made.b.triangles.size(); ++t)
+        for (std::uint32_t k = 0; made.b.triangles[t].level == n && k < 1u << 2 * n; ++k) {
+          if (!claim.about(proofs::scene::state_code(made.b.triangles[t], k))) continue;
+          ASSERT_LT(number, claimed.size());
+          const auto at = claimed.at(number++);
+          ASSERT_EQ(std::pair(at.triangle, at.index), std::pair(t, k)) << "level " << n;
+        }
+      EXPECT_EQ(number, claimed.size());
+    }
+}
+
+TEST(SceneLaws, ABudgetBoundsWhatIsLookedAt) {
+  const Made made;
+  const proofs::scene::Claim claim{"", "", proofs::scene::Claim::known, ""};
+  std::uint64_t all = 0;
+  for (const auto& level : looked_at(claim, made.data(), {})) {
+    EXPECT_TRUE(level.whole());
+    all += level.all;
+  }
+  const auto sum = [&](std::uint64_t work, std::uint64_t whole) {
+    std::uint64_t at = 0;
+    for (const auto& level : looked_at(claim, made.data(), {.size = {}, .work = work, .whole = whole}))
+      at += level.at;
+    return at;
+  };
+  EXPECT_EQ(sum(1'000'000'000, 0), all);
+  EXPECT_EQ(sum(1, 1'000'000'000), all);
+  EXPECT_LT(sum(1, 0), sum(20'000, 0));
+  EXPECT_LE(sum(1, 0), 13u * 64);
 }
 
 /// States are 0 T, 1 O, 2 UT, 3 UO, as codes.  The last micro-triangle of a baked map that has one state gets
