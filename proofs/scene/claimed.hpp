@@ -28,7 +28,7 @@ class Claimed {
   MicroTriangle at(std::uint64_t k) const;
 
  private:
-  static constexpr std::uint32_t block = 1024;  ///< micro-triangles
+  static constexpr std::uint32_t block = 256;  ///< micro-triangles
   struct Blocks {
     std::once_flag counted;
     std::vector<std::uint32_t> before;  ///< by block, and all of them last
