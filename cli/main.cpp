@@ -80,6 +80,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return complain(ExitCode::usage, error.what(), "; see `mmverify --help`");
   }
+  mmverify::proofs::end_after_interrupt(1, ExitCode::interrupted);
+  const mmverify::proofs::InterruptGuard guard;
   try {
     const auto commands = program.get_subcommands({});
     for (std::size_t k = 0; k < actions.size(); ++k) {

@@ -43,11 +43,23 @@ struct Malformed {
   std::vector<std::string> lines;
 };
 
-StoredMaps of_file(const CheckMapsOptions& options, const Scene& scene) {
+/// Prints the rules that a file's micromaps break.
+void print_malformed(std::FILE* out, const std::string& file, const std::vector<std::string>& lines) {
+  say(out, "{}: its micromaps break rules\n", file);
+  for (const std::string& line : lines) say(out, "  {}\n", line);
+}
+
+/// Reads the maps.  Records that overlap can be read all the same: they are printed.
+StoredMaps of_file(const CheckMapsOptions& options, const Scene& scene, std::FILE* out) {
   Malformed malformed;
-  for (const FileViolation& v : validate_micromaps(options.file))
-    if (issue_of(v.rule).severity == Severity::error) malformed.lines.push_back(describe(v));
-  if (!malformed.lines.empty()) throw malformed;
+  bool readable = true;
+  for (const FileViolation& v : validate_micromaps(options.file)) {
+    if (issue_of(v.rule).severity != Severity::error) continue;
+    malformed.lines.push_back(describe(v));
+    readable = readable && v.rule == "record.overlap";
+  }
+  if (!readable) throw malformed;
+  if (!malformed.lines.empty()) print_malformed(out, options.file, malformed.lines);
   return stored_maps(options.file, scene);
 }
 
@@ -144,12 +156,17 @@ std::string triangle_name(const Scene& scene, const MapLink& link) {
                      material.empty() ? "" : fmt::format(" of material {}", material));
 }
 
+/// Texels of the images that no material names, which the search for a cause may decode.
+constexpr std::uint64_t most_other_texels = std::uint64_t{1} << 26;
+
 /// The cause of wrong maps, if one change explains all of them.
 std::optional<proofs::scene::Cause> cause_of(const CheckMapsOptions& options, const Scene& scene,
                                              const StoredMaps& maps) {
   const Document document = open_document(options.file);
   const Buffers buffers(document);
-  proofs::scene::Judged judged{scene, maps, options.margin, options.states == 2};
+  Scene with_images = scene;
+  decode_other_images(document, with_images, most_other_texels);
+  proofs::scene::Judged judged{with_images, maps, options.margin, options.states == 2};
   judged.uvs = [&](const Primitive& primitive, const BaseColorTexture& texture) {
     try {
       return read_uvs(document, buffers, primitive, texture);
@@ -202,7 +219,13 @@ void print_cause(std::FILE* out, const std::optional<proofs::scene::Cause>& caus
 /// Prints why maps are wrong, and what to do.  Returns the cause as JSON.
 std::string print_why(std::FILE* out, const CheckMapsOptions& options, const Scene& scene,
                       const StoredMaps& maps) {
-  const std::optional<proofs::scene::Cause> cause = cause_of(options, scene, maps);
+  std::optional<proofs::scene::Cause> cause;
+  try {
+    cause = cause_of(options, scene, maps);
+  } catch (const proofs::Interrupted&) {
+    say(out, "cause: the search was interrupted\n");
+    return json_of({});
+  }
   print_cause(out, cause);
   if (options.raw.data.empty()) print_repair(out, options.file, cause);
   return json_of(cause);
@@ -256,10 +279,10 @@ int check_maps(const CheckMapsOptions& options) {
   refuse_files_of(options.file, {{"--json", options.json}, {"--junit", options.junit}});
   StoredMaps maps;
   try {
-    maps = options.raw.data.empty() ? of_file(options, scene) : of_buffers(options, scene);
+    maps = options.raw.data.empty() ? of_file(options, scene, out) : of_buffers(options, scene);
   } catch (const Malformed& malformed) {
-    say(out, "{}: its micromaps break rules\n", options.raw.data.empty() ? options.file : options.raw.data);
-    for (const std::string& line : malformed.lines) say(out, "  {}\n", line);
+    print_malformed(out, options.raw.data.empty() ? options.file : options.raw.data, malformed.lines);
+    if (options.raw.data.empty()) print_repair(out, options.file, {});
     return failed;
   }
   for (const std::string& note : scene.notes) say(out, "note: {}\n", printable(note));

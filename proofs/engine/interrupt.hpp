@@ -10,7 +10,8 @@ bool interrupted();
 struct Interrupted {};
 
 /// Turns SIGINT, SIGTERM and SIGHUP into `interrupted()` for its lifetime, or for that of the guard that it lives within;
-/// the second one ends the process as usual.  Domain: one thread, the last one made ends first.
+/// the second one ends the process as usual.  An ignored SIGHUP stays ignored.
+/// Domain: one thread, the last one made ends first.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -18,5 +19,10 @@ class InterruptGuard {
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
+
+/// Bounds what a guard waits for: a process that still runs `seconds` after its first signal ends with exit code `code`.
+/// stderr says at the signal that a second one ends the process at once.
+/// Domain: once, before the first guard; seconds > 0.
+void end_after_interrupt(unsigned seconds, int code);
 
 }  // namespace mmverify::proofs

@@ -6,13 +6,9 @@
 
 #include "scene/attribute/measure.hpp"
 #include "scene/attribute/mip_errors.hpp"
+#include "scene/rgb_picture.hpp"
 
 namespace mmverify::scene {
-
-struct RgbPicture {
-  std::uint32_t width = 0, height = 0;
-  std::vector<std::uint8_t> rgb;
-};
 
 /// The upper row has the texture, faces, vertices; the lower row a scale of errors, from 0 on the left to 1,
 /// and the errors of both.  Each tile is the texture made smaller by the least whole number that leaves no

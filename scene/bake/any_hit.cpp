@@ -27,20 +27,24 @@ double area(const Placement& m, const Vector& a, const Vector& b) {
 
 }  // namespace
 
+double placed_area(const Scene& scene, const Primitive& primitive, std::size_t triangle) {
+  const auto& corners = primitive.triangles[triangle];
+  const auto edge = [&](std::size_t to) {
+    const Position &p = primitive.positions[corners[0]], &q = primitive.positions[corners[to]];
+    return Vector{double{q[0]} - p[0], double{q[1]} - p[1], double{q[2]} - p[2]};
+  };
+  const Vector a = edge(1), b = edge(2);
+  const Placements& placements = scene.meshes[primitive.mesh].placements;
+  double size = placements.similar * area(identity, a, b);
+  for (const auto& [linear, times] : placements.others) size += times * area(linear, a, b);
+  return size;
+}
+
 AnyHitShares any_hit_shares(const Scene& scene, const Plan& plan, const Baked& baked) {
   AnyHitShares sum;
-  for (const PlannedPrimitive& planned : plan.primitives) {
-    const Primitive& primitive = scene.primitives[planned.primitive];
-    const Mesh& mesh = scene.meshes[primitive.mesh];
+  for (const PlannedPrimitive& planned : plan.primitives)
     for (std::size_t t = 0; t < planned.triangles.size(); ++t) {
-      const auto& corners = primitive.triangles[t];
-      const auto edge = [&](std::size_t to) {
-        const Position &p = primitive.positions[corners[0]], &q = primitive.positions[corners[to]];
-        return Vector{double{q[0]} - p[0], double{q[1]} - p[1], double{q[2]} - p[2]};
-      };
-      const Vector a = edge(1), b = edge(2);
-      double size = mesh.placements.similar * area(identity, a, b);
-      for (const auto& [linear, times] : mesh.placements.others) size += times * area(linear, a, b);
+      const double size = placed_area(scene, scene.primitives[planned.primitive], t);
       const BakedTriangle& map = baked.triangles[planned.triangles[t].triangle];
       const double share = std::ldexp(size, -2 * static_cast<int>(map.level));
       sum.area += size;
@@ -48,7 +52,6 @@ AnyHitShares any_hit_shares(const Scene& scene, const Plan& plan, const Baked& b
       sum.opaque += share * static_cast<double>(map.states[1]);
       sum.unknown += share * static_cast<double>(map.states[2] + map.states[3]);
     }
-  }
   // Scales near the ends of double precision give no result.
   if (!std::isfinite(sum.area) || !std::isfinite(sum.transparent + sum.opaque + sum.unknown)) return {};
   if (sum.area > 0)

@@ -21,4 +21,8 @@ struct AnyHitShares {
 /// precision.
 AnyHitShares any_hit_shares(const Scene& scene, const Plan& plan, const Baked& baked);
 
+/// The area of a primitive's triangle, as often and as large as nodes place it.  In double precision.
+/// Domain: triangle below primitive.triangles.size().
+double placed_area(const Scene& scene, const Primitive& primitive, std::size_t triangle);
+
 }  // namespace mmverify::scene

@@ -43,6 +43,17 @@ std::vector<std::string> notes_of(const Scene& scene) {
   return notes;
 }
 
+/// Decodes one image of the document.
+void decode(const Document& document, const Buffers& buffers, std::size_t k, Image& image) {
+  const nlohmann::json& given = member(document.json, "images")[k];
+  const std::string at = place("image", k, image.name);
+  check_extensions(document, given, at);
+  if (given.contains("bufferView"))
+    decode_alpha(buffers.view(given["bufferView"].get<std::size_t>()), image, document.file, at);
+  else
+    decode_alpha(read_resource(document, given["uri"].get<std::string>(), at), image, document.file, at);
+}
+
 /// Checks that all images are there, and decodes those in `to_decode`.
 std::vector<Image> read_images(const Document& document, const Buffers& buffers,
                                const std::set<std::size_t>& to_decode) {
@@ -51,24 +62,21 @@ std::vector<Image> read_images(const Document& document, const Buffers& buffers,
   check_images_there(document);
   for (std::size_t k = 0; k < listed.size(); ++k) {
     const nlohmann::json& given = listed[k];
-    const bool decode = to_decode.contains(k);
     const std::string uri = given.value("uri", std::string());
     const bool embedded = uri.empty() || is_data_uri(uri);
     Image image;
     image.name = given.value("name", embedded ? std::string() : shown(uri));
     const std::string at = place("image", k, image.name);
-    if (decode) check_extensions(document, given, at);
-    if (given.contains("bufferView")) {
-      const auto bytes = buffers.view(given["bufferView"].get<std::size_t>());
-      if (decode) decode_alpha(bytes, image, document.file, at);
-    } else if (uri.empty()) {
+    if (!given.contains("bufferView") && uri.empty())
       throw BadScene(document.file, at, "neither a URI nor a bufferView");
-    } else if (decode || embedded) {
-      const Bytes bytes = read_resource(document, uri, at);
-      if (decode) decode_alpha(bytes, image, document.file, at);
-    } else {
+    if (to_decode.contains(k))
+      decode(document, buffers, k, image);
+    else if (given.contains("bufferView"))
+      buffers.view(given["bufferView"].get<std::size_t>());
+    else if (embedded)
+      read_resource(document, uri, at);
+    else
       check_resource(document, uri, at);
-    }
     images.push_back(std::move(image));
   }
   return images;
@@ -93,6 +101,24 @@ std::vector<MeshUse> uses_of(const Document& document) {
 }
 
 }  // namespace
+
+void decode_other_images(const Document& document, Scene& scene, std::uint64_t texels) {
+  const Buffers buffers(document);
+  for (std::size_t k = 0; k < scene.images.size(); ++k) {
+    if (scene.images[k].decoded()) continue;
+    Image image;
+    image.name = scene.images[k].name;
+    try {
+      decode(document, buffers, k, image);
+    } catch (const BadScene&) {
+      continue;
+    }
+    const std::uint64_t size = std::uint64_t{image.width} * image.height;
+    if (size > texels) return;
+    texels -= size;
+    scene.images[k] = std::move(image);
+  }
+}
 
 std::vector<MeshUse> load_uses(const std::string& file) { return uses_of(open_document(file)); }
 

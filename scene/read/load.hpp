@@ -1,6 +1,7 @@
 // A reader of glTF 2.0.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -38,6 +39,10 @@ Scene load(const std::string& name, std::span<const unsigned char> bytes);
 /// The scene of a document.
 /// Errors: as above.
 Scene load(const Document& document);
+
+/// Decodes the images that load() left out.  One that cannot be decoded stays as it is; so does each beyond `texels`
+/// texels in all.
+void decode_other_images(const Document& document, Scene& scene, std::uint64_t texels);
 
 /// The placed uses of the meshes of a file, in one order.  If no node places a mesh, each mesh is used once,
 /// at the identity.

@@ -275,6 +275,15 @@ TEST(Cause, NamesTransformsAndSets) {
               }
             }),
             "uv_set");
+  EXPECT_EQ(named([&](Scene& s) {
+              for (std::size_t p = 0; p < s.primitives.size(); ++p)
+                for (std::size_t k = 0; k < raw.primitives[p].uvs.size(); ++k) {
+                  const Uv& uv = raw.primitives[p].uvs[k];
+                  s.primitives[p].uvs[k] = transformed(transform, {uv[0], 1 - uv[1]});
+                }
+            }),
+            "v_flipped")
+      << "before the transform";
 }
 
 TEST(Cause, NamesTurnedCorners) {
@@ -381,6 +390,126 @@ TEST(Cause, NamesLinks) {
               maps.baked.triangles[2] = BakedTriangle{0, Format::four_state, {0, 1, 0, 0}, State::O, {}};
             }),
             "special_index");
+}
+
+/// A triangle whose map is uniform has that special index.
+void use_special_indices(StoredMaps& maps) {
+  for (std::size_t k = 0; k < maps.links.size(); ++k) {
+    const std::vector<State> all = states(maps, k);
+    const State first = all.front();
+    if (std::any_of(all.begin(), all.end(), [first](State s) { return s != first; })) continue;
+    maps.links[k].record = {};
+    maps.baked.triangles[k] = BakedTriangle{0, Format::four_state, {}, first, {}};
+    ++maps.baked.triangles[k].states[static_cast<std::size_t>(first)];
+  }
+}
+
+TEST(Cause, NamesLinksOfTrianglesWithSpecialIndices) {
+  Scene scene = leaves();
+  // Triangle 4 of primitive 0 shows the texture's edge alone, which is transparent.
+  auto& alpha = std::get<0>(scene.images[0].alpha);
+  for (std::size_t y = 0; y < 32; ++y)
+    for (std::size_t x = 0; x < 4; ++x) alpha[x + 32 * y] = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    scene.primitives[0].uvs[12 + k] = {0.01f + 0.01f * float(k & 1), 0.5f + 0.2f * float(k / 2)};
+  StoredMaps right = stored(scene);
+  use_special_indices(right);
+  ASSERT_FALSE(right.links[4].record);
+  EXPECT_EQ(code(scene, right), "none");
+
+  StoredMaps reversed = right;
+  for (std::size_t k = 0; k < triangles_each; ++k) {
+    const std::size_t from = triangles_each - 1 - k;
+    reversed.links[k].record = right.links[from].record;
+    reversed.baked.triangles[k] = right.baked.triangles[from];
+  }
+  EXPECT_EQ(code(scene, reversed), "triangles_reversed");
+
+  StoredMaps equal = right;
+  for (std::size_t k = 0; k < equal.links.size(); ++k) link(equal, k, equal.links[k].array, 0);
+  EXPECT_EQ(code(scene, equal), "indices_equal");
+}
+
+TEST(Cause, NamesThePrimitiveWhoseRecordsAnotherHas) {
+  const Scene scene = leaves();
+  StoredMaps maps = stored(scene);
+  // One array holds the maps of both.
+  change(maps.arrays[0], [&](Array& array) {
+    for (auto record : maps.arrays[1]->records) {
+      record.offset += static_cast<std::uint32_t>(array.data.size());
+      array.records.push_back(record);
+    }
+    array.data.insert(array.data.end(), maps.arrays[1]->data.begin(), maps.arrays[1]->data.end());
+  });
+  for (std::size_t k = 0; k < maps.links.size(); ++k) link(maps, k, 0, triangles_each + k % triangles_each);
+  const std::optional<Cause> found = cause(scene, maps);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->code, "other_primitive");
+  EXPECT_THAT(found->says, testing::StartsWith("mesh 0 primitive 0 has the maps of mesh 0 primitive 1; "));
+}
+
+// No state is known, but 64 unknown states on their right sides are no chance.
+TEST(Cause, NamesAChangeUnderWhichEachUnknownStateIsOnItsSide) {
+  Scene scene = leaves();
+  scene.primitives.resize(1);
+  scene.images[0] = Image{"noise", 32, 32, std::vector<std::uint8_t>(32 * 32)};
+  proofs::Random random(11, 0, 0);
+  for (std::uint8_t& alpha : std::get<0>(scene.images[0].alpha)) alpha = random.below(2) != 0 ? 255 : 0;
+  for (Uv& uv : scene.primitives[0].uvs) uv = {12 * uv[0], 12 * uv[1]};
+  const StoredMaps maps = baked_from(scene, [](Scene& s) {
+    for (Primitive& p : s.primitives)
+      for (Uv& uv : p.uvs) uv[0] = 1 - uv[0];
+  });
+  std::uint64_t known = 0;
+  for (std::size_t k = 0; k < maps.links.size(); ++k)
+    for (const State s : states(maps, k)) known += s == State::T || s == State::O ? 1 : 0;
+  EXPECT_LT(known, 8u) << "of 1,536";
+  EXPECT_EQ(code(scene, maps), "u_flipped");
+}
+
+// The baker had the right cutoff of the other material.
+TEST(Cause, NamesTheCutoffOfOneMaterial) {
+  Scene scene = leaves();
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials[1].cutoff = 0.6f;
+  scene.primitives[1].material = 1;
+  EXPECT_EQ(code(scene, baked_from(scene, [](Scene& s) { s.materials[0].cutoff = 0.33f; })), "cutoff");
+}
+
+// T alone bounds the cutoff from below: a high one fits any map that is T and unknown.
+TEST(Cause, NamesNoCutoffThatIsBoundedOnOneSideAlone) {
+  const Scene scene = leaves();
+  StoredMaps maps = stored(scene);
+  for (std::size_t k = 0; k < maps.links.size(); ++k) {
+    std::vector<State> all = states(maps, k);
+    for (std::size_t at = 0; at < all.size(); ++at) all[at] = at % 3 == 0 ? State::UT : State::T;
+    set(maps, k, all);
+  }
+  EXPECT_EQ(code(scene, maps), "none");
+}
+
+TEST(Cause, NamesAChangedTextureUnderAWholeTriangle) {
+  Scene scene = leaves();
+  scene.primitives.resize(1);
+  // Four by four squares of two triangles, which share their edges.
+  Primitive& p = scene.primitives[0];
+  p.uvs.clear(), p.triangles.clear();
+  for (std::uint32_t y = 0; y < 5; ++y)
+    for (std::uint32_t x = 0; x < 5; ++x) p.uvs.push_back({float(x) / 4, float(y) / 4});
+  for (std::uint32_t y = 0; y < 4; ++y)
+    for (std::uint32_t x = 0; x < 4; ++x) {
+      const std::uint32_t a = 5 * y + x;
+      p.triangles.push_back({a, a + 1, a + 5});
+      p.triangles.push_back({a + 1, a + 6, a + 5});
+    }
+  p.positions.resize(p.uvs.size());
+  const StoredMaps maps = baked_from(scene, [](Scene& s) {
+    auto& alpha = std::get<0>(s.images[0].alpha);
+    for (std::size_t y = 8; y < 17; ++y)
+      for (std::size_t x = 8; x < 17; ++x)
+        alpha[x + 32 * y] = static_cast<std::uint8_t>(255 - alpha[x + 32 * y]);
+  });
+  EXPECT_EQ(code(scene, maps), "texture_changed");
 }
 
 TEST(Cause, NamesAChangedTexture) {

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -27,8 +29,9 @@ constexpr std::size_t most_tried = 64;
 constexpr std::uint64_t most_micro_triangles = std::uint64_t{1} << 18;
 /// Micro-triangles of the triangles that are looked at, at most; beyond it every n-th triangle is.
 constexpr std::uint64_t most_looked_at = std::uint64_t{1} << 24;
-/// A change has to agree with so many known states: few states fit many changes by chance.
-constexpr std::uint64_t least_equal = 8;
+/// So many states have to speak for a change: few states fit many changes by chance.  More are wanted where each record
+/// is tried.
+constexpr std::uint64_t least_evidence = 8, least_evidence_of_records = 16;
 
 /// A cause with the fit that it gives.
 struct Candidate {
@@ -57,16 +60,22 @@ class Search {
     try_corners();
     try_links();
     try_inputs();
-    if (best_ == nullptr) try_cutoff();
-    if (best_ == nullptr) try_special();
+    try_cutoff();
+    if ((best_ == nullptr || tried_fit_.needless != 0) && try_special()) return finished();
+    if (best_ != nullptr && is_doubtful()) return {};
     if (best_ == nullptr) try_other_triangles();
     if (best_ == nullptr) try_texture();
     if (best_ == nullptr) return {};
+    name_other_primitive();
+    return finished();
+  }
+
+ private:
+  Cause finished() {
     best_->cause.wrong = wrong_;
     return best_->cause;
   }
 
- private:
   /// Chooses the triangles to look at.
   void choose_all() {
     const std::size_t count = judged_.maps.plan.triangles.size();
@@ -135,8 +144,9 @@ class Search {
   }
 
   /// Whether the sum is right, and decidedly better than the maps as they are stored.
-  bool explains(const Sum& is, const Fit& was) const {
-    if (is.fit.wrong != 0 || !is.all_right || is.fit.equal < least_equal) return false;
+  bool explains(const Sum& is, const Fit& was, std::uint64_t evidence) const {
+    if (is.fit.wrong != 0 || !is.all_right || is.fit.evidence() < evidence) return false;
+    if (2 * is.fit.needless > is.fit.unknown()) return false;
     if (was.wrong != 0) return is.fit.needless <= is.fit.equal / 4;
     if (was.needless != 0) return 4 * is.fit.needless <= was.needless;
     return 4 * is.fit.side <= was.side;
@@ -149,23 +159,34 @@ class Search {
   }
 
   /// Tries a change; keeps it if it explains all triangles, better than those before.
-  void attempt(const std::string& code, const std::string& says, const Make& make) {
+  void attempt(const std::string& code, const std::string& says, const Make& make,
+               std::uint64_t evidence = least_evidence) {
     if (interrupted()) throw Interrupted();
     try {
-      attempt_within_domain(code, says, make);
+      attempt_within_domain(code, says, make, evidence);
     } catch (const std::invalid_argument&) {
       // The changed UVs, or factors, are beyond what can be baked: no baker made these maps so.
     }
   }
 
-  void attempt_within_domain(const std::string& code, const std::string& says, const Make& make) {
+  void attempt_within_domain(const std::string& code, const std::string& says, const Make& make,
+                             std::uint64_t evidence) {
     const Sum here = sum(tried_, make(tried_));
-    if (!explains(here, as_stored(tried_))) return;
+    if (!explains(here, as_stored(tried_), evidence)) return;
+    fitting_.emplace_back(code, here.fit);
     if (best_ != nullptr && !(here.fit < tried_fit_)) return;
     const Sum everywhere = tried_.size() == all_.size() ? here : sum(all_, make(all_));
-    if (!explains(everywhere, as_stored_)) return;
+    if (!explains(everywhere, as_stored_, evidence)) return;
     tried_fit_ = here.fit;
     best_ = std::make_unique<Candidate>(Candidate{{code, says, 0, everywhere.explained}, everywhere.fit});
+  }
+
+  /// Whether a change of another kind fits nearly as well as the best one, which leaves needlessly unknown states.
+  bool is_doubtful() const {
+    return tried_fit_.needless != 0 &&
+           std::any_of(fitting_.begin(), fitting_.end(), [this](const auto& other) {
+             return other.first != best_->cause.code && other.second.needless < 2 * tried_fit_.needless;
+           });
   }
 
   std::vector<States> picked(const std::map<std::size_t, States>& from,
@@ -222,15 +243,18 @@ class Search {
 
   void try_links() {
     for (const LinkChange& change : link_changes(judged_))
-      attempt(change.code, change.says, [&](const std::vector<std::size_t>& triangles) {
-        Maps maps;
-        for (const std::size_t k : triangles) {
-          const std::optional<BakedTriangle> map = change.map(k);
-          maps.stored.push_back(map ? states_of(*map) : stored_.at(k));
-          maps.expected.push_back(right_at(k, map ? map->level : level(k)));
-        }
-        return maps;
-      });
+      attempt(
+          change.code, change.says,
+          [&](const std::vector<std::size_t>& triangles) {
+            Maps maps;
+            for (const std::size_t k : triangles) {
+              const std::optional<BakedTriangle> map = change.map(k);
+              maps.stored.push_back(map ? states_of(*map) : stored_.at(k));
+              maps.expected.push_back(right_at(k, map ? map->level : level(k)));
+            }
+            return maps;
+          },
+          least_evidence_of_records);
   }
 
   /// The expected map of a triangle at another level.
@@ -250,14 +274,37 @@ class Search {
       });
   }
 
+  /// The tried triangles of primitives that have a wrong one; the baker had the right cutoff of the others.
+  std::vector<std::size_t> tried_of_wrong_primitives() const {
+    const auto primitive = [this](std::size_t k) { return judged_.maps.link(k).primitive; };
+    std::set<std::size_t> wrong;
+    for (const std::size_t k : tried_)
+      if (fits_.at(k).wrong + fits_.at(k).needless != 0) wrong.insert(primitive(k));
+    std::vector<std::size_t> some;
+    std::copy_if(tried_.begin(), tried_.end(), std::back_inserter(some),
+                 [&](std::size_t k) { return wrong.contains(primitive(k)); });
+    return some;
+  }
+
+  /// Whether a cutoff leaves few needlessly unknown states; none if only T, or only O, bounds it.
+  bool is_tight(const std::vector<std::size_t>& triangles, double cutoff, bool bounded) const {
+    const std::vector<States> right = expected(judged_, with_cutoff(inputs_, cutoff), triangles);
+    Fit all;
+    for (std::size_t k = 0; k < triangles.size(); ++k) all += fit(stored_.at(triangles[k]), right[k]);
+    return bounded ? 8 * all.needless <= all.unknown() : all.needless == 0;
+  }
+
   void try_cutoff() {
-    const std::optional<CutoffRange> range = cutoffs(judged_, tried_, picked(stored_, tried_));
+    const std::vector<std::size_t> of_wrong = tried_of_wrong_primitives();
+    const std::optional<CutoffRange> range = cutoffs(judged_, of_wrong, picked(stored_, of_wrong));
     if (!range) return;
     const bool blend = std::any_of(all_.begin(), all_.end(), [this](std::size_t k) {
       return !fits_[k].is_right() && inputs_.surfaces[judged_.maps.plan.triangles[k].surface].mode ==
                                          mmverify::scene::AlphaMode::blend;
     });
     const double middle = (range->least + range->greatest) / 2;
+    const bool bounded = range->least > 0 && range->greatest < 1;
+    if (!is_tight(of_wrong, middle, bounded)) return;
     attempt(
         blend ? "blend_by_cutoff" : "cutoff",
         fmt::format("{}: all maps are right under any from {:.4f} to {:.4f}",
@@ -273,53 +320,122 @@ class Search {
     std::vector<std::pair<std::size_t, std::string>> found;
     constexpr std::size_t most = 256;
     Fit all;
+    bool all_special = true;
     for (const std::size_t k : all_) {
       if (fits_[k].is_right()) continue;
       if (found.size() == most) return;
+      const bool special = !judged_.maps.link(k).record;
+      all_special = all_special && special;
       // A map that is nearly right is its triangle's: nearly uniform maps fit many triangles.
-      if (16 * (fits_[k].wrong + fits_[k].needless) < stored_[k].size()) return;
+      if (!special && 16 * (fits_[k].wrong + fits_[k].needless) < stored_[k].size()) return;
       const auto record = fitting_record(k);
       if (!record) return;
       all += record->second;
       found.emplace_back(k, record->first);
     }
-    if (found.empty() || all.equal < least_equal) return;
-    best_ = std::make_unique<Candidate>(
-        Candidate{{"other_triangles",
-                   fmt::format("triangles have each other's maps: triangle {} fits {}", found[0].first,
-                               found[0].second),
-                   0, found.size()},
-                  all});
+    if (found.empty() || all.equal < least_evidence) return;
+    const auto& [first, place] = found[0];
+    Cause cause{"other_triangles",
+                fmt::format("triangles have each other's maps: triangle {} fits {}", first, place), 0,
+                found.size()};
+    if (all_special)
+      cause = {
+          "special_index",
+          fmt::format("triangles have special indices in place of maps: triangle {} fits {}", first, place),
+          0, found.size()};
+    else if (indices_are_equal())
+      cause = {"indices_equal",
+               fmt::format("the indices of all triangles are equal: triangle {} fits {}", first, place), 0,
+               found.size()};
+    best_ = std::make_unique<Candidate>(Candidate{cause, all});
   }
 
+  /// Whether all triangles of each primitive have one record, and some primitive has several triangles.
+  bool indices_are_equal() const {
+    std::map<std::size_t, std::uint64_t> record_of;
+    bool several = false;
+    for (const mmverify::scene::MapLink& link : judged_.maps.links) {
+      if (!link.record) return false;
+      const auto [of, is_new] = record_of.try_emplace(link.primitive, *link.record);
+      if (of->second != *link.record) return false;
+      several = several || !is_new;
+    }
+    return several;
+  }
+
+  /// The place of a record whose map fits a triangle.  A triangle that is uniform needs none.
   std::optional<std::pair<std::string, Fit>> fitting_record(std::size_t k) {
     constexpr std::uint64_t most = 4096;
+    const Fit uniform = fit_of_uniform(k);
+    if (uniform.is_right() && uniform.evidence() >= least_evidence)
+      return std::pair("a special index", uniform);
     for (std::size_t a = 0; a < judged_.maps.arrays.size(); ++a)
       for (std::uint64_t r = 0; r < std::min<std::uint64_t>(most, judged_.maps.arrays[a]->records.size());
            ++r) {
         const BakedTriangle map = mmverify::scene::stored_map(judged_.maps.arrays[a], r);
         const Fit is = fit(states_of(map), right_at(k, map.level));
-        if (is.is_right() && is.equal >= least_equal)
+        if (is.is_right() && is.equal >= least_evidence)
           return std::pair(fmt::format("record {} of micromap {}", r, a), is);
       }
     return {};
   }
 
-  /// All wrong triangles have special indices.
-  void try_special() {
-    std::uint64_t wrong = 0;
-    for (const std::size_t k : all_) {
-      if (fits_[k].is_right()) continue;
-      if (judged_.maps.link(k).record) return;
-      wrong += times(k);
+  /// The fit of a triangle whose micro-triangles are all T, or all O, as if it had that special index.
+  Fit fit_of_uniform(std::size_t k) {
+    const States& right = right_[k];
+    return fit(States(right.size(), right.front()), right);
+  }
+
+  /// Names the primitive whose records a wrong one has, if the best change gives it other records.
+  void name_other_primitive() {
+    if (best_->cause.code != "base_triangle" && best_->cause.code != "other_triangles") return;
+    using Records = std::vector<std::pair<std::size_t, std::optional<std::uint64_t>>>;
+    std::map<std::size_t, Records> records;
+    for (const mmverify::scene::MapLink& link : judged_.maps.links) {
+      if (link.base != 0) return;  // the file sets primitives apart by their bases
+      records[link.primitive].emplace_back(link.array, link.record);
     }
-    if (wrong == 0 || as_stored_.equal < least_equal) return;
+    std::set<std::size_t> wrong;
+    for (const std::size_t k : all_)
+      if (!fits_[k].is_right()) wrong.insert(judged_.maps.link(k).primitive);
+    std::string pairs;
+    for (const std::size_t one : wrong) {
+      const auto other = std::find_if(records.begin(), records.end(), [&](const auto& of) {
+        return !wrong.contains(of.first) && of.second == records[one];
+      });
+      if (other == records.end()) return;
+      pairs += fmt::format("{} has the maps of {}; ", primitive_name(one), primitive_name(other->first));
+    }
+    best_->cause.code = "other_primitive";
+    best_->cause.says = pairs + best_->cause.says;
+  }
+
+  std::string primitive_name(std::size_t primitive) const {
+    const auto& of = judged_.scene.primitives[primitive];
+    return fmt::format("mesh {} primitive {}", of.mesh, of.number);
+  }
+
+  /// All wrong triangles have special indices, and most others are right.
+  bool try_special() {
+    std::uint64_t wrong = 0, triangles = 0;
+    Fit others;
+    for (const std::size_t k : all_) {
+      if (fits_[k].is_right()) {
+        others += fits_[k];
+        continue;
+      }
+      if (judged_.maps.link(k).record) return false;
+      wrong += times(k);
+      ++triangles;
+    }
+    if (wrong == 0 || 2 * triangles > all_.size() || others.evidence() < least_evidence) return false;
     best_ = std::make_unique<Candidate>(
         Candidate{{"special_index",
                    fmt::format("{} triangle{} a special index that is another's; all maps are right", wrong,
                                wrong == 1 ? " has" : "s have"),
                    0, wrong},
                   as_stored_});
+    return true;
   }
 
   void try_texture() {
@@ -338,6 +454,7 @@ class Search {
   Fit as_stored_, tried_fit_;
   std::uint64_t wrong_ = 0;
   std::map<std::pair<std::size_t, Level>, States> at_level_;
+  std::vector<std::pair<std::string, Fit>> fitting_;  ///< codes and fits of the tried triangles
   std::unique_ptr<Candidate> best_;
 };
 

@@ -18,6 +18,7 @@ Fit& Fit::operator+=(const Fit& more) {
   needless += more.needless;
   side += more.side;
   equal += more.equal;
+  same += more.same;
   return *this;
 }
 
@@ -31,7 +32,7 @@ Fit fit(std::span<const State> stored, std::span<const State> expected) {
     else if (known_there)
       ++all.needless;
     else
-      all.side += stored[k] != expected[k] ? 1 : 0;
+      ++(stored[k] == expected[k] ? all.same : all.side);
   }
   return all;
 }

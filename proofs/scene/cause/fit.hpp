@@ -22,6 +22,7 @@ struct Fit {
   std::uint64_t needless = 0;  ///< unknown, and expected to be known
   std::uint64_t side = 0;      ///< unknown on the other side
   std::uint64_t equal = 0;     ///< known as expected
+  std::uint64_t same = 0;      ///< unknown as expected, on the same side
 
   Fit& operator+=(const Fit& more);
   /// The lesser is the better.
@@ -31,6 +32,9 @@ struct Fit {
     return a.side <=> b.side;
   }
   friend bool operator==(const Fit& a, const Fit& b) { return (a <=> b) == 0; }
+  /// States that speak for the expected map: the known ones; if every state is as expected, the unknown ones, too.
+  std::uint64_t evidence() const { return wrong + needless + side == 0 ? equal + same : equal; }
+  std::uint64_t unknown() const { return needless + side + same; }
   /// Whether the map may be shown: no known state is wrong, and fewer are needlessly unknown than known.
   bool is_right() const { return wrong == 0 && needless <= equal / 4; }
 };

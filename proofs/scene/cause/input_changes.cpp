@@ -63,15 +63,35 @@ class Changes {
                     }});
   }
 
+  /// A change of the UVs that the texture is sampled at, and the same change before KHR_texture_transform.
+  void add_flip(const char* code, const char* says, Uv (*change)(const Uv&)) {
+    add_uvs(code, says, change);
+    if (!judged_.uvs) return;
+    bool transforms = false;
+    std::vector<std::vector<Uv>> of_primitive(judged_.scene.primitives.size());
+    for (std::size_t p = 0; p < of_primitive.size(); ++p) {
+      const mmverify::scene::Primitive& primitive = judged_.scene.primitives[p];
+      const auto& texture = judged_.scene.material_of(primitive).texture;
+      if (!texture) continue;
+      BaseColorTexture untransformed = *texture;
+      untransformed.transform = TextureTransform();
+      transforms = transforms || !(texture->transform == untransformed.transform);
+      of_primitive[p] = judged_.uvs(primitive, untransformed);
+      for (Uv& uv : of_primitive[p]) uv = transformed(texture->transform, change(uv));
+    }
+    if (transforms)
+      add_primitives_uvs(code, std::string(says) + ", before KHR_texture_transform", of_primitive);
+  }
+
   void coordinates() {
-    add_uvs("v_flipped", "the baker took 1 - v for v: its texture was upside down", [](const Uv& uv) {
+    add_flip("v_flipped", "the baker took 1 - v for v: its texture was upside down", [](const Uv& uv) {
       return Uv{uv[0], 1 - uv[1]};
     });
-    add_uvs("v_negated", "the baker took -v for v", [](const Uv& uv) { return Uv{uv[0], -uv[1]}; });
-    add_uvs("u_flipped", "the baker took 1 - u for u: its texture was mirrored", [](const Uv& uv) {
+    add_flip("v_negated", "the baker took -v for v", [](const Uv& uv) { return Uv{uv[0], -uv[1]}; });
+    add_flip("u_flipped", "the baker took 1 - u for u: its texture was mirrored", [](const Uv& uv) {
       return Uv{1 - uv[0], uv[1]};
     });
-    add_uvs("uv_exchanged", "the baker took u and v for each other", [](const Uv& uv) {
+    add_flip("uv_exchanged", "the baker took u and v for each other", [](const Uv& uv) {
       return Uv{uv[1], uv[0]};
     });
     for (std::uint32_t set = 0; set < 4; ++set)
@@ -103,23 +123,27 @@ class Changes {
   void add_texture(std::string code, std::string says, const std::function<void(BaseColorTexture&)>& change) {
     if (!judged_.uvs) return;
     std::vector<std::vector<Uv>> of_primitive(judged_.scene.primitives.size());
-    std::vector<bool> is_read(of_primitive.size());
+    for (std::size_t p = 0; p < of_primitive.size(); ++p) {
+      const mmverify::scene::Primitive& primitive = judged_.scene.primitives[p];
+      const auto& before = judged_.scene.material_of(primitive).texture;
+      if (!before) continue;
+      BaseColorTexture texture = *before;
+      change(texture);
+      if (texture.uv_set != before->uv_set || !(texture.transform == before->transform))
+        of_primitive[p] = judged_.uvs(primitive, texture);
+    }
+    add_primitives_uvs(std::move(code), std::move(says), of_primitive);
+  }
+
+  /// A change to these UVs of primitives, by vertex; those of a primitive without any stay.
+  void add_primitives_uvs(std::string code, std::string says, const std::vector<std::vector<Uv>>& of) {
     std::vector<mmverify::scene::UvTriangle> uvs = inputs_.uvs;
     for (std::size_t k = 0; k < uvs.size(); ++k) {
       const mmverify::scene::MapLink& link = judged_.maps.link(k);
-      const mmverify::scene::Primitive& primitive = judged_.scene.primitives[link.primitive];
-      if (!is_read[link.primitive]) {
-        is_read[link.primitive] = true;
-        BaseColorTexture texture = *judged_.scene.material_of(primitive).texture;
-        const BaseColorTexture before = texture;
-        change(texture);
-        if (texture.uv_set != before.uv_set || !(texture.transform == before.transform))
-          of_primitive[link.primitive] = judged_.uvs(primitive, texture);
-      }
-      const std::vector<Uv>& other = of_primitive[link.primitive];
-      if (other.empty()) continue;
+      if (of[link.primitive].empty()) continue;
+      const auto& vertices = judged_.scene.primitives[link.primitive].triangles[link.triangle];
       for (std::size_t vertex = 0; vertex < 3; ++vertex)
-        uvs[k][vertex] = other[primitive.triangles[link.triangle][vertex]];
+        uvs[k][vertex] = of[link.primitive][vertices[vertex]];
     }
     if (uvs == inputs_.uvs) return;
     all_.push_back({std::move(code), std::move(says), [uvs](Inputs& inputs) { inputs.uvs = uvs; }});

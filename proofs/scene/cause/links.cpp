@@ -18,11 +18,12 @@ using mmverify::scene::StoredArray;
 using mmverify::scene::StoredMaps;
 
 /// The place of a map: an array's record.
-struct Place {
+struct RecordPlace {
   std::size_t array;
   std::uint64_t record;
 };
-using Rule = std::function<std::optional<Place>(const MapLink&)>;
+using RecordRule = std::function<std::optional<RecordPlace>(const MapLink&)>;
+using TriangleRule = std::function<std::optional<std::size_t>(const MapLink&)>;
 
 /// The most places by which a base triangle is tried to be off.
 constexpr std::int64_t most_shift = 1024;
@@ -40,11 +41,11 @@ class Links {
   std::vector<LinkChange> all() {
     equal_offsets();
     equal_indices();
-    other_bases();
     other_arrays();
     other_primitives();
-    add("triangles_reversed", "the triangles' maps lie in reverse", [this](const MapLink& link) {
-      return place_of(link.primitive, by_primitive_.at(link.primitive).size() - 1 - link.triangle);
+    other_bases();
+    add_triangles("triangles_reversed", "the triangles' maps lie in reverse", [this](const MapLink& link) {
+      return planned_of(link.primitive, by_primitive_.at(link.primitive).size() - 1 - link.triangle);
     });
     return std::move(all_);
   }
@@ -52,22 +53,31 @@ class Links {
  private:
   static constexpr std::size_t none = ~std::size_t{0};
 
-  /// The place of another triangle's map.
-  std::optional<Place> place_of(std::size_t primitive, std::size_t triangle) const {
+  /// The planned triangle of a primitive's.
+  std::optional<std::size_t> planned_of(std::size_t primitive, std::size_t triangle) const {
     const auto of = by_primitive_.find(primitive);
     if (of == by_primitive_.end() || triangle >= of->second.size() || of->second[triangle] == none) return {};
-    const MapLink& link = maps_.links[of->second[triangle]];
-    if (!link.record) return {};
-    return Place{link.array, *link.record};
+    return maps_.links[of->second[triangle]].planned;
   }
 
-  void add(std::string code, std::string says, Rule rule) {
+  /// A reading by which a triangle with a record has another record; special indices stay.
+  void add_records(std::string code, std::string says, RecordRule rule) {
     all_.push_back({std::move(code), std::move(says),
                     [&maps = maps_, rule = std::move(rule)](std::size_t k) -> std::optional<BakedTriangle> {
                       if (!maps.link(k).record) return {};
-                      const std::optional<Place> place = rule(maps.link(k));
+                      const std::optional<RecordPlace> place = rule(maps.link(k));
                       if (!place || place->record >= maps.arrays[place->array]->records.size()) return {};
                       return mmverify::scene::stored_map(maps.arrays[place->array], place->record);
+                    }});
+  }
+
+  /// A reading by which a triangle has the map, or the special index, of another triangle.
+  void add_triangles(std::string code, std::string says, TriangleRule rule) {
+    all_.push_back({std::move(code), std::move(says),
+                    [&maps = maps_, rule = std::move(rule)](std::size_t k) -> std::optional<BakedTriangle> {
+                      const std::optional<std::size_t> other = rule(maps.link(k));
+                      if (!other) return {};
+                      return maps.baked.triangles[*other];
                     }});
   }
 
@@ -110,10 +120,10 @@ class Links {
       return of.second.size() == 1 && by_primitive_.at(of.first).size() > 1;
     });
     if (!records.empty() && equal)
-      add("indices_equal", "the indices of all triangles are equal; map k is triangle k's",
-          [](const MapLink& link) {
-            return Place{link.array, link.base + link.triangle};
-          });
+      add_records("indices_equal", "the indices of all triangles are equal; map k is triangle k's",
+                  [](const MapLink& link) {
+                    return RecordPlace{link.array, link.base + link.triangle};
+                  });
   }
 
   void other_bases() {
@@ -123,38 +133,40 @@ class Links {
     most = std::min(most - 1, most_shift);
     for (std::int64_t by = -most; by <= most; ++by) {
       if (by == 0) continue;
-      add("base_triangle",
-          fmt::format("each triangle has the map of the record {} {} its own", by < 0 ? -by : by,
-                      by < 0 ? "behind" : "before"),
-          [by](const MapLink& link) -> std::optional<Place> {
-            if (by < 0 && *link.record < static_cast<std::uint64_t>(-by)) return {};
-            return Place{link.array, *link.record + static_cast<std::uint64_t>(by)};
-          });
+      add_records("base_triangle",
+                  fmt::format("each triangle has the map of the record {} {} its own", by < 0 ? -by : by,
+                              by < 0 ? "behind" : "before"),
+                  [by](const MapLink& link) -> std::optional<RecordPlace> {
+                    if (by < 0 && *link.record < static_cast<std::uint64_t>(-by)) return {};
+                    return RecordPlace{link.array, *link.record + static_cast<std::uint64_t>(by)};
+                  });
     }
   }
 
   void other_arrays() {
     for (std::size_t array = 0; array < maps_.arrays.size(); ++array)
-      add("other_micromap", fmt::format("the maps of micromap {} fit", array), [array](const MapLink& link) {
-        return Place{array, *link.record};
-      });
+      add_records("other_micromap", fmt::format("the maps of micromap {} fit", array),
+                  [array](const MapLink& link) {
+                    return RecordPlace{array, *link.record};
+                  });
     if (maps_.arrays.size() == 2)
-      add("micromaps_exchanged", "the two micromaps are exchanged", [](const MapLink& link) {
-        return Place{1 - link.array, *link.record};
+      add_records("micromaps_exchanged", "the two micromaps are exchanged", [](const MapLink& link) {
+        return RecordPlace{1 - link.array, *link.record};
       });
   }
 
   void other_primitives() {
     for (const auto& [other, triangles] : by_primitive_)
-      add("other_primitive",
-          fmt::format("the maps of mesh {} primitive {} fit", judged_.scene.primitives[other].mesh,
-                      judged_.scene.primitives[other].number),
-          [this, other = other](const MapLink& link) { return place_of(other, link.triangle); });
+      add_triangles("other_primitive",
+                    fmt::format("the maps of mesh {} primitive {} fit", judged_.scene.primitives[other].mesh,
+                                judged_.scene.primitives[other].number),
+                    [this, other = other](const MapLink& link) { return planned_of(other, link.triangle); });
     if (by_primitive_.size() != 2) return;
     const std::size_t one = by_primitive_.begin()->first, two = by_primitive_.rbegin()->first;
-    add("primitives_exchanged", "the two primitives have each other's maps", [=, this](const MapLink& link) {
-      return place_of(link.primitive == one ? two : one, link.triangle);
-    });
+    add_triangles("primitives_exchanged", "the two primitives have each other's maps",
+                  [=, this](const MapLink& link) {
+                    return planned_of(link.primitive == one ? two : one, link.triangle);
+                  });
   }
 
   const Judged& judged_;
