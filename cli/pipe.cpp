@@ -200,6 +200,10 @@ void add_maps(CLI::App& command, CheckMapsOptions& options) {
       ->check(CLI::IsMember({2, 4}));
   command.add_option("--margin", options.margin, "maps: texels by which micro-triangles were dilated")
       ->check(finite_within(0, 64));
+  command
+      .add_option("--picture", options.picture,
+                  "maps: draw the first wrong micro-triangle and its map on the texture")
+      ->type_name("FILE.png");
   add_effort(command, options.effort, "maps: ");
   command.add_option("--replay", options.replay, "maps: show one case of a law again")->type_name("LAW");
   command.add_option("--case", options.at, "the case of --replay")->type_name("LEVEL@CASE");

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
@@ -17,16 +16,15 @@
 #include "cli/junit.hpp"
 #include "cli/output_file.hpp"
 #include "cli/scene/loaded.hpp"
-#include "cli/scene/scene.hpp"
+#include "cli/scene/wrong_maps.hpp"
 #include "cli/streams.hpp"
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
-#include "proofs/scene/cause/cause.hpp"
+#include "proofs/scene/laws.hpp"
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/file.hpp"
 #include "scene/read/load.hpp"
-#include "scene/read/primitives.hpp"
 #include "scene/validate/issues.hpp"
 #include "scene/validate/micromaps.hpp"
 #include "scene/validate/stored_maps.hpp"
@@ -49,8 +47,8 @@ void print_malformed(std::FILE* out, const std::string& file, const std::vector<
   for (const std::string& line : lines) say(out, "  {}\n", line);
 }
 
-/// Reads the maps.  Records that overlap can be read all the same: they are printed.
-StoredMaps of_file(const CheckMapsOptions& options, const Scene& scene, std::FILE* out) {
+/// Reads the maps.  Records that overlap can be read all the same: they are printed, and `keeps_rules` is false.
+StoredMaps of_file(const CheckMapsOptions& options, const Scene& scene, std::FILE* out, bool& keeps_rules) {
   Malformed malformed;
   bool readable = true;
   for (const FileViolation& v : validate_micromaps(options.file)) {
@@ -59,7 +57,8 @@ StoredMaps of_file(const CheckMapsOptions& options, const Scene& scene, std::FIL
     readable = readable && v.rule == "record.overlap";
   }
   if (!readable) throw malformed;
-  if (!malformed.lines.empty()) print_malformed(out, options.file, malformed.lines);
+  keeps_rules = malformed.lines.empty();
+  if (!keeps_rules) print_malformed(out, options.file, malformed.lines);
   return stored_maps(options.file, scene);
 }
 
@@ -156,81 +155,6 @@ std::string triangle_name(const Scene& scene, const MapLink& link) {
                      material.empty() ? "" : fmt::format(" of material {}", material));
 }
 
-/// Texels of the images that no material names, which the search for a cause may decode.
-constexpr std::uint64_t most_other_texels = std::uint64_t{1} << 26;
-
-/// The cause of wrong maps, if one change explains all of them.
-std::optional<proofs::scene::Cause> cause_of(const CheckMapsOptions& options, const Scene& scene,
-                                             const StoredMaps& maps) {
-  const Document document = open_document(options.file);
-  const Buffers buffers(document);
-  Scene with_images = scene;
-  decode_other_images(document, with_images, most_other_texels);
-  proofs::scene::Judged judged{with_images, maps, options.margin, options.states == 2};
-  judged.uvs = [&](const Primitive& primitive, const BaseColorTexture& texture) {
-    try {
-      return read_uvs(document, buffers, primitive, texture);
-    } catch (const BadScene&) {
-      return std::vector<Uv>();  // that set, or these UVs, cannot be read: no baker took them
-    }
-  };
-  return proofs::scene::cause_of(judged);
-}
-
-std::string json_of(const std::optional<proofs::scene::Cause>& cause) {
-  if (!cause) return "null";
-  return nlohmann::json{
-      {"code", cause->code}, {"says", cause->says}, {"wrong", cause->wrong}, {"explained", cause->explained}}
-      .dump();
-}
-
-/// Whether repair undoes a cause without baking.
-bool is_repairable(const std::string& code) {
-  constexpr std::array codes{"states",
-                             "unknown_side",
-                             "order",
-                             "corners",
-                             "base_triangle",
-                             "other_micromap",
-                             "micromaps_exchanged",
-                             "other_primitive",
-                             "primitives_exchanged",
-                             "triangles_reversed",
-                             "other_triangles",
-                             "special_index"};
-  return std::find(codes.begin(), codes.end(), code) != codes.end();
-}
-
-/// Prints the command that may put the file right.
-void print_repair(std::FILE* out, const std::string& file, const std::optional<proofs::scene::Cause>& cause) {
-  const bool is_enough = cause && is_repairable(cause->code) && cause->explained == cause->wrong;
-  say(out, "next: mmverify repair {} -o OUT{}{}\n", shell_quoted(file),
-      file.ends_with(".gltf") ? ".gltf" : ".glb", is_enough ? "" : " --bake");
-}
-
-void print_cause(std::FILE* out, const std::optional<proofs::scene::Cause>& cause) {
-  if (!cause)
-    say(out, "cause: no single change explains these maps\n");
-  else
-    say(out, "cause: {}: {}; it explains {} of {} wrong triangles\n", cause->code, cause->says,
-        grouped(cause->explained), grouped(cause->wrong));
-}
-
-/// Prints why maps are wrong, and what to do.  Returns the cause as JSON.
-std::string print_why(std::FILE* out, const CheckMapsOptions& options, const Scene& scene,
-                      const StoredMaps& maps) {
-  std::optional<proofs::scene::Cause> cause;
-  try {
-    cause = cause_of(options, scene, maps);
-  } catch (const proofs::Interrupted&) {
-    say(out, "cause: the search was interrupted\n");
-    return json_of({});
-  }
-  print_cause(out, cause);
-  if (options.raw.data.empty()) print_repair(out, options.file, cause);
-  return json_of(cause);
-}
-
 /// Refuses options that cannot go together.
 void refuse_conflicts(const CheckMapsOptions& options) {
   if (options.file.empty()) throw UsageError("check maps: name the scene, FILE.gltf or FILE.glb");
@@ -243,7 +167,8 @@ void refuse_conflicts(const CheckMapsOptions& options) {
                     {"--records", options.raw.records},
                     {"--indices", options.raw.indices},
                     {"--json", options.json},
-                    {"--junit", options.junit}});
+                    {"--junit", options.junit},
+                    {"--picture", options.picture}});
 }
 
 int replayed(const proofs::scene::SceneLaws& laws, const CheckMapsOptions& options) {
@@ -266,32 +191,10 @@ int replayed(const proofs::scene::SceneLaws& laws, const CheckMapsOptions& optio
       fmt::format("--replay {}: no law of that name has cases of that level here", options.replay));
 }
 
-}  // namespace
-
-int check_maps(const CheckMapsOptions& options) {
-  refuse_conflicts(options);
-  const proofs::InterruptGuard guard;
-  JsonOutput json(options.json);
-  std::optional<OutputFile> junit;
-  if (!options.junit.empty()) junit.emplace(options.junit);
+/// Runs the laws on the maps, prints and writes their results.
+int judged(const CheckMapsOptions& options, const Scene& scene, const StoredMaps& maps, JsonOutput& json,
+           std::optional<OutputFile>& junit) {
   std::FILE* const out = json.text();
-  const Scene scene = load(options.file);
-  refuse_files_of(options.file, {{"--json", options.json}, {"--junit", options.junit}});
-  StoredMaps maps;
-  try {
-    maps = options.raw.data.empty() ? of_file(options, scene, out) : of_buffers(options, scene);
-  } catch (const Malformed& malformed) {
-    print_malformed(out, options.raw.data.empty() ? options.file : options.raw.data, malformed.lines);
-    if (options.raw.data.empty()) print_repair(out, options.file, {});
-    return failed;
-  }
-  for (const std::string& note : scene.notes) say(out, "note: {}\n", printable(note));
-  if (maps.baked.triangles.empty() && maps.not_judged.empty()) {
-    const std::string other = names_used(options.file).other;
-    throw UsageError(fmt::format("{}: no primitive has a micromap{}", options.file,
-                                 other.empty() ? "" : "; it has " + other + ", which is not read here"));
-  }
-  print_maps(out, options.file, scene, maps);
   const SceneArrays no_arrays;
   const Pairs no_pairs;
   const SquareMaps no_squares;
@@ -320,11 +223,43 @@ int check_maps(const CheckMapsOptions& options) {
   const proofs::Report report = run_jobs(laws.jobs, run, [&](const proofs::Result& r) { text.add(r); });
   text.finish(report, false);
   std::string cause_json;
-  if (!report.interrupted && exit_code(report) == failed) cause_json = print_why(out, options, scene, maps);
+  if (!report.interrupted) cause_json = print_why(out, options, scene, maps, report);
   json.write([&] { return to_json(report, options.seed, {}, {}, {}, {}, cause_json); });
   if (junit) junit->commit(to_junit(report));
   if (laws.jobs.empty()) refuse_nothing({});
   return exit_code(report);
+}
+
+}  // namespace
+
+int check_maps(const CheckMapsOptions& options) {
+  refuse_conflicts(options);
+  const proofs::InterruptGuard guard;
+  JsonOutput json(options.json);
+  std::optional<OutputFile> junit;
+  if (!options.junit.empty()) junit.emplace(options.junit);
+  std::FILE* const out = json.text();
+  const Scene scene = load(options.file);
+  refuse_files_of(options.file,
+                  {{"--json", options.json}, {"--junit", options.junit}, {"--picture", options.picture}});
+  StoredMaps maps;
+  bool keeps_rules = true;
+  try {
+    maps = options.raw.data.empty() ? of_file(options, scene, out, keeps_rules) : of_buffers(options, scene);
+  } catch (const Malformed& malformed) {
+    print_malformed(out, options.raw.data.empty() ? options.file : options.raw.data, malformed.lines);
+    print_repair(out, options, {});
+    return failed;
+  }
+  for (const std::string& note : scene.notes) say(out, "note: {}\n", printable(note));
+  if (maps.baked.triangles.empty() && maps.not_judged.empty()) {
+    const std::string other = names_used(options.file).other;
+    throw UsageError(fmt::format("{}: no primitive has a micromap{}", options.file,
+                                 other.empty() ? "" : "; it has " + other + ", which is not read here"));
+  }
+  print_maps(out, options.file, scene, maps);
+  const int code = judged(options, scene, maps, json, junit);
+  return keeps_rules || code != complete ? code : failed;
 }
 
 }  // namespace mmverify::cli

@@ -18,7 +18,7 @@ struct RawArray {
 };
 
 struct CheckMapsOptions {
-  std::string file, json, junit, replay, at;
+  std::string file, json, junit, replay, at, picture;
   RawArray raw;
   BakeEffort effort;
   std::uint64_t seed = 1;

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -24,9 +25,11 @@
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
 #include "proofs/scene/laws.hpp"
+#include "scene/picture/opacity_picture.hpp"
 #include "scene/sample/scene.hpp"
 #include "scene/validate/micromaps.hpp"
 #include "scene/write/glb.hpp"
+#include "scene/write/png.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -43,12 +46,13 @@ using proofs::Result;
 using proofs::RunOptions;
 
 struct SceneOptions {
-  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at, subject;
+  std::string file, level = "auto", sizes, json, plot, glb, journal, replay, at, subject, picture;
+  std::optional<double> asks;  ///< a share, in [0, 1]
   double timeout = 10;
   std::uint64_t memory = std::uint64_t{1} << 30, seed = 1;
   BakeEffort effort;
   unsigned threads = 0, level_limit = finest_level;
-  bool no_laws = false, quiet = false;
+  bool no_laws = false, quiet = false, details = false;
   float margin = 0;
   int states = 4;
 };
@@ -197,7 +201,8 @@ SceneMicromaps micromaps_of(const Scene& scene, const LevelRequest& wanted, cons
   PipelineOptions pipeline{.levels = wanted, .level_limit = options.level_limit};
   std::optional<Progress> progress;
   pipeline.planned = [&](const Plan& plan, const mmverify::scene::Levels& levels) {
-    if (options.replay.empty()) print_plan(output.text(), scene, plan, levels);
+    if (options.replay.empty() && (options.details || plan.triangles.empty() || !options.subject.empty()))
+      print_plan(output.text(), scene, plan, levels);
     std::fflush(output.text());
     if (plan.triangles.empty()) return false;
     progress.emplace(levels.micro_triangles, !options.quiet);
@@ -217,11 +222,16 @@ SceneMicromaps micromaps_of(const Scene& scene, const LevelRequest& wanted, cons
   }
 }
 
-/// Runs the laws and prints their results as they come; `how`: the setting that decides which cases they
-/// have.
+bool is_fault(const Result& result) {
+  return result.verdict == proofs::Verdict::refuted || result.verdict == proofs::Verdict::broken;
+}
+
+/// Runs the laws and prints their results as they come, without --details the faults alone; `how`: the setting that
+/// decides which cases they have.
 Report ran(const std::vector<Job>& jobs, const SceneOptions& options, std::FILE* out,
            const std::string& how) {
   TextReport text(out, false);
+  const bool all = options.details || !options.subject.empty();
   RunOptions run;
   run.threads = options.threads;
   run.seed = options.seed;
@@ -232,8 +242,10 @@ Report ran(const std::vector<Job>& jobs, const SceneOptions& options, std::FILE*
   identity.emplace_back("samples", how);
   const auto journal = open_journal(options.journal, std::move(identity), {});
   run.journal = journal.get();
-  const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
-  text.finish(report, false);
+  const Report report = run_jobs(jobs, run, [&](const Result& r) {
+    if (all || is_fault(r)) text.add(r);
+  });
+  if (all || std::any_of(report.results.begin(), report.results.end(), is_fault)) text.finish(report, false);
   if (report.interrupted && journal)
     say(stderr, "stopped; the same command goes on from {}\n", options.journal);
   return report;
@@ -266,6 +278,33 @@ void refuse_text_name(const std::string& name) {
     throw UsageError(fmt::format("-o {}: a GLB is written, in one file; name it .glb", name));
 }
 
+/// The letters and digits of a name, others as _.
+std::string file_name_of(const std::string& name) {
+  std::string all;
+  for (const char c : name.substr(0, 64)) all += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  return all;
+}
+
+/// Writes a picture of each material's maps.
+void write_pictures(const SceneFigures& figures, const SceneOptions& options, std::FILE* out) {
+  if (options.picture.empty()) return;
+  constexpr std::uint32_t longest = 1024;
+  for (const MaterialFigures& one : figures.materials) {
+    const auto picture =
+        material_picture(figures.scene, figures.made.plan, figures.made.baked, one.material, longest);
+    if (!picture) continue;
+    const std::string& name = figures.scene.materials[one.material].name;
+    const auto path =
+        std::filesystem::path(options.picture) /
+        fmt::format("material_{}{}.png", one.material, name.empty() ? "" : "_" + file_name_of(name));
+    OutputFile file(path.string());
+    const std::vector<unsigned char> bytes = png(picture->width, picture->height, picture->rgb);
+    file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    say(out, "  {:<10}{}\n", "picture", path.generic_string());
+    stop_if_interrupted();
+  }
+}
+
 int scene(const SceneOptions& options) {
   refuse_text_name(options.glb);
   refuse_same_file({{"the scene", options.file},
@@ -275,7 +314,9 @@ int scene(const SceneOptions& options) {
                     {"--journal", options.journal}});
   const auto baker = options.subject.empty() ? nullptr : parse_baker(options.subject, options.timeout);
   const InterruptGuard guard;
+  need_folder("--picture", options.picture);
   Output output(options);
+  if (options.asks && options.states == 2) throw UsageError("--asks: with --states 2 no shader is asked");
   const LevelRequest wanted = request(options);
   const auto start = std::chrono::steady_clock::now();
   if (std::error_code none; !options.glb.empty() && std::filesystem::is_directory(options.file, none))
@@ -300,22 +341,30 @@ int scene(const SceneOptions& options) {
                       : proofs::scene::scene_laws(data, sample_of(options.effort, data, options.threads),
                                                   command(options));
   if (!options.replay.empty()) return replayed(laws.jobs, options);
-  print_left_out(output.text(), laws.left_out);
-
   const SceneFigures figures{loaded,
                              made,
                              sizes(loaded, made.plan, made.baked, made.arrays, options.threads),
                              vq2_footprint(made.squares, stop_if_interrupted),
                              vq4_footprint(made.squares, stop_if_interrupted),
                              load_seconds,
+                             options.states == 2,
+                             material_figures(loaded, made.plan, made.baked),
                              at_levels(loaded, made.plan, options)};
-  print_figures(output.text(), figures);
-  output.glb(made.plan, loaded, made.arrays);
-
-  if (!options.no_laws) say(output.text(), "\nlaws on this scene\n");
+  if (options.details) {
+    print_left_out(output.text(), laws.left_out);
+    print_figures(output.text(), figures);
+    if (!options.no_laws) say(output.text(), "\nlaws on this scene\n");
+  } else {
+    for (const std::string& note : loaded.notes) say(output.text(), "note: {}\n", printable(note));
+  }
   std::fflush(output.text());
   const Report report =
       options.no_laws ? Report() : ran(laws.jobs, options, output.text(), word_of(options.effort));
+  if (!options.details) print_summary(output.text(), figures, report, options.asks, options.file);
+  if (options.details || options.asks) print_materials(output.text(), figures, options.asks);
+  print_levels(output.text(), figures);
+  output.glb(made.plan, loaded, made.arrays);
+  write_pictures(figures, options, output.text());
   output.plot(figures);
   output.json(report, scene_json(&figures, loaded, made.plan, laws.left_out));
   return exit_code(report);
@@ -339,6 +388,15 @@ void add_subject(CLI::App& command, SceneOptions& options, std::initializer_list
   for (CLI::Option* const of_ours : others) subject->excludes(of_ours);
   command.add_option("--timeout", options.timeout, "seconds that the subject may take for a triangle")
       ->check(finite_within(0.01, 86400));
+}
+
+/// Takes "2%" or "2" for 0.02.
+std::string percent_within_0_to_100(const std::string& text) {
+  const std::string number = text.ends_with("%") ? text.substr(0, text.size() - 1) : text;
+  double percent = -1;
+  if (!CLI::detail::lexical_cast(number, percent) || !(percent >= 0 && percent <= 100))
+    throw CLI::ValidationError(fmt::format("{:.40}: write a share such as 2%, from 0% to 100%", text));
+  return fmt::format("{}", percent / 100);
 }
 
 }  // namespace
@@ -372,6 +430,15 @@ Action add_scene(CLI::App& program) {
           "texels by which micro-triangles are dilated along both axes; sampler: 5/1024, for 8-bit weights")
       ->transform(CLI::Transformer(std::map<std::string, float>{{"sampler", sampler_margin}}))
       ->check(finite_within(0, 64));
+  command
+      ->add_option("--asks", options->asks,
+                   "name the coarsest level that leaves so much of the area to shaders")
+      ->type_name("PERCENT")
+      ->transform(percent_within_0_to_100);
+  command
+      ->add_option("--picture", options->picture, "draw each material's maps on its texture, in this folder")
+      ->type_name("FOLDER");
+  command->add_flag("--details", options->details, "also the plan, all sizes, each law and each material");
   add_effort(*command, options->effort);
   auto* const no_laws = command->add_flag("--no-laws", options->no_laws, "bake, without the laws");
   auto* const sizes = command

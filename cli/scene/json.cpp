@@ -83,6 +83,25 @@ Json plan_json(const Scene& scene, const Plan& plan) {
   return j;
 }
 
+Json materials_json(const SceneFigures& f) {
+  Json all = Json::array();
+  for (const MaterialFigures& m : f.materials) {
+    Json levels = Json::array();
+    for (std::size_t n = 0; n < m.levels.size(); ++n)
+      levels.push_back({{"level", n},
+                        {"micromaps", m.levels[n].maps},
+                        {"bytes", m.levels[n].bytes},
+                        {"unknown", m.levels[n].unknown}});
+    all.push_back({{"material", m.material},
+                   {"name", f.scene.materials[m.material].name},
+                   {"triangles", m.triangles},
+                   {"distinct", m.distinct},
+                   {"area", m.area},
+                   {"levels", levels}});
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string scene_json(const SceneFigures* f, const Scene& scene, const Plan& plan,
@@ -111,6 +130,7 @@ std::string scene_json(const SceneFigures* f, const Scene& scene, const Plan& pl
                {"bake_seconds", f->made.bake_seconds}};
   j["saved"] = to_json(f->sizes.any_hit);
   j["footprint"] = to_json(f->sizes.footprint);
+  j["materials"] = materials_json(*f);
   j["pairs"] = {{"pairs", f->made.pairs.unique},
                 {"distinct", f->made.pairs.distinct.size()},
                 {"unpaired", f->made.pairs.unpaired}};

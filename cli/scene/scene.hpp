@@ -10,6 +10,7 @@
 #include "bench/picture.hpp"
 #include "proofs/scene/laws.hpp"
 #include "proofs/scene/subject_maps.hpp"
+#include "scene/bake/material_figures.hpp"
 #include "scene/pipeline.hpp"
 
 namespace mmverify::cli {
@@ -21,6 +22,8 @@ struct SceneFigures {
   mmverify::scene::Sizes sizes;
   mmverify::scene::VqFootprint vq2, vq4;
   double load_seconds = 0;
+  bool two_state = false;  ///< maps are forced to 2-state
+  std::vector<mmverify::scene::MaterialFigures> materials;
   /// The sizes with every triangle at one level (figure 5), if requested.
   struct AtLevel {
     unsigned level;
@@ -29,12 +32,27 @@ struct SceneFigures {
   std::vector<AtLevel> at_levels;
 };
 
+/// "624 B", "21.3 kB", "12.1 MB".
+std::string bytes_text(std::uint64_t bytes);
+
 /// Prints the plan, with the primitives that it leaves out and the reasons.
 void print_plan(std::FILE* out, const mmverify::scene::Scene& scene, const mmverify::scene::Plan& plan,
                 const mmverify::scene::Levels& levels);
 
 /// Prints counts, states and sizes.
 void print_figures(std::FILE* out, const SceneFigures& figures);
+
+/// Prints six lines: triangles and maps, any-hit calls, memory, coarser levels, laws, the next command.
+///   asks: the share of the area that shaders may be asked for, in [0, 1]; then the fourth line names the level for it
+void print_summary(std::FILE* out, const SceneFigures& figures, const proofs::Report& report,
+                   const std::optional<double>& asks, const std::string& file);
+
+/// Prints a table with a row for each material: triangles, maps, levels, bytes, the share of the area that asks shaders,
+/// and with `asks` the coarsest level that leaves at most that share.
+void print_materials(std::FILE* out, const SceneFigures& figures, const std::optional<double>& asks);
+
+/// Prints the sizes with every triangle at one level, one level a line; nothing if none were asked for.
+void print_levels(std::FILE* out, const SceneFigures& figures);
 
 /// Prints the laws that have no case, with the reasons.
 void print_left_out(std::FILE* out, const std::vector<proofs::scene::LeftOutLaw>& left_out);

@@ -15,12 +15,6 @@ namespace {
 using namespace mmverify::scene;
 namespace micromap = impl::micromap;
 
-std::string bytes_text(std::uint64_t bytes) {
-  if (bytes < 10000) return fmt::format("{} B", bytes);
-  if (bytes < 10000000) return fmt::format("{:.1f} kB", static_cast<double>(bytes) / 1e3);
-  return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
-}
-
 double share(std::uint64_t part, std::uint64_t all) {
   return all == 0 ? 0 : static_cast<double>(part) / static_cast<double>(all);
 }
@@ -41,6 +35,12 @@ void line(std::FILE* out, std::string_view what, const std::string& text) {
 }
 
 }  // namespace
+
+std::string bytes_text(std::uint64_t bytes) {
+  if (bytes < 10000) return fmt::format("{} B", bytes);
+  if (bytes < 10000000) return fmt::format("{:.1f} kB", static_cast<double>(bytes) / 1e3);
+  return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
+}
 
 void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Levels& levels) {
   const TriangleCounts all = count_triangles(scene);
@@ -162,7 +162,16 @@ void print_pairs(std::FILE* out, const SceneFigures& f) {
   }
 }
 
+}  // namespace
+
+void print_figures(std::FILE* out, const SceneFigures& f) {
+  print_bake(out, f);
+  print_sizes(out, f);
+  print_pairs(out, f);
+}
+
 void print_levels(std::FILE* out, const SceneFigures& f) {
+  if (f.at_levels.empty()) return;
   say(out,
       "\nall triangles at one level; asks: share of the placed area where the any-hit shader is called\n  "
       "{:<6}{:>11}{:>11}{:>12}{:>12}{:>10}{:>12}{:>12}{:>10}{:>11}\n",
@@ -175,15 +184,6 @@ void print_levels(std::FILE* out, const SceneFigures& f) {
         share(p.mode[0].data, p.mode[0].tree), bytes_text(p.mode[1].data), bytes_text(p.mode[1].tree),
         share(p.mode[1].data, p.mode[1].tree), 100 * at.sizes.any_hit.unknown);
   }
-}
-
-}  // namespace
-
-void print_figures(std::FILE* out, const SceneFigures& f) {
-  print_bake(out, f);
-  print_sizes(out, f);
-  print_pairs(out, f);
-  if (!f.at_levels.empty()) print_levels(out, f);
 }
 
 void print_subject(std::FILE* out, const SubjectFigures& f) {

@@ -31,6 +31,19 @@ BakeSubject mistaken(const char* name, const std::function<void(Case&)>& mistake
   return BakeSubject(name, "wrong on purpose", functions, name);
 }
 
+/// It makes a known mistake throughout.
+BakeSubject mistaken(const KnownMistake& known) {
+  BakeSubject s = mistaken(known.as_if, known.mistake);
+  Functions functions = s.functions;
+  functions.bake = [known, real = s.functions.bake](const Case& one, Level n, Format format) {
+    auto baked = real(one, n, format);
+    if (baked)
+      for (State& state : baked->states) state = known.states[static_cast<std::size_t>(state)];
+    return baked;
+  };
+  return BakeSubject(known.as_if, "wrong on purpose", functions, known.as_if);
+}
+
 /// Its states in another order.
 BakeSubject reordered(const char* name, std::uint32_t (*place)(std::uint32_t index, Level n)) {
   Functions functions = built_in("bake")->functions;
@@ -79,10 +92,12 @@ TEST(BakeDiagnosis, NamesSignsSizesAndTriangles) {
 TEST(BakeDiagnosis, NamesAMistakeMadeThroughout) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   for (const KnownMistake& known : known_mistakes()) {
-    const BakeSubject s = mistaken(known.as_if, known.mistake);
-    EXPECT_THAT(diagnose(s, Fault::conservative),
-                Contains(HasSubstr(std::string("wrong maps are as if ") + known.as_if)))
-        << testing::PrintToString(diagnose(s, Fault::conservative));
+    const BakeSubject s = mistaken(known);
+    // MASK baked as BLEND has too many unknown states, and none that is wrong.
+    const Fault fault =
+        std::string(known.as_if) == "alpha mode MASK were BLEND" ? Fault::tight : Fault::conservative;
+    EXPECT_THAT(diagnose(s, fault), Contains(HasSubstr(std::string("wrong maps are as if ") + known.as_if)))
+        << testing::PrintToString(diagnose(s, fault));
   }
   const BakeSubject random = mistaken("nothing known", [](Case& c) { c.uv[0] += 0.3f; });
   EXPECT_THAT(diagnose(random, Fault::conservative), Not(Contains(HasSubstr("as if"))));

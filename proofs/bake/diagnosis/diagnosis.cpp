@@ -59,7 +59,9 @@ class Guesses {
       Case other = one;
       known_mistakes()[k].mistake(other);
       const auto baked = right_->functions.bake(other, n, Format::four_state);
-      const auto alike = [this](State a, State b) {
+      const std::array<State, 4>& states = known_mistakes()[k].states;
+      const auto alike = [&](State a, State right) {
+        const State b = states[static_cast<std::size_t>(right)];
         return a == b || (unknown(a) && (loose_ || unknown(b)));
       };
       right_of_[k] += baked && std::equal(got.begin(), got.end(), baked->states.begin(), alike) ? 1 : 0;

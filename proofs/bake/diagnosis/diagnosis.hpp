@@ -33,6 +33,8 @@ std::vector<Property> properties_of(const Case& one, Level n);
 struct KnownMistake {
   const char* as_if;  ///< "rows of texels came from below"
   void (*mistake)(Case&);
+  std::array<State, 4> states{State::T, State::O, State::UT,
+                              State::UO};  ///< the state written for each, by code
 };
 
 /// The mistakes that a diagnosis can name.  Each changes some cases, and leaves others as they are.

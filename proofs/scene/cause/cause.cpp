@@ -41,8 +41,9 @@ struct Candidate {
 
 class Search {
  public:
-  explicit Search(const Judged& judged) : judged_(judged), inputs_(inputs_of(judged)) {
-    choose_all();
+  /// Looks at about `most` micro-triangles.
+  Search(const Judged& judged, std::uint64_t most) : judged_(judged), inputs_(inputs_of(judged)) {
+    choose_all(most);
     const std::vector<States> right = expected(judged, inputs_, all_);
     for (std::size_t k = 0; k < all_.size(); ++k) {
       stored_[all_[k]] = states_of(judged.maps.baked.triangles[all_[k]]);
@@ -52,6 +53,20 @@ class Search {
       wrong_ += here.wrong + here.needless != 0 ? times(all_[k]) : 0;
     }
     choose();
+  }
+
+  /// The cause of unknown states on the other side.
+  std::optional<Cause> side_cause() const {
+    if (as_stored_.side < least_evidence || as_stored_.side <= 3 * as_stored_.same) return {};
+    std::uint64_t triangles = 0;
+    for (const std::size_t k : all_) triangles += fits_.at(k).side != 0 ? times(k) : 0;
+    return Cause{
+        "unknown_side",
+        fmt::format(
+            "{} of {} unknown states are on the other side: force-2-state makes O of them where alpha at "
+            "the centroid is transparent, and T where it is opaque",
+            as_stored_.side, as_stored_.side + as_stored_.same),
+        triangles, triangles};
   }
 
   std::optional<Cause> cause() {
@@ -77,11 +92,11 @@ class Search {
   }
 
   /// Chooses the triangles to look at.
-  void choose_all() {
+  void choose_all(std::uint64_t most) {
     const std::size_t count = judged_.maps.plan.triangles.size();
     std::uint64_t micro_triangles = 0;
     for (std::size_t k = 0; k < count; ++k) micro_triangles += impl::micromap::micro_triangles(level(k));
-    const std::uint64_t step = 1 + (micro_triangles - 1) / most_looked_at;
+    const std::uint64_t step = 1 + (micro_triangles - 1) / most;
     for (std::size_t k = 0; k < count; k += step) all_.push_back(k);
   }
 
@@ -460,6 +475,10 @@ class Search {
 
 }  // namespace
 
-std::optional<Cause> cause_of(const Judged& judged) { return Search(judged).cause(); }
+std::optional<Cause> cause_of(const Judged& judged) { return Search(judged, most_looked_at).cause(); }
+
+std::optional<Cause> side_cause_of(const Judged& judged) {
+  return Search(judged, most_micro_triangles).side_cause();
+}
 
 }  // namespace mmverify::proofs::scene

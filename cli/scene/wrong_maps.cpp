@@ -1,0 +1,148 @@
+#include "cli/scene/wrong_maps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "cli/arguments.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output_file.hpp"
+#include "cli/streams.hpp"
+#include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/shape.hpp"
+#include "scene/picture/opacity_picture.hpp"
+#include "scene/read/bad_scene.hpp"
+#include "scene/read/load.hpp"
+#include "scene/read/primitives.hpp"
+#include "scene/write/png.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+using namespace mmverify::scene;
+using proofs::scene::Cause;
+using proofs::scene::Judged;
+
+/// Texels of the images that no material names, which the search for a cause may decode.
+constexpr std::uint64_t most_other_texels = std::uint64_t{1} << 26;
+
+/// The cause of wrong maps, if one change explains all of them.
+std::optional<Cause> cause_of(const CheckMapsOptions& options, const Scene& scene, const StoredMaps& maps) {
+  const Document document = open_document(options.file);
+  const Buffers buffers(document);
+  Scene with_images = scene;
+  decode_other_images(document, with_images, most_other_texels);
+  Judged judged{with_images, maps, options.margin, options.states == 2};
+  judged.uvs = [&](const Primitive& primitive, const BaseColorTexture& texture) {
+    try {
+      return read_uvs(document, buffers, primitive, texture);
+    } catch (const BadScene&) {
+      return std::vector<Uv>();  // that set, or these UVs, cannot be read: no baker took them
+    }
+  };
+  return proofs::scene::cause_of(judged);
+}
+
+std::string json_of(const std::optional<Cause>& cause) {
+  if (!cause) return "null";
+  return nlohmann::json{
+      {"code", cause->code}, {"says", cause->says}, {"wrong", cause->wrong}, {"explained", cause->explained}}
+      .dump();
+}
+
+/// Whether repair undoes a cause without baking.
+bool is_repairable(const std::string& code) {
+  constexpr std::array codes{"states",
+                             "unknown_side",
+                             "order",
+                             "corners",
+                             "base_triangle",
+                             "other_micromap",
+                             "micromaps_exchanged",
+                             "other_primitive",
+                             "primitives_exchanged",
+                             "triangles_reversed",
+                             "other_triangles",
+                             "special_index"};
+  return std::find(codes.begin(), codes.end(), code) != codes.end();
+}
+
+void print_cause(std::FILE* out, const std::optional<Cause>& cause) {
+  if (!cause)
+    say(out, "cause: no single change explains these maps\n");
+  else
+    say(out, "cause: {}: {}; it explains {} of {} wrong triangles\n", cause->code, cause->says,
+        grouped(cause->explained), grouped(cause->wrong));
+}
+
+/// A note if most unknown states are on the other side, which breaks no law.
+std::string print_side(std::FILE* out, const CheckMapsOptions& options, const Scene& scene,
+                       const StoredMaps& maps) {
+  if (options.states == 2) return {};
+  const std::optional<Cause> cause =
+      proofs::scene::side_cause_of(Judged{scene, maps, options.margin, false, {}});
+  if (!cause) return {};
+  say(out, "note: {}: {}\n", cause->code, cause->says);
+  print_repair(out, options, cause);
+  return json_of(cause);
+}
+
+/// The place of the first counterexample: the planned triangle and its micro-triangle.
+std::optional<std::pair<std::size_t, std::uint32_t>> first_wrong(const proofs::Report& report) {
+  for (const proofs::Result& result : report.results)
+    for (const proofs::Counterexample& c : result.counterexamples)
+      if (const proofs::Groups parts = proofs::groups_of(c.at, "t([0-9]{1,15}):i([0-9]{1,9})"))
+        return std::pair(std::stoull((*parts)[1]), static_cast<std::uint32_t>(std::stoul((*parts)[2])));
+  return {};
+}
+
+/// Draws the first wrong micro-triangle's map on its texture.
+void draw_wrong(std::FILE* out, const std::string& path, const Scene& scene, const StoredMaps& maps,
+                const proofs::Report& report) {
+  constexpr std::uint32_t longest = 1024;
+  const auto wrong = first_wrong(report);
+  if (!wrong || wrong->first >= maps.plan.triangles.size()) return;
+  const auto [triangle, index] = *wrong;
+  const PlannedTriangle& planned = maps.plan.triangles[triangle];
+  const Surface& surface = maps.plan.surfaces[planned.surface];
+  const RgbPicture picture = opacity_picture(scene.images[surface.image], surface,
+                                             {{planned.uvs, maps.baked.triangles[triangle]}}, longest, index);
+  OutputFile file(path);
+  const std::vector<unsigned char> bytes = png(picture.width, picture.height, picture.rgb);
+  file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  const MapLink& link = maps.link(triangle);
+  const Primitive& primitive = scene.primitives[link.primitive];
+  say(out, "picture: {}: mesh {} primitive {} triangle {}, micro-triangle {} in red\n", path, primitive.mesh,
+      primitive.number, link.triangle, index);
+}
+
+}  // namespace
+
+void print_repair(std::FILE* out, const CheckMapsOptions& options, const std::optional<Cause>& cause) {
+  if (!options.raw.data.empty()) return;
+  const bool is_enough = cause && is_repairable(cause->code) && cause->explained == cause->wrong;
+  say(out, "next: mmverify repair {} -o OUT{}{}\n", shell_quoted(options.file),
+      options.file.ends_with(".gltf") ? ".gltf" : ".glb", is_enough ? "" : " --bake");
+}
+
+std::string print_why(std::FILE* out, const CheckMapsOptions& options, const Scene& scene,
+                      const StoredMaps& maps, const proofs::Report& report) {
+  std::optional<Cause> cause;
+  try {
+    if (exit_code(report) != failed) return print_side(out, options, scene, maps);
+    if (!options.picture.empty()) draw_wrong(out, options.picture, scene, maps, report);
+    cause = cause_of(options, scene, maps);
+  } catch (const proofs::Interrupted&) {
+    say(out, "cause: the search was interrupted\n");
+    return json_of({});
+  }
+  print_cause(out, cause);
+  print_repair(out, options, cause);
+  return json_of(cause);
+}
+
+}  // namespace mmverify::cli
