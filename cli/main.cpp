@@ -60,6 +60,9 @@ class ThreadsAsked {
 int main(int argc, char** argv) {
   using namespace mmverify::cli;
   reserve_standard_streams();
+  mmverify::proofs::end_after_interrupt(1, ExitCode::interrupted);
+  // It outlives main(): a signal while the process ends changes no exit code.
+  [[maybe_unused]] static const auto* const guard = new mmverify::proofs::InterruptGuard;
   std::signal(SIGPIPE, SIG_IGN);
   // Exceeding the limit of a file's size is then an error of write(), reported there.
   std::signal(SIGXFSZ, SIG_IGN);
@@ -80,8 +83,6 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return complain(ExitCode::usage, error.what(), "; see `mmverify --help`");
   }
-  mmverify::proofs::end_after_interrupt(1, ExitCode::interrupted);
-  const mmverify::proofs::InterruptGuard guard;
   try {
     const auto commands = program.get_subcommands({});
     for (std::size_t k = 0; k < actions.size(); ++k) {

@@ -353,6 +353,8 @@ int scene(const SceneOptions& options) {
   if (options.details) {
     print_left_out(output.text(), laws.left_out);
     print_figures(output.text(), figures);
+    print_materials(output.text(), figures, options.asks);
+    print_levels(output.text(), figures);
     if (!options.no_laws) say(output.text(), "\nlaws on this scene\n");
   } else {
     for (const std::string& note : loaded.notes) say(output.text(), "note: {}\n", printable(note));
@@ -360,9 +362,11 @@ int scene(const SceneOptions& options) {
   std::fflush(output.text());
   const Report report =
       options.no_laws ? Report() : ran(laws.jobs, options, output.text(), word_of(options.effort));
-  if (!options.details) print_summary(output.text(), figures, report, options.asks, options.file);
-  if (options.details || options.asks) print_materials(output.text(), figures, options.asks);
-  print_levels(output.text(), figures);
+  if (!options.details) {
+    print_summary(output.text(), figures, report, options.asks, options.file);
+    if (options.asks) print_materials(output.text(), figures, options.asks);
+    print_levels(output.text(), figures);
+  }
   output.glb(made.plan, loaded, made.arrays);
   write_pictures(figures, options, output.text());
   output.plot(figures);

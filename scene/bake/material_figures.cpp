@@ -16,12 +16,10 @@ namespace micromap = impl::micromap;
 using micromap::Bytes;
 using micromap::Format;
 
-constexpr std::uint64_t record_bytes = 8;
-
 /// One baked map at its level and all coarser ones.
 struct Pyramid {
   struct AtLevel {
-    std::uint64_t unknown = 0, bytes = 0;  ///< micro-triangles; bytes with the record, 0 if it is uniform
+    std::uint64_t unknown = 0, bytes = 0;  ///< micro-triangles; 0 bytes if it is uniform
   };
   std::vector<AtLevel> levels;
 };
@@ -32,7 +30,7 @@ Pyramid::AtLevel counted(const Bytes& four_state, std::uint64_t count) {
   if (std::any_of(states.begin(), states.end(), [&](std::uint64_t of) { return of == count; }))
     return {unknown, 0};
   const Format format = unknown == 0 ? Format::two_state : Format::four_state;
-  return {unknown, micromap::packed_bytes(count, format) + record_bytes};
+  return {unknown, micromap::packed_bytes(count, format)};
 }
 
 Pyramid pyramid(const BakedTriangle& baked) {

@@ -11,10 +11,9 @@ namespace mmverify::scene {
 
 /// The maps of a material at one level; a triangle whose baked map is coarser keeps that one.
 struct MaterialLevel {
-  std::uint64_t maps = 0;  ///< distinct maps that are not uniform
-  std::uint64_t bytes =
-      0;               ///< of these maps and of their records: 2-state without unknown states, else 4-state
-  double unknown = 0;  ///< share of the placed area that calls the any-hit shader, in 0..1
+  std::uint64_t maps = 0;   ///< distinct maps that are not uniform
+  std::uint64_t bytes = 0;  ///< of these maps: 2-state without unknown states, else 4-state
+  double unknown = 0;       ///< share of the placed area that calls the any-hit shader, in 0..1
 };
 
 struct MaterialFigures {
@@ -25,8 +24,8 @@ struct MaterialFigures {
 };
 
 /// The figures of the materials that the plan has, in the scene's order.  A coarser map is the baked one with four
-/// children merged into one: T if all are T, O if all are O, else unknown.  It equals a bake at that level, since alpha
-/// ranges over a micro-triangle as over its four children together.
+/// children merged into one: T if all are T, O if all are O, else unknown.  It is that of a bake at that level, the
+/// sides of unknown states aside, since alpha ranges over a micro-triangle as over its four children together.
 /// Domain: a plan of this scene, baked in 4-state.
 std::vector<MaterialFigures> material_figures(const Scene& scene, const Plan& plan, const Baked& baked);
 
