@@ -43,13 +43,14 @@ std::uint64_t map_bytes_at_level(const Plan& plan, unsigned level) {
 }
 
 Bytes with_micromaps(const std::string& file, std::optional<std::span<const unsigned char>> bytes,
-                     const Scene& scene, const Plan& plan, const SceneArrays& arrays,
-                     const std::string& name) {
+                     const Scene& scene, const Plan& plan, const SceneArrays& arrays, const std::string& name,
+                     const BakeSettings& settings) {
   std::vector<PrimitiveMicromaps> primitives;
   for (std::size_t k = 0; k < arrays.primitives.size(); ++k) {
     const Primitive& primitive = scene.primitives[plan.primitives[k].primitive];
     primitives.push_back(
-        {primitive.mesh, primitive.number, 0, arrays.encoding, arrays.primitives[k].geometry.indices, 0});
+        {primitive.mesh, primitive.number, 0, arrays.encoding, arrays.primitives[k].geometry.indices, 0,
+         "{\"" + std::string(bake_record_name) + "\":" + bake_record(scene, primitive, settings) + "}"});
   }
   const Micromaps micromaps{std::span(&arrays.array, primitives.empty() ? 0 : 1), primitives};
   const Bytes written = bytes ? to_glb(file, *bytes, micromaps) : to_glb(file, micromaps);

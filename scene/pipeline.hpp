@@ -12,6 +12,7 @@
 #include "scene/plan/levels.hpp"
 #include "scene/plan/pairs.hpp"
 #include "scene/read/file.hpp"
+#include "scene/record/bake_record.hpp"
 
 namespace mmverify::scene {
 
@@ -55,11 +56,11 @@ Sizes sizes_at_level(const Scene& scene, const Plan& plan, unsigned level, const
 std::uint64_t map_bytes_at_level(const Plan& plan, unsigned level);
 
 /// The scene of `file` as one GLB with the micromaps added, as by to_glb(); it breaks no rule of
-/// validate_micromaps().  `bytes`: the file's bytes, if it is not to be read.  `name`: the result's name in
+/// validate_micromaps().  Each primitive has the record of its bake in `extras`.  `bytes`: the file's bytes, if it is not to be read.  `name`: the result's name in
 /// messages.
 /// Errors: as of to_glb(); std::logic_error if the GLB would break a rule.
 Bytes with_micromaps(const std::string& file, std::optional<std::span<const unsigned char>> bytes,
-                     const Scene& scene, const Plan& plan, const SceneArrays& arrays,
-                     const std::string& name);
+                     const Scene& scene, const Plan& plan, const SceneArrays& arrays, const std::string& name,
+                     const BakeSettings& settings = {});
 
 }  // namespace mmverify::scene

@@ -176,10 +176,12 @@ class Output {
   }
   void glb(const Plan& plan, const Scene& scene, const SceneArrays& arrays) {
     if (!glb_) return;
+    const BakeSettings settings{options_.margin, options_.states == 2};
     const Bytes sample = options_.file.empty() ? sample_scene() : Bytes();
-    const Bytes bytes = options_.file.empty()
-                            ? with_micromaps(sample_name, sample, scene, plan, arrays, options_.glb)
-                            : with_micromaps(options_.file, std::nullopt, scene, plan, arrays, options_.glb);
+    const Bytes bytes =
+        options_.file.empty()
+            ? with_micromaps(sample_name, sample, scene, plan, arrays, options_.glb, settings)
+            : with_micromaps(options_.file, std::nullopt, scene, plan, arrays, options_.glb, settings);
     glb_->commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     say(text(), "  {:<11}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written",
         options_.glb, grouped(bytes.size()));
@@ -449,9 +451,10 @@ Action add_scene(CLI::App& program) {
                           ->add_option("--sizes", options->sizes,
                                        "also the sizes with every triangle at each of these levels")
                           ->type_name("A..B");
-  auto* const plot = command->add_option("--plot", options->plot, "draw the sizes")
-                         ->type_name("FILE.svg|FILE.png")
-                         ->needs(sizes);
+  auto* const plot =
+      command
+          ->add_option("--plot", options->plot, "draw what shaders are called for against bytes, and --sizes")
+          ->type_name("FILE.svg|FILE.png");
   auto* const json = command->add_option("--json", options->json, "write the results as JSON; - is stdout")
                          ->type_name("FILE|-");
   command

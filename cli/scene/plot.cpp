@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "cli/scene/scene.hpp"
 
 namespace mmverify::cli {
@@ -5,6 +9,7 @@ namespace {
 
 using namespace bench::picture;
 using mmverify::scene::Footprint;
+using mmverify::scene::MaterialFigures;
 
 /// A curve of bytes by level.
 struct Curve {
@@ -67,10 +72,46 @@ Panel savings(const SceneFigures& figures) {
   return panel;
 }
 
+/// The share of the area that calls shaders against the bytes of the maps, level by level.
+Series asks(std::string name, const char* colour, Shape shape, const MaterialFigures& of, bool labels) {
+  Series series{.name = std::move(name), .colour = colour, .shape = shape};
+  for (std::size_t n = 0; n < of.levels.size(); ++n)
+    if (of.levels[n].bytes != 0)
+      series.points.push_back({static_cast<double>(of.levels[n].bytes), 100 * of.levels[n].unknown,
+                               labels ? std::to_string(n) : std::string()});
+  return series;
+}
+
+/// The scene, and the materials with the largest areas; the numbers beside the scene's marks are levels.
+Panel shares(const SceneFigures& figures) {
+  constexpr std::pair<const char*, Shape> looks[] = {{blue, Shape::circle},
+                                                     {vermilion, Shape::square},
+                                                     {green, Shape::triangle},
+                                                     {orange, Shape::diamond},
+                                                     {purple, Shape::triangle_down}};
+  Panel panel{.title = "Area that calls the any-hit shader, by bytes of maps and level",
+              .x = {.title = "bytes", .logarithmic = true},
+              .y = {.title = "% of the area", .least = 0},
+              .key = Key::outside};
+  panel.series.push_back(asks("the scene", grey, Shape::disc, total(figures.materials), true));
+  std::vector<MaterialFigures> all = figures.materials;
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
+  for (std::size_t k = 0; k < std::min(all.size(), std::size(looks)); ++k) {
+    const std::string& name = figures.scene.materials[all[k].material].name;
+    panel.series.push_back(asks(fmt::format("{} {:.24}", all[k].material, name), looks[k].first,
+                                looks[k].second, all[k], false));
+  }
+  return panel;
+}
+
 }  // namespace
 
 Picture sizes_picture(const SceneFigures& figures) {
-  return {.width = 1000, .height = 900, .rows = {{memory(figures)}, {savings(figures)}}};
+  Picture picture{.width = 1000, .height = 450, .rows = {{shares(figures)}}};
+  if (figures.at_levels.empty()) return picture;
+  picture.height = 1350;
+  picture.rows.insert(picture.rows.begin(), {{memory(figures)}, {savings(figures)}});
+  return picture;
 }
 
 }  // namespace mmverify::cli

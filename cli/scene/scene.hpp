@@ -72,8 +72,8 @@ std::string scene_json(const SceneFigures* figures, const mmverify::scene::Scene
                        const std::vector<proofs::scene::LeftOutLaw>& left_out,
                        const std::optional<SubjectFigures>& subject = {});
 
-/// Figure 5 of these sizes. Upper panel: bytes by level; lower panel: the ratio by which the tree is
-/// smaller.
+/// The share of the area that calls shaders against bytes, of the scene and of its largest materials.  With the sizes by
+/// level, figure 5 above it: bytes by level, and the ratio by which the tree is smaller.
 bench::picture::Picture sizes_picture(const SceneFigures& figures);
 
 }  // namespace mmverify::cli

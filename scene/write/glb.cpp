@@ -123,6 +123,7 @@ class Writer {
     Json& added = primitive["extensions"][extension_name];
     added = {{"micromap", micromaps.micromap}};
     if (micromaps.base_triangle != 0) added["micromapBaseTriangle"] = micromaps.base_triangle;
+    if (!micromaps.extras.empty()) added["extras"] = Json::parse(micromaps.extras);
     if (!micromaps.indices) return;
     const std::span<const std::uint8_t> indices = *micromaps.indices;
     if (indices.size() != triangles * (impl::micromap::width(micromaps.encoding) / 8))

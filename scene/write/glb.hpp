@@ -20,6 +20,7 @@ struct PrimitiveMicromaps {
   /// One code a triangle, tightly packed; none: triangle t has record t + base_triangle.
   std::optional<std::span<const std::uint8_t>> indices;
   std::uint32_t base_triangle = 0;
+  std::string extras = {};  ///< a JSON object for the extension's `extras`; none if empty
 };
 
 struct Micromaps {
