@@ -136,15 +136,15 @@ std::uint64_t Judged::count(Severity severity) const {
 }
 
 Judged validate_file(const std::string& name, std::span<const unsigned char> bytes,
-                     std::optional<Draft> draft, const Beside& beside) {
+                     std::optional<Draft> draft, const Beside& beside, const Target& target) {
   Judged judged{known_kind(name, bytes)};
   if (judged.kind == FileKind::gltf) {
     judge_gltf(
         judged, draft, [&] { return names_used(name, bytes); },
-        [&](Draft by) { return validate_micromaps(name, bytes, by); });
+        [&](Draft by) { return validate_micromaps(name, bytes, by, target); });
     return judged;
   }
-  Report report;
+  Report report(newest_draft, target);
   if (judged.kind == FileKind::sidecar)
     validate_sidecar(bytes, beside, report);
   else
@@ -153,18 +153,23 @@ Judged validate_file(const std::string& name, std::span<const unsigned char> byt
   return judged;
 }
 
-Judged validate_file(const std::string& file, std::optional<Draft> draft) {
+Judged validate_file(const std::string& file, std::optional<Draft> draft, const Target& target) {
   const Bytes bytes = read_file(file, file, "the file");
   if (known_kind(file, bytes) == FileKind::gltf) {
     Judged judged{FileKind::gltf};
     judge_gltf(
         judged, draft, [&] { return names_used(file); },
-        [&](Draft by) { return validate_micromaps(file, by); });
+        [&](Draft by) { return validate_micromaps(file, by, target); });
     return judged;
   }
-  return validate_file(file, bytes, draft, [&](const std::string& name) {
-    return read_file(in_folder_of(file, name, name), file, name);
-  });
+  const auto beside_it = [&](const std::string& name) {
+    const std::filesystem::path path = in_folder_of(file, name, name);
+    // A buffer may be empty: the null micromap has no records.
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path, error) && std::filesystem::is_empty(path, error)) return Bytes();
+    return read_file(path, file, name);
+  };
+  return validate_file(file, bytes, draft, beside_it, target);
 }
 
 }  // namespace mmverify::scene
