@@ -19,6 +19,7 @@
 #include "cli/scene/wrong_maps.hpp"
 #include "cli/streams.hpp"
 #include "cli/text.hpp"
+#include "cli/validate/validate.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/scene/laws.hpp"
@@ -45,6 +46,7 @@ struct Malformed {
 void print_malformed(std::FILE* out, const std::string& file, const std::vector<std::string>& lines) {
   say(out, "{}: its micromaps break rules\n", file);
   for (const std::string& line : lines) say(out, "  {}\n", line);
+    if (options.raw.data.empty() && repairs_all_rules(options.file, {})) print_repair(out, options.file);
 }
 
 /// Reads the maps.  Records that overlap can be read all the same: they are printed, and `keeps_rules` is false.

@@ -47,7 +47,7 @@ std::string json_fault(std::string_view text) {
   const std::size_t newline = before.rfind('\n');
   const std::size_t column = before.size() - (newline == before.npos ? 0 : newline + 1) + 1;
   return "line " + std::to_string(line) + ", column " + std::to_string(column) + ": " +
-         (fault.number ? "the number before is too large" : "no JSON from here on");
+         (fault.number ? "the number that ends here is too large" : "no JSON from here on");
 }
 
 }  // namespace mmverify::scene

@@ -26,6 +26,9 @@ enum class FileKind : std::uint8_t {
 
 const char* name_of(FileKind kind) noexcept;
 
+/// The kind of bytes; none if they are of no known kind.
+std::optional<FileKind> kind_of(std::span<const unsigned char> bytes);
+
 struct Judged {
   FileKind kind;
   std::vector<Draft> drafts = {};            ///< for glTF: the drafts whose rules were checked

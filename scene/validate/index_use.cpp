@@ -47,6 +47,7 @@ void validate_index_use(const micromap::Input& in, const Device& device, const s
   };
   if (in.encoding == micromap::Encoding::u8 && !device.index_uint8)
     add("index.uint8", "indices are u8, and indexTypeUint8 is off");
+  if (in.record_count == 0) return;  // the null micromap: an index of a record is an error of its own
   const FirstOfEach first = first_of_each(in);
   if (!first.record || !first.special) return;
   add(device.disallow_mixed ? "index.mixed" : "index.mixed_khr",

@@ -1,4 +1,4 @@
-// What Vulkan asks of a geometry's index buffer beside the rules of arrays: those of the device and of pipelines.
+// The rules of Vulkan for the use of an index buffer, beside those of arrays: the rules of devices and of pipelines.
 #pragma once
 
 #include <string>

@@ -58,6 +58,10 @@ constexpr Row rows[] = {
     {"primitive.micromap", error, "name a micromap of the root's array by its index"},
     {"primitive.base", error, "write the base triangle as a whole number, or leave it out"},
     {"primitive.mode", error, "write the triangles as a list, mode 4, their vertices in the order they had"},
+    {"primitive.same_geometry", advice,
+     "nothing is wrong; but copy the accessors for readers that find maps by them, or share the maps",
+     "primitives that share their accessors share their maps",
+     "no text; readers that key micromaps by accessors give both primitives the maps of one"},
     {"indices.accessor", error, "name an accessor by its index"},
     {"indices.type", error, "make the accessor SCALAR"},
     {"indices.component", error, "store the indices as 5121, 5122, 5123, 5124 or 5125"},
@@ -127,7 +131,8 @@ constexpr Row rows[] = {
     {"index.range", error,
      "correct the index or the base triangle: their sum is less than the number of records"},
     {"index.mixed", error,
-     "give uniform triangles records, put them into a geometry of their own, or take the flag from the pipelines",
+     "give uniform triangles records, put them into a geometry of their own, or take the flag from the "
+     "pipelines",
      "no index buffer has both special indices and records where pipelines have the flag "
      "DISALLOW_MIXED_SPECIAL_INDEX",
      "KHR: VALIDATE.md"},

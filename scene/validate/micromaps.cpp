@@ -116,8 +116,9 @@ std::vector<FileViolation> validate_micromaps(const std::string& name, std::span
   return validated([&] { return open_document(name, bytes); }, draft, target);
 }
 
-std::vector<FileViolation> validate_micromaps(const std::function<Document()>& open, Draft draft) {
-  return validated(open, draft, {});
+std::vector<FileViolation> validate_micromaps(const std::function<Document()>& open, Draft draft,
+                                              const Target& target) {
+  return validated(open, draft, target);
 }
 
 NamesUsed names_used(const std::string& file) {

@@ -53,7 +53,7 @@ std::vector<FileViolation> validate_micromaps(const std::string& name, std::span
 
 /// The violations of the document that `open` returns; its BadScene is a finding.
 std::vector<FileViolation> validate_micromaps(const std::function<Document()>& open,
-                                              Draft draft = newest_draft);
+                                              Draft draft = newest_draft, const Target& target = {});
 
 /// The names of the extension that a document uses: EXT's and KHR's.
 struct NamesUsed {

@@ -32,7 +32,8 @@ std::vector<FileViolation> Report::taken() {
     const std::uint64_t number = ++listed[key], count = counts_[key];
     all.push_back(std::move(violation));
     if (number == most && count > most)
-      all.push_back({key.first, key.second, "and " + std::to_string(count - most) + " more", all.back().vuids});
+      all.push_back(
+          {key.first, key.second, "and " + std::to_string(count - most) + " more", all.back().vuids});
   }
   return all;
 }

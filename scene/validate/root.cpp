@@ -156,7 +156,8 @@ RecordCount validate_micromap(const Document& document, const Buffers& buffers, 
     if (!report.newest() && of_the_newest_alone(violation.rule) && !of_an_api) continue;
     report.add(violation, in, pointer_of(violation, at));
   }
-  if (!report.newest() && counts && report.target().apis == 0) compare_sum(*counts, in.record_count, at, report);
+  if (!report.newest() && counts && report.target().apis == 0)
+    compare_sum(*counts, in.record_count, at, report);
   return in.record_count;
 }
 

@@ -35,9 +35,8 @@ class Sidecar {
   Sidecar(const Beside& beside, Report& report) : beside_(beside), report_(report), members_(report) {}
 
   void judge(const Json& json) {
-    members_.allow(
-        json, "",
-        {"schema", "apis", "records", "data", "usageCounts", "geometries", "limits", "lossy"});
+    members_.allow(json, "",
+                   {"schema", "apis", "records", "data", "usageCounts", "geometries", "limits", "lossy"});
     micromap::Input array;
     bool good = apis(json, array);
     good &= limits(json, array);
@@ -144,7 +143,8 @@ class Sidecar {
       return {};
     }
     const auto file = file_of(json["file"].get<std::string>(), pointer + "/file");
-    const auto offset = members_.number(json, pointer, "offset", 0), address = members_.number(json, pointer, "address", 0);
+    const auto offset = members_.number(json, pointer, "offset", 0),
+               address = members_.number(json, pointer, "address", 0);
     if (!file || !offset || !address) return {};
     const std::uint64_t left = *offset <= file->size() ? file->size() - *offset : 0;
     const auto bytes = members_.number(json, pointer, "bytes", left);
@@ -196,8 +196,9 @@ class Sidecar {
       std::array<std::uint32_t, 3> values{};
       constexpr const char* names[] = {"count", "level", "format"};
       for (std::size_t c = 0; c < 3; ++c) {
-        const auto value =
-            members_.there(given[k], one, names[c]) ? members_.number(given[k], one, names[c], 0, bits_32) : std::nullopt;
+        const auto value = members_.there(given[k], one, names[c])
+                               ? members_.number(given[k], one, names[c], 0, bits_32)
+                               : std::nullopt;
         good &= value.has_value();
         values[c] = static_cast<std::uint32_t>(value.value_or(0));
       }

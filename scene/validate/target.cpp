@@ -43,8 +43,7 @@ Device read_device(const std::string& file) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   if (json.is_discarded()) bad("", json_fault(text));
-  if (const auto twice = twice_named(text))
-    bad(*twice, "an object has two members of this name");
+  if (const auto twice = twice_named(text)) bad(*twice, "an object has two members of this name");
   Report report;
   const std::optional<Device> device = read_device(json, "", report);
   if (const auto findings = report.taken(); !findings.empty()) bad(findings[0].pointer, findings[0].found);

@@ -11,7 +11,7 @@ namespace mmverify::scene {
 
 class Report;
 
-/// What a device takes, and the pipelines on it.
+/// The limits and features of a device, and a flag of the pipelines on it.
 struct Device {
   impl::micromap::Limits limits = {};
   bool index_uint8 = true;  ///< the feature indexTypeUint8 is on
@@ -21,8 +21,8 @@ struct Device {
 
 /// A file's use: the APIs whose rules apply besides the file's own, and the device.
 struct Target {
-  impl::micromap::Sets apis = 0;        ///< none: those that a sidecar names, or glTF's rules alone
-  std::optional<Device> device = {};    ///< none: that of a sidecar, or one without limits of its own
+  impl::micromap::Sets apis = 0;      ///< none: those that a sidecar names, or glTF's rules alone
+  std::optional<Device> device = {};  ///< none: that of a sidecar, or one without limits of its own
 };
 
 /// Reads the object `limits` of a sidecar at `pointer`: docs/array.schema.json.  None, and findings, if a member's value
