@@ -31,6 +31,7 @@ Action add_validate(CLI::App& program) {
           "the APIs that the file is built for, whose rules are asked too; of a sidecar in the place of "
           "its own")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember({"ext", "khr", "dxr"}));
   command
       ->add_option(
