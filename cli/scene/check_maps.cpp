@@ -46,7 +46,6 @@ struct Malformed {
 void print_malformed(std::FILE* out, const std::string& file, const std::vector<std::string>& lines) {
   say(out, "{}: its micromaps break rules\n", file);
   for (const std::string& line : lines) say(out, "  {}\n", line);
-    if (options.raw.data.empty() && repairs_all_rules(options.file, {})) print_repair(out, options.file);
 }
 
 /// Reads the maps.  Records that overlap can be read all the same: they are printed, and `keeps_rules` is false.
@@ -261,6 +260,8 @@ int check_maps(const CheckMapsOptions& options) {
   }
   print_maps(out, options.file, scene, maps);
   const int code = judged(options, scene, maps, json, junit);
+  if (!keeps_rules && code == complete && repairs_all_rules(options.file, {}))
+    print_repair(out, options.file);
   return keeps_rules || code != complete ? code : failed;
 }
 
