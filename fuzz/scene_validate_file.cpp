@@ -7,6 +7,8 @@
 //   else  a file as it is, with nothing beside it
 //
 // Covers: scene/validate/build.* scene/validate/container.* scene/validate/file.* scene/validate/issues.* scene/validate/sidecar.*
+// Covers: scene/validate/index_use.* scene/validate/members.* scene/validate/same_geometry.* scene/validate/target.*
+// Covers: scene/validate/vuids.* scene/read/json_fault.*
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -28,10 +30,11 @@ class TrustingReader {
 
   void read() {
     const Bytes records = buffer(json_["records"]), data = buffer(json_["data"]);
-    const auto stride = json_["records"].value("stride", std::uint64_t{8});
+    const auto stride = json_["records"].is_null() ? 8 : json_["records"].value("stride", std::uint64_t{8});
     for (const Json& geometry : json_.value("geometries", Json::array())) {
       const auto base = geometry.value("baseTriangle", std::uint64_t{0});
-      const bool indexed = geometry.contains("indices") && !geometry["indices"].is_null();
+      const bool indexed = geometry.contains("indices") && !geometry["indices"].is_null() &&
+                           geometry["indices"]["type"] != "none";
       const Bytes indices = indexed ? buffer(geometry["indices"]) : Bytes();
       // A million triangles in so few bytes are one triangle over and over.
       const auto triangles = std::min(geometry["triangles"].get<std::uint64_t>(), std::uint64_t{1} << 16);
@@ -46,6 +49,7 @@ class TrustingReader {
  private:
   /// A copy of the buffer, so that one byte more is out of bounds.
   Bytes buffer(const Json& json) const {
+    if (json.is_null()) return {};
     const auto offset = json.value("offset", std::uint64_t{0}),
                bytes = json.value("bytes", beside_.size() - offset);
     const auto first = beside_.begin() + static_cast<std::ptrdiff_t>(offset);

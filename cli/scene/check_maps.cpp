@@ -19,6 +19,7 @@
 #include "cli/scene/wrong_maps.hpp"
 #include "cli/streams.hpp"
 #include "cli/text.hpp"
+#include "cli/validate/validate.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/scene/laws.hpp"
@@ -259,6 +260,8 @@ int check_maps(const CheckMapsOptions& options) {
   }
   print_maps(out, options.file, scene, maps);
   const int code = judged(options, scene, maps, json, junit);
+  if (!keeps_rules && code == complete && repairs_all_rules(options.file, {}))
+    print_repair(out, options.file);
   return keeps_rules || code != complete ? code : failed;
 }
 

@@ -2,6 +2,7 @@
 
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/check_json.hpp"
+#include "scene/read/json_fault.hpp"
 #include "scene/read/unique_names.hpp"
 
 namespace mmverify::scene {
@@ -76,11 +77,8 @@ Document parse(Container parts, const std::string& file) {
   if (!nests_at_most(parts.json, deepest))
     throw BadScene(file, "JSON", "nested more than " + std::to_string(deepest) + " deep");
   Document document{file, false, {}, {}, std::move(parts.binary)};
-  try {
-    document.json = Json::parse(parts.json);
-  } catch (const Json::exception& error) {
-    throw BadScene(file, "JSON", "no glTF: " + shown(error.what()) + "; truncated file?");
-  }
+  document.json = Json::parse(parts.json, nullptr, false);
+  if (document.json.is_discarded()) throw BadScene(file, "JSON", "no glTF: " + json_fault(parts.json));
   if (const auto twice = twice_named(parts.json))
     throw BadScene(file, shown(*twice), "an object has two members of this name; which of them is meant?");
   check_json(document.json, file);

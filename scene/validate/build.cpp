@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "scene/validate/index_use.hpp"
 #include "scene/validate/sidecar.hpp"
 
 namespace mmverify::scene {
@@ -29,11 +30,12 @@ bool has(const micromap::Violations& found, Rule rule) {
                      [rule](const micromap::Violation& v) { return v.rule == rule; });
 }
 
-/// Adds each violation at its pointer, except those of the rule `without`.
+/// Adds each violation by `in` at its pointer, except those of the rule `without`.
 template <class Pointer>
-void add(const micromap::Violations& found, Rule without, const Pointer& pointer, Report& report) {
+void add(const micromap::Violations& found, const micromap::Input& in, Rule without, const Pointer& pointer,
+         Report& report) {
   for (const micromap::Violation& v : found.list)
-    if (v.rule != without) report.add(v, pointer(v));
+    if (v.rule != without) report.add(v, in, pointer(v));
   for (const auto& [rule, more] : found.more) {
     const auto listed = [rule = rule](const micromap::Violation& v) { return v.rule == rule; };
     if (rule != without)
@@ -54,7 +56,7 @@ void advise(const micromap::Input& in, const std::string& at, Report& report) {
 }  // namespace
 
 void validate_build(const micromap::Input& array, std::span<const micromap::Input> geometries,
-                    Report& report) {
+                    const Device& device, Report& report) {
   const micromap::ArrayValidator validator(array, Report::most);
   std::vector<micromap::Violations> of_geometries;
   bool is_geometry = false;
@@ -62,19 +64,28 @@ void validate_build(const micromap::Input& array, std::span<const micromap::Inpu
     of_geometries.push_back(validator.geometry(geometry));
     is_geometry |= has(of_geometries.back(), Rule::counts_array_is_geometry);
   }
-  add(validator.array(), is_geometry ? Rule::counts_array : Rule::count_, pointer_of_array, report);
+  add(validator.array(), array, is_geometry ? Rule::counts_array : Rule::count_, pointer_of_array, report);
   if (is_geometry)
-    report.add(micromap::Violation{Rule::counts_array_is_geometry, Place::whole, 0, 0, 0}, "/usageCounts");
+    report.add(micromap::Violation{Rule::counts_array_is_geometry, Place::whole, 0, 0, 0}, array,
+               "/usageCounts");
   for (std::size_t g = 0; g < geometries.size(); ++g) {
     micromap::Violations& found = of_geometries[g];
     std::erase_if(found.list,
                   [](const micromap::Violation& v) { return v.rule == Rule::counts_array_is_geometry; });
+    micromap::Input in = array;
+    in.triangles = geometries[g].triangles;
+    in.indexed = geometries[g].indexed;
+    in.indices = geometries[g].indices;
+    in.encoding = geometries[g].encoding;
+    in.index_stride = geometries[g].index_stride;
+    in.indices_address = geometries[g].indices_address;
+    in.geometry_counts = geometries[g].geometry_counts;
     add(
-        found, has(found, Rule::counts_geometry_is_array) ? Rule::counts_geometry : Rule::count_,
-        [&](const micromap::Violation& v) { return pointer_of_geometry(v, geometries[g], g); }, report);
-    micromap::Input in = geometries[g];
-    in.sets = array.sets;
-    advise(in, "/geometries/" + std::to_string(g) + "/indices", report);
+        found, in, has(found, Rule::counts_geometry_is_array) ? Rule::counts_geometry : Rule::count_,
+        [&](const micromap::Violation& v) { return pointer_of_geometry(v, in, g); }, report);
+    const std::string at = "/geometries/" + std::to_string(g) + "/indices";
+    advise(in, at, report);
+    validate_index_use(in, device, at, report);
   }
 }
 

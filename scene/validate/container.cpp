@@ -85,7 +85,9 @@ void validate_array(std::span<const unsigned char> bytes, Report& report) {
   }
   namespace micromap = impl::micromap;
   micromap::Input array;
-  array.sets = micromap::glTF;
+  const Device device = report.target().device.value_or(Device{});
+  array.sets = static_cast<micromap::Sets>(micromap::glTF | report.target().apis);
+  array.limits = device.limits;
   std::vector<std::uint8_t> records(bundle.array.records.size() * micromap::record_bytes);
   for (std::size_t r = 0; r < bundle.array.records.size(); ++r) {
     const micromap::Record& record = bundle.array.records[r];
@@ -106,7 +108,7 @@ void validate_array(std::span<const unsigned char> bytes, Report& report) {
     in.triangles = part.indices.size() / in.index_stride;
     in.base_triangle = part.base;
   }
-  validate_build(array, geometries, report);
+  validate_build(array, geometries, device, report);
 }
 
 }  // namespace

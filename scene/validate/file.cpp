@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/document.hpp"
 #include "scene/validate/container.hpp"
 #include "scene/validate/report.hpp"
+#include "scene/validate/same_geometry.hpp"
 #include "scene/validate/sidecar.hpp"
 
 namespace mmverify::scene {
@@ -73,17 +75,6 @@ bool is_sidecar(std::span<const unsigned char> json) {
   return outermost.is_sidecar();
 }
 
-std::optional<FileKind> kind_of(std::span<const unsigned char> bytes) {
-  if (const auto kind = container_kind(bytes)) return kind;
-  if (begins(bytes, "glTF")) return FileKind::gltf;
-  auto at = bytes.begin();
-  if (begins(bytes, "\xef\xbb\xbf")) at += 3;
-  at = std::find_if(at, bytes.end(),
-                    [](unsigned char c) { return c != ' ' && c != '\t' && c != '\n' && c != '\r'; });
-  if (at == bytes.end() || *at != '{') return {};
-  return is_sidecar(bytes) ? FileKind::sidecar : FileKind::gltf;
-}
-
 FileKind known_kind(const std::string& name, std::span<const unsigned char> bytes) {
   if (const auto kind = kind_of(bytes)) return *kind;
   throw BadScene(name, "byte 0",
@@ -93,12 +84,16 @@ FileKind known_kind(const std::string& name, std::span<const unsigned char> byte
 /// Judges a glTF file by the drafts whose extension it uses, or by `draft`, and reports a file without the
 /// extension.
 template <class Names, class Validate>
-void judge_gltf(Judged& judged, std::optional<Draft> draft, const Names& names, const Validate& validate) {
+void judge_gltf(Judged& judged, std::optional<Draft> draft, const Names& names, const Validate& validate,
+                const std::function<Document()>& open) {
   const NamesUsed used = names();
+  const auto add_all = [&](const std::vector<FileViolation>& found) {
+    judged.findings.insert(judged.findings.end(), found.begin(), found.end());
+  };
   const auto judge = [&](Draft by) {
     judged.drafts.push_back(by);
-    const std::vector<FileViolation> found = validate(by);
-    judged.findings.insert(judged.findings.end(), found.begin(), found.end());
+    add_all(validate(by));
+    add_all(same_geometry(open, by));
   };
   if (draft) {
     judge(*draft);
@@ -124,6 +119,17 @@ void judge_gltf(Judged& judged, std::optional<Draft> draft, const Names& names, 
 
 }  // namespace
 
+std::optional<FileKind> kind_of(std::span<const unsigned char> bytes) {
+  if (const auto kind = container_kind(bytes)) return kind;
+  if (begins(bytes, "glTF")) return FileKind::gltf;
+  auto at = bytes.begin();
+  if (begins(bytes, "\xef\xbb\xbf")) at += 3;
+  at = std::find_if(at, bytes.end(),
+                    [](unsigned char c) { return c != ' ' && c != '\t' && c != '\n' && c != '\r'; });
+  if (at == bytes.end() || *at != '{') return {};
+  return is_sidecar(bytes) ? FileKind::sidecar : FileKind::gltf;
+}
+
 const char* name_of(FileKind kind) noexcept {
   constexpr const char* names[] = {"sidecar", "gltf", "array", "tree", "dag", "attributes"};
   return names[static_cast<std::size_t>(kind)];
@@ -136,15 +142,16 @@ std::uint64_t Judged::count(Severity severity) const {
 }
 
 Judged validate_file(const std::string& name, std::span<const unsigned char> bytes,
-                     std::optional<Draft> draft, const Beside& beside) {
+                     std::optional<Draft> draft, const Beside& beside, const Target& target) {
   Judged judged{known_kind(name, bytes)};
   if (judged.kind == FileKind::gltf) {
     judge_gltf(
         judged, draft, [&] { return names_used(name, bytes); },
-        [&](Draft by) { return validate_micromaps(name, bytes, by); });
+        [&](Draft by) { return validate_micromaps(name, bytes, by, target); },
+        [&] { return open_document(name, bytes); });
     return judged;
   }
-  Report report;
+  Report report(newest_draft, target);
   if (judged.kind == FileKind::sidecar)
     validate_sidecar(bytes, beside, report);
   else
@@ -153,18 +160,24 @@ Judged validate_file(const std::string& name, std::span<const unsigned char> byt
   return judged;
 }
 
-Judged validate_file(const std::string& file, std::optional<Draft> draft) {
+Judged validate_file(const std::string& file, std::optional<Draft> draft, const Target& target) {
   const Bytes bytes = read_file(file, file, "the file");
   if (known_kind(file, bytes) == FileKind::gltf) {
     Judged judged{FileKind::gltf};
     judge_gltf(
         judged, draft, [&] { return names_used(file); },
-        [&](Draft by) { return validate_micromaps(file, by); });
+        [&](Draft by) { return validate_micromaps(file, by, target); }, [&] { return open_document(file); });
     return judged;
   }
-  return validate_file(file, bytes, draft, [&](const std::string& name) {
-    return read_file(in_folder_of(file, name, name), file, name);
-  });
+  const auto beside_it = [&](const std::string& name) {
+    const std::filesystem::path path = in_folder_of(file, name, name);
+    // A buffer may be empty: the null micromap has no records.
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path, error) && std::filesystem::is_empty(path, error))
+      return Bytes();
+    return read_file(path, file, name);
+  };
+  return validate_file(file, bytes, draft, beside_it, target);
 }
 
 }  // namespace mmverify::scene

@@ -58,6 +58,10 @@ constexpr Row rows[] = {
     {"primitive.micromap", error, "name a micromap of the root's array by its index"},
     {"primitive.base", error, "write the base triangle as a whole number, or leave it out"},
     {"primitive.mode", error, "write the triangles as a list, mode 4, their vertices in the order they had"},
+    {"primitive.same_geometry", advice,
+     "nothing is wrong; but copy the accessors for readers that find maps by them, or share the maps",
+     "primitives that share their accessors share their maps",
+     "no text; readers that key micromaps by accessors give both primitives the maps of one"},
     {"indices.accessor", error, "name an accessor by its index"},
     {"indices.type", error, "make the accessor SCALAR"},
     {"indices.component", error, "store the indices as 5121, 5122, 5123, 5124 or 5125"},
@@ -114,6 +118,10 @@ constexpr Row rows[] = {
 
     // Indices
     {"index.encoding", error, "store the indices in a type that the API has"},
+    {"index.uint8", error, "store the indices as u16 or u32, or turn the device's feature on",
+     "8-bit indices are for a device with the feature indexTypeUint8", "KHR: VALIDATE.md"},
+    {"index.none", error, "leave the buffer's file and address out, or name the indices' type",
+     "index type NONE has no index buffer", "EXT, KHR: VALIDATE.md"},
     {"index.stride", error, "make the indices' stride a multiple of an index's size"},
     {"index.stride_most", error, "lay the indices closer together"},
     {"index.tight", error, "lay the indices one behind the other"},
@@ -122,6 +130,16 @@ constexpr Row rows[] = {
     {"index.special", error, "write -1 (T), -2 (O), -3 (UT), -4 (UO), or a record's number"},
     {"index.range", error,
      "correct the index or the base triangle: their sum is less than the number of records"},
+    {"index.mixed", error,
+     "give uniform triangles records, put them into a geometry of their own, or take the flag from the "
+     "pipelines",
+     "no index buffer has both special indices and records where pipelines have the flag "
+     "DISALLOW_MIXED_SPECIAL_INDEX",
+     "KHR: VALIDATE.md"},
+    {"index.mixed_khr", advice,
+     "nothing is wrong; but trace this geometry by no pipeline with the flag, or name the flag in the limits",
+     "for KHR, no index buffer has both special indices and records",
+     "KHR, a pipeline's flag DISALLOW_MIXED_SPECIAL_INDEX: VALIDATE.md"},
 
     // Sidecars
     {"sidecar.readable", error, "write one JSON object, each member once",

@@ -73,8 +73,8 @@ void validate_version(const Json& json, Report& report) {
 }
 
 template <class Open>
-std::vector<FileViolation> validated(const Open& open, Draft draft) {
-  Report report(draft);
+std::vector<FileViolation> validated(const Open& open, Draft draft, const Target& target) {
+  Report report(draft, target);
   try {
     const Document document = open();
     const Buffers buffers(document);
@@ -107,17 +107,18 @@ NamesUsed used(const Open& open) {
 
 }  // namespace
 
-std::vector<FileViolation> validate_micromaps(const std::string& file, Draft draft) {
-  return validated([&] { return open_document(file); }, draft);
+std::vector<FileViolation> validate_micromaps(const std::string& file, Draft draft, const Target& target) {
+  return validated([&] { return open_document(file); }, draft, target);
 }
 
 std::vector<FileViolation> validate_micromaps(const std::string& name, std::span<const unsigned char> bytes,
-                                              Draft draft) {
-  return validated([&] { return open_document(name, bytes); }, draft);
+                                              Draft draft, const Target& target) {
+  return validated([&] { return open_document(name, bytes); }, draft, target);
 }
 
-std::vector<FileViolation> validate_micromaps(const std::function<Document()>& open, Draft draft) {
-  return validated(open, draft);
+std::vector<FileViolation> validate_micromaps(const std::function<Document()>& open, Draft draft,
+                                              const Target& target) {
+  return validated(open, draft, target);
 }
 
 NamesUsed names_used(const std::string& file) {

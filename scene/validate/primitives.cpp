@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "scene/validate/index_use.hpp"
 #include "scene/validate/indices.hpp"
 #include "scene/validate/shared.hpp"
 
@@ -27,7 +28,7 @@ class Validation {
       report_.add("primitive.mode", of + "/mode", mode.dump() + " where 4, triangles, is due");
 
     impl::micromap::Input in;
-    in.sets = impl::micromap::glTF;
+    in.sets = static_cast<impl::micromap::Sets>(impl::micromap::glTF | report_.target().apis);
     in.triangles = triangles(primitive);
     // If the number of records is unknown, no index is too large; the root's part reports the reason.
     in.record_count = records(*given, at).value_or(std::numeric_limits<std::uint64_t>::max());
@@ -116,11 +117,18 @@ class Validation {
       }
       judged_ += in.triangles;
     }
-    for (const impl::micromap::Violation& violation : impl::micromap::validate(in)) {
-      const bool of_a_triangle = violation.place == impl::micromap::Place::triangle;
-      if (of_a_triangle || violation.rule == impl::micromap::Rule::align_index)
-        report_.add(violation, in.indexed ? at + "/micromapIndices" : at);
-    }
+    const std::string pointer = in.indexed ? at + "/micromapIndices" : at;
+    for (const impl::micromap::Violation& violation : impl::micromap::validate(in))
+      if (of_indices(violation, in)) report_.add(violation, in, pointer);
+    validate_index_use(in, report_.target().device.value_or(Device{}), pointer, report_);
+  }
+
+  /// Whether a violation is of the indices; the other ones are of the array, whose records are not here.  A signed type
+  /// is none of an API's: the build gets the unsigned one of its width, with the same bits.
+  static bool of_indices(const impl::micromap::Violation& violation, const impl::micromap::Input& in) {
+    using enum impl::micromap::Rule;
+    if (violation.rule == index_encoding) return !impl::micromap::is_signed(in.encoding);
+    return violation.place == impl::micromap::Place::triangle || violation.rule == align_index;
   }
 
   const Document& document_;

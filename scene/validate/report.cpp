@@ -1,21 +1,27 @@
 #include "scene/validate/report.hpp"
 
+#include <utility>
+
 #include "scene/read/bad_scene.hpp"
+#include "scene/validate/vuids.hpp"
 
 namespace mmverify::scene {
 
-void Report::add(std::string_view rule, const std::string& pointer, const std::string& found) {
-  if (++counts_[{rule, pointer}] <= most) list_.push_back({rule, pointer, found});
+void Report::add(std::string_view rule, const std::string& pointer, const std::string& found,
+                 std::vector<std::string_view> vuids) {
+  if (++counts_[{rule, pointer}] <= most) list_.push_back({rule, pointer, found, std::move(vuids)});
 }
 
 void Report::count(std::string_view rule, const std::string& pointer, std::uint64_t more) {
   counts_[{rule, pointer}] += more;
 }
 
-void Report::add(const impl::micromap::Violation& violation, const std::string& pointer) {
+void Report::add(const impl::micromap::Violation& violation, const impl::micromap::Input& in,
+                 const std::string& pointer) {
   // "id (sets): words"
   const std::string line = impl::micromap::describe(violation);
-  add(impl::micromap::text(violation.rule).id, pointer, line.substr(line.find(": ") + 2));
+  const char* const rule = impl::micromap::text(violation.rule).id;
+  add(rule, pointer, line.substr(line.find(": ") + 2), vuids_of(rule, in.sets, cases_of(violation, in)));
 }
 
 std::vector<FileViolation> Report::taken() {
@@ -26,7 +32,8 @@ std::vector<FileViolation> Report::taken() {
     const std::uint64_t number = ++listed[key], count = counts_[key];
     all.push_back(std::move(violation));
     if (number == most && count > most)
-      all.push_back({key.first, key.second, "and " + std::to_string(count - most) + " more"});
+      all.push_back(
+          {key.first, key.second, "and " + std::to_string(count - most) + " more", all.back().vuids});
   }
   return all;
 }

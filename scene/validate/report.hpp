@@ -9,6 +9,7 @@
 #include "scene/read/buffers.hpp"
 #include "scene/validate/draft.hpp"
 #include "scene/validate/micromaps.hpp"
+#include "scene/validate/target.hpp"
 
 namespace mmverify::scene {
 
@@ -16,27 +17,32 @@ inline constexpr const char* micromap_extension = text(newest_draft).extension;
 
 class Report {
  public:
-  explicit Report(Draft draft = newest_draft) : draft_(draft) {}
+  explicit Report(Draft draft = newest_draft, const Target& target = {}) : draft_(draft), target_(target) {}
 
   /// The draft whose rules are checked.
   Draft draft() const { return draft_; }
   bool newest() const { return draft_ == newest_draft; }
   const char* extension() const { return text(draft_).extension; }
 
+  const Target& target() const { return target_; }
+
   /// The number of violations of one rule at one place that are listed; the others are only counted.
   static constexpr std::size_t most = 8;
-  void add(std::string_view rule, const std::string& pointer, const std::string& found);
+  void add(std::string_view rule, const std::string& pointer, const std::string& found,
+           std::vector<std::string_view> vuids = {});
 
   /// Adds `more` to the count of a rule of which `most` were added at this place.
   void count(std::string_view rule, const std::string& pointer, std::uint64_t more);
 
-  /// Adds a violation of the array's rules, at the pointer of its place.  The words are describe()'s.
-  void add(const impl::micromap::Violation& violation, const std::string& pointer);
+  /// Adds a violation of the array's rules by `in`, at the pointer of its place.  The words are describe()'s.
+  void add(const impl::micromap::Violation& violation, const impl::micromap::Input& in,
+           const std::string& pointer);
 
   std::vector<FileViolation> taken();
 
  private:
   Draft draft_;
+  Target target_;
   std::vector<FileViolation> list_;
   std::map<std::pair<std::string_view, std::string>, std::uint64_t> counts_;
 };

@@ -87,7 +87,7 @@ std::string pointer_of(const impl::micromap::Violation& violation, const std::st
     case impl::micromap::Place::level_and_format:
       return at + "/usageCounts";
     default:
-      return at + "/triangles";
+      return at + (violation.rule == impl::micromap::Rule::counts_limit ? "/usageCounts" : "/triangles");
   }
 }
 
@@ -95,7 +95,7 @@ std::string pointer_of(const impl::micromap::Violation& violation, const std::st
 // The older drafts
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Whether a rule is only the newest draft's.  The older drafts bound no level, let records lie apart, and
+/// Whether a rule of glTF is only the newest draft's.  The older drafts bound no level, let records lie apart, and
 /// compare sums alone.
 bool of_the_newest_alone(impl::micromap::Rule rule) {
   using enum impl::micromap::Rule;
@@ -143,7 +143,8 @@ RecordCount validate_micromap(const Document& document, const Buffers& buffers, 
   const auto counts = usage(micromap, at, report);
   if (!records) return {};
   impl::micromap::Input in;
-  in.sets = impl::micromap::glTF;
+  in.sets = static_cast<impl::micromap::Sets>(impl::micromap::glTF | report.target().apis);
+  if (report.target().device) in.limits = report.target().device->limits;
   in.records = *records;
   in.record_count = records->size() / impl::micromap::record_bytes;
   if (!report.newest()) stride_of(document, micromap, at, in, report);
@@ -151,10 +152,12 @@ RecordCount validate_micromap(const Document& document, const Buffers& buffers, 
   if (counts) in.array_counts = *counts;
   for (const impl::micromap::Violation& violation : impl::micromap::validate(in)) {
     if (!data && violation.rule == impl::micromap::Rule::record_region) continue;  // its cause is listed
-    if (!report.newest() && of_the_newest_alone(violation.rule)) continue;
-    report.add(violation, pointer_of(violation, at));
+    const bool of_an_api = (impl::micromap::text(violation.rule).sets & report.target().apis) != 0;
+    if (!report.newest() && of_the_newest_alone(violation.rule) && !of_an_api) continue;
+    report.add(violation, in, pointer_of(violation, at));
   }
-  if (!report.newest() && counts) compare_sum(*counts, in.record_count, at, report);
+  if (!report.newest() && counts && report.target().apis == 0)
+    compare_sum(*counts, in.record_count, at, report);
   return in.record_count;
 }
 

@@ -10,7 +10,11 @@
 
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/file.hpp"
+#include "scene/read/json_fault.hpp"
 #include "scene/read/unique_names.hpp"
+#include "scene/validate/members.hpp"
+#include "scene/validate/target.hpp"
+#include "scene/validate/vuids.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -28,15 +32,19 @@ struct Buffer {
 
 class Sidecar {
  public:
-  Sidecar(const Beside& beside, Report& report) : beside_(beside), report_(report) {}
+  Sidecar(const Beside& beside, Report& report) : beside_(beside), report_(report), members_(report) {}
 
   void judge(const Json& json) {
-    allow(json, "", {"schema", "apis", "records", "data", "usageCounts", "geometries", "limits", "lossy"});
+    members_.allow(json, "",
+                   {"schema", "apis", "records", "data", "usageCounts", "geometries", "limits", "lossy"});
     micromap::Input array;
     bool good = apis(json, array);
     good &= limits(json, array);
     good &= records(json, array);
-    if (const auto buffer = buffer_of(json, "", "data", {"file", "offset", "bytes", "address"})) {
+    apis_ = array.sets;
+    if (is_null(json, "data")) {
+      array.data = {};
+    } else if (const auto buffer = buffer_of(json, "", "data", {"file", "offset", "bytes", "address"})) {
       array.data = buffer->bytes;
       array.data_address = buffer->address;
     } else {
@@ -48,61 +56,21 @@ class Sidecar {
     if (json.contains("geometries")) {
       const Json& given = json["geometries"];
       if (!given.is_array()) {
-        type("/geometries", "an array", given);
+        members_.type("/geometries", "an array", given);
         good = false;
       } else {
         for (std::size_t g = 0; g < given.size(); ++g)
           good &= geometry(given[g], "/geometries/" + std::to_string(g), geometries);
       }
     }
-    if (good) validate_build(array, geometries, report_);
+    if (good) validate_build(array, geometries, device_, report_);
   }
 
  private:
-  // -----------------------------------------------------------------------------------------------------------------
-  // Members
-  // -----------------------------------------------------------------------------------------------------------------
-
-  void type(const std::string& pointer, const std::string& due, const Json& is) {
-    report_.add("sidecar.type", pointer, due + " is due, not " + found(is));
-  }
-
-  void allow(const Json& object, const std::string& at, std::initializer_list<const char*> names) {
-    for (const auto& [name, _] : object.items())
-      if (std::find(names.begin(), names.end(), name) == names.end())
-        report_.add("sidecar.unknown", at, "no member is called " + shown(name));
-  }
-
-  bool is_object(const Json& json, const std::string& at) {
-    if (!json.is_object()) type(at, "an object", json);
-    return json.is_object();
-  }
-
-  bool there(const Json& object, const std::string& at, const char* name) {
-    if (!object.contains(name)) report_.add("sidecar.missing", at, std::string(name) + " is not there");
-    return object.contains(name);
-  }
-
-  /// The member, or `otherwise` if it is missing; none, and a finding, if it is no number below `end`.  -0 is
-  /// 0, as for the schema.
-  std::optional<std::uint64_t> number(const Json& object, const std::string& at, const char* name,
-                                      std::uint64_t otherwise, std::uint64_t end = any) {
-    if (!object.contains(name)) return otherwise;
-    if (object[name].is_number_integer() && object[name] == 0) return 0;
-    const auto value = whole(object[name], end);
-    if (!value)
-      type(at + "/" + name, "a whole number from 0, below " + std::to_string(end) + ",", object[name]);
-    return value;
-  }
-
-  // -----------------------------------------------------------------------------------------------------------------
-  // Parts
-  // -----------------------------------------------------------------------------------------------------------------
-
   bool apis(const Json& json, micromap::Input& in) {
     constexpr std::array<std::pair<const char*, micromap::Sets>, 4> known{
         {{"ext", micromap::EXT}, {"khr", micromap::KHR}, {"dxr", micromap::DXR}, {"gltf", micromap::glTF}}};
-    if (!there(json, "", "apis")) return false;
+    if (!members_.there(json, "", "apis")) return false;
     const Json& given = json["apis"];
     if (!given.is_array() || given.empty()) {
       report_.add("sidecar.api", "/apis", "an array of at least one is due, not " + found(given));
@@ -121,45 +89,38 @@ class Sidecar {
         in.sets = static_cast<micromap::Sets>(in.sets | one->second);
       }
     }
+    if (report_.target().apis != 0) in.sets = report_.target().apis;
     return good;
   }
 
+  /// Whether a member says that there is no such buffer, as for the null micromap.
+  static bool is_null(const Json& json, const char* name) {
+    return json.contains(name) && json[name].is_null();
+  }
+
   bool limits(const Json& json, micromap::Input& in) {
-    bool good = true;
-    if (json.contains("lossy")) {
-      good = json["lossy"].is_boolean();
-      if (good)
-        in.lossy = json["lossy"].get<bool>();
-      else
-        type("/lossy", "true or false", json["lossy"]);
+    bool good = members_.yes_or_no(json, "", "lossy", in.lossy);
+    if (json.contains("limits")) {
+      const std::optional<Device> own = read_device(json["limits"], "/limits", report_);
+      good &= own.has_value();
+      device_ = own.value_or(Device{});
     }
-    if (!json.contains("limits")) return good;
-    const Json& given = json["limits"];
-    if (!is_object(given, "/limits")) return false;
-    allow(given, "/limits", {"twoStateLevel", "fourStateLevel", "lossyFourStateLevel", "triangles"});
-    const auto level = [&](const char* name, std::uint32_t& to) {
-      const auto value = number(given, "/limits", name, to, bits_32);
-      if (value) to = static_cast<std::uint32_t>(*value);
-      good &= value.has_value();
-    };
-    level("twoStateLevel", in.limits.two_state_level);
-    level("fourStateLevel", in.limits.four_state_level);
-    level("lossyFourStateLevel", in.limits.lossy_four_state_level);
-    const auto triangles = number(given, "/limits", "triangles", in.limits.triangles);
-    if (triangles) in.limits.triangles = *triangles;
-    return good && triangles;
+    device_ = report_.target().device.value_or(device_);
+    in.limits = device_.limits;
+    return good;
   }
 
   bool records(const Json& json, micromap::Input& in) {
+    if (is_null(json, "records")) return true;
     const auto buffer =
         buffer_of(json, "", "records", {"file", "offset", "bytes", "address", "stride", "count"});
     if (!buffer) return false;
-    const auto stride = number(json["records"], "/records", "stride", micromap::record_bytes);
+    const auto stride = members_.number(json["records"], "/records", "stride", micromap::record_bytes);
     if (!stride) return false;
     const std::uint64_t size = buffer->bytes.size();
     const std::uint64_t fit =
         *stride == 0 || size < micromap::record_bytes ? 0 : (size - micromap::record_bytes) / *stride + 1;
-    const auto count = number(json["records"], "/records", "count", fit, bits_32);
+    const auto count = members_.number(json["records"], "/records", "count", fit, bits_32);
     if (!count) return false;
     in.records = buffer->bytes;
     in.records_address = buffer->address;
@@ -171,21 +132,22 @@ class Sidecar {
   /// The bytes that a member refers to.
   std::optional<Buffer> buffer_of(const Json& object, const std::string& at, const char* name,
                                   std::initializer_list<const char*> members) {
-    if (!there(object, at, name)) return {};
+    if (!members_.there(object, at, name)) return {};
     const Json& json = object[name];
     const std::string pointer = at + "/" + name;
-    if (!is_object(json, pointer)) return {};
-    allow(json, pointer, members);
-    if (!there(json, pointer, "file")) return {};
+    if (!members_.is_object(json, pointer)) return {};
+    members_.allow(json, pointer, members);
+    if (!members_.there(json, pointer, "file")) return {};
     if (!json["file"].is_string()) {
-      type(pointer + "/file", "a string", json["file"]);
+      members_.type(pointer + "/file", "a string", json["file"]);
       return {};
     }
     const auto file = file_of(json["file"].get<std::string>(), pointer + "/file");
-    const auto offset = number(json, pointer, "offset", 0), address = number(json, pointer, "address", 0);
+    const auto offset = members_.number(json, pointer, "offset", 0),
+               address = members_.number(json, pointer, "address", 0);
     if (!file || !offset || !address) return {};
     const std::uint64_t left = *offset <= file->size() ? file->size() - *offset : 0;
-    const auto bytes = number(json, pointer, "bytes", left);
+    const auto bytes = members_.number(json, pointer, "bytes", left);
     if (!bytes) return {};
     if (*offset > file->size() || *bytes > left) {
       report_.add("sidecar.range", pointer,
@@ -219,23 +181,24 @@ class Sidecar {
     const Json& given = object["usageCounts"];
     const std::string pointer = at + "/usageCounts";
     if (!given.is_array()) {
-      type(pointer, "an array", given);
+      members_.type(pointer, "an array", given);
       good = false;
       return {};
     }
     std::vector<micromap::UsageCount> all;
     for (std::size_t k = 0; k < given.size(); ++k) {
       const std::string one = pointer + "/" + std::to_string(k);
-      if (!is_object(given[k], one)) {
+      if (!members_.is_object(given[k], one)) {
         good = false;
         continue;
       }
-      allow(given[k], one, {"count", "level", "format"});
+      members_.allow(given[k], one, {"count", "level", "format"});
       std::array<std::uint32_t, 3> values{};
       constexpr const char* names[] = {"count", "level", "format"};
       for (std::size_t c = 0; c < 3; ++c) {
-        const auto value =
-            there(given[k], one, names[c]) ? number(given[k], one, names[c], 0, bits_32) : std::nullopt;
+        const auto value = members_.there(given[k], one, names[c])
+                               ? members_.number(given[k], one, names[c], 0, bits_32)
+                               : std::nullopt;
         good &= value.has_value();
         values[c] = static_cast<std::uint32_t>(value.value_or(0));
       }
@@ -245,12 +208,12 @@ class Sidecar {
   }
 
   bool geometry(const Json& json, const std::string& at, std::vector<micromap::Input>& geometries) {
-    if (!is_object(json, at)) return false;
-    allow(json, at, {"triangles", "indices", "baseTriangle", "usageCounts"});
+    if (!members_.is_object(json, at)) return false;
+    members_.allow(json, at, {"triangles", "indices", "baseTriangle", "usageCounts"});
     micromap::Input in;
-    bool good = there(json, at, "triangles");
-    const auto triangles = number(json, at, "triangles", 0, bits_32),
-               base = number(json, at, "baseTriangle", 0, bits_32);
+    bool good = members_.there(json, at, "triangles");
+    const auto triangles = members_.number(json, at, "triangles", 0, bits_32),
+               base = members_.number(json, at, "baseTriangle", 0, bits_32);
     good &= triangles && base;
     in.triangles = triangles.value_or(0);
     in.base_triangle = static_cast<std::uint32_t>(base.value_or(0));
@@ -261,31 +224,48 @@ class Sidecar {
     return good;
   }
 
+  /// Index type NONE: triangle t has index t, and there is no buffer.
+  void no_indices(const Json& given, const std::string& pointer) {
+    members_.allow(given, pointer, {"type", "file", "offset", "bytes", "address", "stride"});
+    if ((apis_ & (micromap::EXT | micromap::KHR)) == 0) return;
+    for (const char* name : {"file", "address"})
+      if (given.contains(name) && given[name] != 0)
+        return report_.add("index.none", pointer + "/" + name, found(given[name]) + " for index type NONE",
+                           vuids_of("index.none", apis_, cases::always));
+  }
+
   bool indices(const Json& json, const std::string& at, micromap::Input& in) {
+    if (const Json& one = json["indices"]; one.is_object() && one.contains("type") && one["type"] == "none") {
+      no_indices(one, at + "/indices");
+      return true;
+    }
     const auto buffer =
         buffer_of(json, at, "indices", {"file", "offset", "bytes", "address", "stride", "type"});
     if (!buffer) return false;
     const Json& given = json["indices"];
     const std::string pointer = at + "/indices";
-    if (!there(given, pointer, "type")) return false;
+    if (!members_.there(given, pointer, "type")) return false;
     constexpr const char* types[] = {"u8", "u16", "u32", "i16", "i32"};
     const auto one =
         std::find_if(std::begin(types), std::end(types), [&](const char* t) { return given["type"] == t; });
     if (one == std::end(types)) {
-      type(pointer + "/type", "u8, u16, u32, i16 or i32", given["type"]);
+      members_.type(pointer + "/type", "u8, u16, u32, i16, i32 or none", given["type"]);
       return false;
     }
     in.indexed = true;
     in.encoding = static_cast<micromap::Encoding>(one - std::begin(types));
     in.indices = buffer->bytes;
     in.indices_address = buffer->address;
-    const auto stride = number(given, pointer, "stride", micromap::width(in.encoding) / 8);
+    const auto stride = members_.number(given, pointer, "stride", micromap::width(in.encoding) / 8);
     in.index_stride = stride.value_or(0);
     return stride.has_value();
   }
 
   const Beside& beside_;
   Report& report_;
+  const Members members_;
+  Device device_;
+  micromap::Sets apis_ = 0;
   std::map<std::string, Bytes> files_;
   std::optional<std::vector<micromap::UsageCount>> array_counts_;
   std::list<std::vector<micromap::UsageCount>> geometry_counts_;  ///< a list, since the inputs point into it
@@ -294,18 +274,17 @@ class Sidecar {
 }  // namespace
 
 void validate_sidecar(std::span<const unsigned char> bytes, const Beside& beside, Report& report) {
-  Json json;
-  try {
-    json = Json::parse(bytes.begin(), bytes.end());
-  } catch (const Json::exception& error) {
-    report.add("sidecar.readable", "", shown(error.what()));
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) {
+    report.add("sidecar.readable", "", json_fault(text));
     return;
   }
   if (!json.is_object()) {
     report.add("sidecar.readable", "", "an object is due, not " + found(json));
     return;
   }
-  if (const auto twice = twice_named({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) {
+  if (const auto twice = twice_named(text)) {
     report.add("sidecar.readable", *twice, "an object has two members of this name");
     return;
   }

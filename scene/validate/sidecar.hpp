@@ -14,10 +14,11 @@ void validate_sidecar(std::span<const unsigned char> bytes, const Beside& beside
 
 /// Reports an array's violations once, then each geometry's.  A histogram given in place of the other kind is
 /// one finding, at its counts.
-/// `array` has no geometry; the array's members of `geometries` are ignored.
+/// `array` has no geometry; the array's members of `geometries` are ignored.  The device has what no array has: its
+/// features and pipelines.
 /// Cost: O(n log n) in the array, which is read once, and linear in the triangles for which each geometry has
 /// indices.
 void validate_build(const impl::micromap::Input& array, std::span<const impl::micromap::Input> geometries,
-                    Report& report);
+                    const Device& device, Report& report);
 
 }  // namespace mmverify::scene

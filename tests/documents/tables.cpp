@@ -24,6 +24,7 @@
 #include "proofs/registry/registry.hpp"
 #include "proofs/traverse/combinations.hpp"
 #include "scene/validate/issues.hpp"
+#include "scene/validate/vuids.hpp"
 
 namespace {
 
@@ -193,6 +194,33 @@ std::string issues() {
   return text;
 }
 
+/// The cases in which a VUID applies, in words.
+std::string in_words(mmverify::scene::Cases when) {
+  namespace cases = mmverify::scene::cases;
+  constexpr std::pair<mmverify::scene::Cases, const char*> words[] = {
+      {cases::array, "the array's counts"},
+      {cases::geometry, "a geometry's counts"},
+      {cases::two_state, "2-state"},
+      {cases::four_state, "4-state"},
+      {cases::null_micromap, "the null micromap"},
+      {cases::has_records, "an array with records"},
+      {cases::with_indices, "with an index buffer"},
+      {cases::without_indices, "without an index buffer"}};
+  std::string text;
+  for (const auto& [one, word] : words)
+    if ((when & one) != 0) text += (text.empty() ? "" : ", ") + std::string(word);
+  return text;
+}
+
+std::string vuids() {
+  std::string text = "| code | API | VUID | where | on the GPU |\n|---|---|---|---|---|\n";
+  for (const mmverify::scene::Vuid& one : mmverify::scene::vuids())
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", one.code,
+                        one.api == mmverify::impl::micromap::EXT ? "EXT" : "KHR", one.name,
+                        in_words(one.when), one.missing_there ? "missing" : "");
+  return text;
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Files that mmverify vectors writes
 // ---------------------------------------------------------------------------------------------------------------------
@@ -231,6 +259,7 @@ constexpr Table tables[] = {{"readings", MMVERIFY_DOCS "/ERRATA.md", readings},
                             {"decisions", MMVERIFY_DOCS "/TRAVERSE.md", decisions},
                             {"undefined", MMVERIFY_DOCS "/TRAVERSE.md", undefined_ones},
                             {"issues", MMVERIFY_DOCS "/ISSUES.md", issues},
+                            {"vuids", MMVERIFY_DOCS "/ISSUES.md", vuids},
                             {"vectors", MMVERIFY_DOCS "/VECTORS.md", vector_families}};
 
 std::string read(const char* path) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# action.yml and the workflows: valid YAML, each command is bash and one that is here, each input is used; and the action's two
+# action.yml and the workflows: valid YAML, each command is bash and one that is here, each input is used; and the action's three
 # steps on a release of files, green, and red: another checksum, a wrong function, a baseline that is another.
 # usage: tests/outside/action_test.sh MMVERIFY | --files        --files: the files alone, without the steps on a release
 set -euo pipefail
@@ -78,6 +78,21 @@ said=$(stub $'index\ttree\nvq' '')
 [[ $(stub index --help) == '2 '* ]] || fail "a run without a result is green"
 grep -q 'no result was written' "$folder/log" || fail "it does not say that there is no result"
 
+# The third step: patterns and names with blanks; one that matches nothing is red.
+mkdir -p "$folder/assets/a b"
+touch "$folder/assets/one.glb" "$folder/assets/a b/two.glb"
+judge() {
+  local code=0
+  (cd "$folder" && env MMVERIFY_PROGRAM="$folder/stub/mmverify" MMVERIFY_RESULTS="$folder/stub/results" GITHUB_OUTPUT="$folder/stub/output" \
+    MMVERIFY_FILES="$1" MMVERIFY_FILEARGS="$2" "$root/delivery/packaging/action/validate") >"$folder/log" || code=$?
+  echo "$code $(<"$folder/stub/mmverify.said")"
+}
+said=$(judge $'assets/**/*.glb\n' '--api khr')
+[[ $said == '0 validate ./assets/a b/two.glb ./assets/one.glb --json '*findings.json' --sarif '*findings.sarif' --api khr ' ]] || fail "files are lost: $said"
+[[ $(judge 'assets/*.gltf' '') == '4 '* ]] || fail "a pattern without a file is green"
+[[ $(judge '' '') == '2 '* ]] || fail "neither subject nor files is green"
+grep -q '^sarif=' "$folder/stub/output" || fail "no output sarif"
+
 [[ $1 != --files ]] || exit 0
 
 # A release of files: the built program, in the archive's form.
@@ -131,6 +146,17 @@ for MMVERIFY_BASELINE in '' baseline.json; do
 done
 MMVERIFY_SUBJECT=missing.so
 [[ $(step 1) == 4 ]] || fail "a library that is missing"
+# The third step on a file that is none.
+export MMVERIFY_FILES='*.glb' MMVERIFY_FILEARGS=''
+echo '{"asset": {"version": "2.0"}}' >ours.glb
+code=$(step 2)
+((code == 0)) || { cat "$folder/log"; fail "the third step gives exit code $code"; }
+for output in findings sarif; do
+  [[ -s $(sed -n "s/^$output=//p" "$GITHUB_OUTPUT") ]] || fail "no output $output"
+done
+echo '{' >ours.glb
+code=$(step 2)
+((code == 1)) || fail "a file that is cut short gives exit code $code"
 # expect CODE WORDS: the first step, and what it complains of.
 refused() {
   [[ $(step 0) == 4 ]] || fail "not refused: $1"
@@ -148,4 +174,4 @@ echo x >>"$folder/release/$name.tar.gz"
 refused 'has SHA-256'
 : >"$folder/release/SHA256SUMS"
 refused 'has no SHA-256'
-echo "action.yml: two steps on a release of files; what is wrong is refused"
+echo "action.yml: three steps on a release of files; what is wrong is refused"

@@ -24,16 +24,17 @@ struct MadeFile {
   std::map<std::string, ByteList> beside = {};
 
   /// Judged in memory.
-  scene::Judged judged(std::optional<scene::Draft> draft = {}) const {
-    return scene::validate_file("made", bytes, draft, [this](const std::string& name) {
+  scene::Judged judged(std::optional<scene::Draft> draft = {}, const scene::Target& target = {}) const {
+    const auto beside_it = [this](const std::string& name) {
       const auto file = beside.find(name);
       if (file == beside.end()) throw scene::BadScene("made", name, "there is no file");
       return file->second;
-    });
+    };
+    return scene::validate_file("made", bytes, draft, beside_it, target);
   }
 };
 
-/// A raw array: two records (4-state of level 2, 2-state of level 1), a geometry of three triangles on records 0, 1 and O.
+/// A raw array: two records (4-state of level 2, 2-state of level 1), a geometry of three triangles on records 0, 1 and 0.
 struct RawArray {
   Json json = {
       {"schema", "mmverify.array/1"},
@@ -47,12 +48,12 @@ struct RawArray {
          {"indices", {{"file", "indices.bin"}, {"type", "u16"}, {"address", 64}}},
          {"baseTriangle", 0},
          {"usageCounts",
-          {{{"count", 1}, {"level", 2}, {"format", 2}}, {{"count", 1}, {"level", 1}, {"format", 1}}}}}}},
+          {{{"count", 2}, {"level", 2}, {"format", 2}}, {{"count", 1}, {"level", 1}, {"format", 1}}}}}}},
       {"limits",
        {{"twoStateLevel", 12}, {"fourStateLevel", 12}, {"lossyFourStateLevel", 12}, {"triangles", 100}}},
       {"lossy", false}};
   ByteList records{0, 0, 0, 0, 2, 0, 2, 0, 4, 0, 0, 0, 1, 0, 1, 0}, data{0xe4, 0x1b, 0, 0, 0x05},
-      indices{0, 0, 1, 0, 0xfe, 0xff};
+      indices{0, 0, 1, 0, 0, 0};
 
   Json& geometry() { return json["geometries"][0]; }
   MadeFile file() const {

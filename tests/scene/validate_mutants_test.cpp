@@ -107,7 +107,8 @@ bool clean(const spec::array::Bundle& bundle) {
 }
 
 bool clean(const RawArray& raw, spec::micromap::Sets sets) {
-  const std::vector<spec::micromap::UsageCount> counts{{1, 2, 2}, {1, 1, 1}};
+  const std::vector<spec::micromap::UsageCount> counts{{1, 2, 2}, {1, 1, 1}},
+      of_geometry{{2, 2, 2}, {1, 1, 1}};
   spec::micromap::Input array;
   array.sets = sets;
   array.records = raw.records;
@@ -123,7 +124,7 @@ bool clean(const RawArray& raw, spec::micromap::Sets sets) {
   in.index_stride = 2;
   in.indices = raw.indices;
   in.indices_address = 64;
-  in.geometry_counts = counts;
+  in.geometry_counts = of_geometry;
   return clean(array, {in});
 }
 

@@ -1,0 +1,16 @@
+// Primitives that draw one geometry with different micromaps.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "scene/validate/micromaps.hpp"
+
+namespace mmverify::scene {
+
+/// An advice (primitive.same_geometry) for each primitive whose attributes and indices are the accessors of one before
+/// it, while the draft's extension differs: a reader that finds maps by the accessors gives both the maps of one.
+/// Domain: any document; none that cannot be read.  Time: O(p log p) in the primitives.
+std::vector<FileViolation> same_geometry(const std::function<Document()>& open, Draft draft);
+
+}  // namespace mmverify::scene
