@@ -126,6 +126,11 @@ std::vector<std::string> changes_since(std::string_view record, const Scene& sce
   const RecordJson then = RecordJson::parse(record, nullptr, false);
   if (!then.is_object()) throw std::invalid_argument("a record of a bake is a JSON object");
   if (then.value("version", RecordJson()) != record_version) return {};
+  const Material& material = scene.material_of(primitive);
+  if (material.mode == AlphaMode::opaque) return {"alphaMode is OPAQUE now"};
+  if (!material.texture || !material.texture->image || primitive.uvs.empty() ||
+      !scene.images.at(*material.texture->image).decoded())
+    return {"the alpha texture, or its UVs, are gone"};
   std::vector<std::string> changes;
   for (const Input& now : inputs_now(scene, primitive)) {
     const auto was = then.find(now.name);

@@ -11,6 +11,7 @@
 #include "scene/validate/report.hpp"
 #include "scene/validate/same_geometry.hpp"
 #include "scene/validate/sidecar.hpp"
+#include "scene/validate/stale_records.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -94,6 +95,7 @@ void judge_gltf(Judged& judged, std::optional<Draft> draft, const Names& names, 
     judged.drafts.push_back(by);
     add_all(validate(by));
     add_all(same_geometry(open, by));
+    add_all(stale_records(open, by));
   };
   if (draft) {
     judge(*draft);
