@@ -19,7 +19,7 @@ using namespace mmverify::scene;
 struct Totals {
   std::uint64_t errors = 0, warnings = 0, advice = 0;
 
-  void add(const Judged& found) {
+  void add(const mmverify::scene::Judged& found) {
     errors += found.count(Severity::error);
     warnings += found.count(Severity::warning);
     advice += found.count(Severity::advice);
@@ -34,7 +34,7 @@ struct Totals {
   }
 };
 
-std::string kind_in_words(const Judged& found) {
+std::string kind_in_words(const mmverify::scene::Judged& found) {
   std::string words = name_of(found.kind);
   for (const Draft draft : found.drafts) words += fmt::format(", draft {}", text(draft).name);
   return words;
