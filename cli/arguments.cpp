@@ -90,7 +90,9 @@ std::vector<double> parse_numbers(const std::string& text) {
 
 proofs::bake::BakeSubjectPtr parse_baker(const std::string& text, double timeout_seconds) {
   for (const SubjectPtr& subject : parse_subject(text, timeout_seconds))
-    if (auto baker = std::dynamic_pointer_cast<const bake::BakeSubject>(subject)) return baker;
+    if (auto baker = std::dynamic_pointer_cast<const bake::BakeSubject>(subject);
+        baker != nullptr && baker->functions.bake)
+      return baker;
   throw UsageError(fmt::format("--subject {}: not a baker; it exports no entry point `bake`", text));
 }
 

@@ -140,7 +140,8 @@ void ask(const Json& result, Asked& asked, std::size_t& pictures, Json& one) {
     const Order order = order_of(*law, *index);
     if (order == Order::curve ? index->functions.index != nullptr : index->functions.row_index != nullptr)
       one["asked"] = asked.add(*index, order, level, at);
-  } else if (const auto* bake = dynamic_cast<const bake::BakeSubject*>(subject.get())) {
+  } else if (const auto* bake = dynamic_cast<const bake::BakeSubject*>(subject.get());
+             bake != nullptr && !id.starts_with("bake.mesh_")) {
     if (Json states = states_of(*bake, at, level); !states.is_null()) one["states"] = states;
   }
 }

@@ -59,14 +59,24 @@ const mmverify_subject_t* subject(const char* name, Fill fill) {
   return &made;
 }
 
+using Baker = int (*)(const mmverify_bake_case_t*, uint8_t*);
+using MeshBaker = size_t (*)(const mmverify_mesh_case_t*, uint8_t*, size_t);
+
+/// A baker of triangles and of whole meshes; null: it has none of these.
 template <typename Fill>
-const mmverify_subject_t* baker_subject(const char* name, int (*bake)(const mmverify_bake_case_t*, uint8_t*),
-                                        Fill fill) {
+const mmverify_subject_t* mesh_subject(const char* name, Baker bake, MeshBaker bake_mesh, Fill fill) {
   static const mmverify_bake_support_t support = [=] {
     mmverify_bake_support_t it = {};
     it.size = sizeof it;
     fill(it);
     return it;
   }();
-  return subject(name, [=](mmverify_subject_t& it) { it.bake = bake, it.bake_support = &support; });
+  return subject(name, [=](mmverify_subject_t& it) {
+    it.bake = bake, it.bake_mesh = bake_mesh, it.bake_support = &support;
+  });
+}
+
+template <typename Fill>
+const mmverify_subject_t* baker_subject(const char* name, Baker bake, Fill fill) {
+  return mesh_subject(name, bake, nullptr, fill);
 }

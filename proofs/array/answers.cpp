@@ -1,8 +1,10 @@
 #include "proofs/array/answers.hpp"
 
+#include <cstring>
 #include <set>
 
 #include "spec/micromap/level.hpp"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace mmverify::proofs::array {
 namespace {
@@ -42,6 +44,43 @@ std::string text_of(const Target& to) {
       return fmt::format("no record {}", to.record);
   }
   return fmt::format("kind {}", static_cast<unsigned>(to.kind));
+}
+
+Answer read_answer(std::span<const std::uint8_t> bytes) {
+  Answer a;
+  mmverify_array_answer_t head;
+  if (bytes.size() < sizeof head) {
+    a.malformed = fmt::format("{} bytes, fewer than the head has", bytes.size());
+    return a;
+  }
+  std::memcpy(&head, bytes.data(), sizeof head);
+  const std::uint64_t counted =
+      std::uint64_t{head.records} * maps::record_bytes +
+      (std::uint64_t{head.array_counts} + head.geometry_counts) * sizeof(UsageCount) + head.index_bytes +
+      head.data_bytes + sizeof head;
+  if (counted != bytes.size()) {
+    a.malformed = fmt::format("{} bytes, where the head has {}", bytes.size(), counted);
+    return a;
+  }
+  std::size_t at = sizeof head;
+  const auto take = [&](std::uint64_t count) {
+    const auto part = bytes.subspan(at, static_cast<std::size_t>(count));
+    at += part.size();
+    return part;
+  };
+  const auto into_counts = [&](std::vector<UsageCount>& counts, std::uint32_t count) {
+    const auto part = take(count * sizeof(UsageCount));
+    counts.resize(count);
+    if (count != 0) std::memcpy(counts.data(), part.data(), part.size());
+  };
+  const auto records = take(std::uint64_t{head.records} * maps::record_bytes);
+  a.records.assign(records.begin(), records.end());
+  into_counts(a.array_counts, head.array_counts);
+  into_counts(a.geometry_counts, head.geometry_counts);
+  const auto indices = take(head.index_bytes), data = take(head.data_bytes);
+  a.indices.assign(indices.begin(), indices.end());
+  a.data.assign(data.begin(), data.end());
+  return a;
 }
 
 std::uint64_t record_count(const Answer& a) { return a.records.size() / maps::record_bytes; }

@@ -8,6 +8,9 @@ namespace mmverify::proofs::array {
 /// "special UT", "record 3", "no record 3".
 std::string text_of(const Target& to);
 
+/// The answer in bytes that begin with an mmverify_array_answer; `malformed` says why they cannot be read.
+Answer read_answer(std::span<const std::uint8_t> bytes);
+
 std::uint64_t record_count(const Answer& a);
 
 /// The target that triangle t's code names.  Domain: the answer has an index for each triangle, see shape().

@@ -1,6 +1,6 @@
 #include <cstring>
 
-#include "proofs/array/cases.hpp"
+#include "proofs/array/answers.hpp"
 #include "subjects/dock/codec.hpp"
 #include "subjects/dock/elements.hpp"
 #include "subjects/sdk/mmverify_subject.h"
@@ -67,43 +67,6 @@ std::vector<std::uint8_t> blob_of(const BuildCase& c) {
   return blob;
 }
 
-Answer answer_of(std::span<const std::uint8_t> bytes) {
-  Answer a;
-  mmverify_array_answer_t head;
-  if (bytes.size() < sizeof head) {
-    a.malformed = fmt::format("{} bytes, fewer than the head has", bytes.size());
-    return a;
-  }
-  std::memcpy(&head, bytes.data(), sizeof head);
-  const std::uint64_t counted =
-      std::uint64_t{head.records} * maps::record_bytes +
-      (std::uint64_t{head.array_counts} + head.geometry_counts) * sizeof(UsageCount) + head.index_bytes +
-      head.data_bytes + sizeof head;
-  if (counted != bytes.size()) {
-    a.malformed = fmt::format("{} bytes, where the head has {}", bytes.size(), counted);
-    return a;
-  }
-  std::size_t at = sizeof head;
-  const auto take = [&](std::uint64_t count) {
-    const auto part = bytes.subspan(at, static_cast<std::size_t>(count));
-    at += part.size();
-    return part;
-  };
-  const auto into_counts = [&](std::vector<UsageCount>& counts, std::uint32_t count) {
-    const auto part = take(count * sizeof(UsageCount));
-    counts.resize(count);
-    if (count != 0) std::memcpy(counts.data(), part.data(), part.size());
-  };
-  const auto records = take(std::uint64_t{head.records} * maps::record_bytes);
-  a.records.assign(records.begin(), records.end());
-  into_counts(a.array_counts, head.array_counts);
-  into_counts(a.geometry_counts, head.geometry_counts);
-  const auto indices = take(head.index_bytes), data = take(head.data_bytes);
-  a.indices.assign(indices.begin(), indices.end());
-  a.data.assign(data.begin(), data.end());
-  return a;
-}
-
 /// A case as a message names it: its text, where that is short.
 std::string doing(const BuildCase& c) {
   std::size_t bytes = 0;
@@ -119,7 +82,7 @@ std::optional<Answer> build(const Library& library, const BuildCase& c) {
   const dock::Answer answer =
       dock::ask(library, {Call::array_build, 0, 0, blob, 4096}, [&] { return "building " + doing(c); });
   if (!answer.taken) return std::nullopt;
-  return answer_of(answer.bytes);
+  return read_answer(answer.bytes);
 }
 
 std::vector<Target> targets(const Library& library, const Reading& r, std::span<const Reference> references) {

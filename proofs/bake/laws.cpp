@@ -7,8 +7,7 @@ namespace mmverify::proofs::bake {
 std::vector<Law> laws() {
   std::vector<Law> all = state_laws();
   all.push_back(large_law());
-  const std::vector<Law> relations = relation_laws();
-  all.insert(all.end(), relations.begin(), relations.end());
+  for (const auto& group : {relation_laws(), mesh_laws()}) all.insert(all.end(), group.begin(), group.end());
   return all;
 }
 
@@ -22,6 +21,7 @@ Law on_cases(Law law, const Cases& cases, const Check& check, const Draw& draw, 
   if (law.tiers.long_run == Levels{}) law.tiers.long_run = law.tiers.fast;
   law.unfit =
       unless_of_topic<BakeSubject>([lacks](const BakeSubject& s, Level n) -> std::optional<std::string> {
+        if (!s.functions.bake) return s.name() + " has no entry point bake";
         if (n > highest_level) return fmt::format("bakers go up to level {}", highest_level);
         const Support& support = s.functions.support;
         if (n > support.max_level) return fmt::format("it declares levels up to {}", support.max_level);

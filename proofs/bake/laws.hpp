@@ -12,6 +12,8 @@ std::vector<Law> laws();
 std::vector<Law> state_laws();
 /// The law of large textures: states that single points refute.
 Law large_law();
+/// Laws of whole meshes in one array.
+std::vector<Law> mesh_laws();
 /// Relations between the maps of one texture.
 std::vector<Law> relation_laws();
 

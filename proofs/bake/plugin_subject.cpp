@@ -1,6 +1,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "proofs/bake/cases/header_case.hpp"
+#include "proofs/bake/mesh/mesh_baker.hpp"
 #include "proofs/bake/subject.hpp"
 #include "subjects/dock/codec.hpp"
 #include "subjects/sdk/mmverify_subject.h"
@@ -11,51 +13,13 @@ namespace {
 using dock::Call;
 using dock::LibraryPtr;
 
-static_assert(MMVERIFY_REPEAT == static_cast<int>(Wrap::repeat) &&
-              MMVERIFY_MIRRORED_REPEAT == static_cast<int>(Wrap::mirrored_repeat) &&
-              MMVERIFY_CLAMP_TO_EDGE == static_cast<int>(Wrap::clamp_to_edge) &&
-              MMVERIFY_CLAMP_TO_BORDER == static_cast<int>(Wrap::clamp_to_border) &&
-              MMVERIFY_MIRROR_CLAMP_TO_EDGE == static_cast<int>(Wrap::mirror_once) &&
-              MMVERIFY_BILINEAR == static_cast<int>(Filter::bilinear) &&
-              MMVERIFY_NEAREST == static_cast<int>(Filter::nearest));
-
 /// The case in the C header's form, with its texels behind it up to the end of the blob.
 std::vector<std::uint8_t> blob_of(const Case& one, Level n, Format format) {
-  mmverify_bake_case_t what{};
-  what.size = sizeof what;
-  what.level = n;
-  what.format = static_cast<std::uint32_t>(format);
-  what.width = one.width;
-  what.height = one.height;
-  what.mips = one.mips;
-  what.texel = static_cast<std::uint32_t>(one.texel) + MMVERIFY_UNORM8;
-  what.border = one.border;
-  what.filter = static_cast<std::uint32_t>(one.filter);
-  what.wrap_u = static_cast<std::uint32_t>(one.wrap_u);
-  what.wrap_v = static_cast<std::uint32_t>(one.wrap_v);
-  what.factor = one.factor;
-  what.vertex_factor = one.vertex_factor;
-  what.alpha_mode = one.blend ? MMVERIFY_BLEND : MMVERIFY_MASK;
-  what.cutoff_numerator = one.cutoff.numerator;
-  what.cutoff_denominator = one.cutoff.denominator;
-  what.margin = one.margin;
-  std::copy(one.uv.begin(), one.uv.end(), what.uv);
-  const std::size_t texel = std::size_t{1} << static_cast<unsigned>(one.texel);
-  std::vector<std::uint8_t> blob(sizeof what + one.alpha.size() * texel);
+  const mmverify_bake_case_t what = header_case(one, n, static_cast<std::uint32_t>(format));
+  const std::vector<std::uint8_t> texels = header_texels(one);
+  std::vector<std::uint8_t> blob(sizeof what);
   std::memcpy(blob.data(), &what, sizeof what);
-  std::uint8_t* to = blob.data() + sizeof what;
-  for (const std::uint32_t bits : one.alpha) {
-    // The header's texels have the machine's byte order.
-    if (texel == 1) {
-      *to = static_cast<std::uint8_t>(bits);
-    } else if (texel == 2) {
-      const auto word = static_cast<std::uint16_t>(bits);
-      std::memcpy(to, &word, texel);
-    } else {
-      std::memcpy(to, &bits, texel);
-    }
-    to += texel;
-  }
+  blob.insert(blob.end(), texels.begin(), texels.end());
   return blob;
 }
 
@@ -105,18 +69,22 @@ static_assert(MMVERIFY_UNKNOWN_TRANSPARENT == static_cast<int>(UnknownSide::tran
 BakeSubjectPtr plugin_subject(const std::string& name, const LibraryPtr& library) {
   if (!library->offers(dock::Topic::bake)) return nullptr;
   Functions functions;
-  functions.bake = [library](const Case& one, Level n, Format format) -> std::optional<Baked> {
-    const std::vector<std::uint8_t> blob = blob_of(one, n, format);
-    const dock::Answer answer = dock::ask(
-        *library, {Call::bake, n, static_cast<std::uint32_t>(format), blob, packed_bytes(n, format)},
-        [&] { return "baking " + text_of(one); });
-    if (!answer.taken) return std::nullopt;
-    return unpacked(answer.bytes, n, format);
-  };
+  if (library->offers(Call::bake))
+    functions.bake = [library](const Case& one, Level n, Format format) -> std::optional<Baked> {
+      const std::vector<std::uint8_t> blob = blob_of(one, n, format);
+      const dock::Answer answer = dock::ask(
+          *library, {Call::bake, n, static_cast<std::uint32_t>(format), blob, packed_bytes(n, format)},
+          [&] { return "baking " + text_of(one); });
+      if (!answer.taken) return std::nullopt;
+      return unpacked(answer.bytes, n, format);
+    };
+  if (library->offers(Call::bake_mesh)) functions.bake_mesh = mesh_baker_of(library);
+  const std::uint32_t flags = library->description().flags;
   functions.support = supported(library->description().bake_support);
-  functions.tight = (library->description().flags & MMVERIFY_BAKE_TIGHT) != 0;
-  functions.centroid = (library->description().flags & MMVERIFY_BAKE_CENTROID) != 0 ||
-                       functions.support.unknown == UnknownSide::centroid;
+  functions.tight = (flags & MMVERIFY_BAKE_TIGHT) != 0;
+  functions.own_levels = (flags & MMVERIFY_MESH_OWN_LEVELS) != 0;
+  functions.centroid =
+      (flags & MMVERIFY_BAKE_CENTROID) != 0 || functions.support.unknown == UnknownSide::centroid;
   return std::make_shared<BakeSubject>(name, library->about(), std::move(functions), library->fingerprint());
 }
 

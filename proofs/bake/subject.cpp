@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "impl/bake/triangles.hpp"
+#include "proofs/bake/mesh/mesh_baker.hpp"
 #include "proofs/bake/truth/exact_texture.hpp"
 #include "proofs/bake/truth/truth.hpp"
 #include "proofs/points/narrow.hpp"
@@ -126,6 +127,12 @@ State sampled(const Case& one, Level n, std::uint32_t index, const std::vector<s
   });
 }
 
+/// With a baker of meshes, whose arrays that builder makes.
+Functions of_meshes(Functions functions, const char* builder) {
+  functions.bake_mesh = mesh_baker_of(functions, builder);
+  return functions;
+}
+
 BakeSubjectPtr subject(const char* name, const char* about, Functions functions) {
   return std::make_shared<BakeSubject>(name, about, std::move(functions));
 }
@@ -134,8 +141,9 @@ BakeSubjectPtr subject(const char* name, const char* about, Functions functions)
 
 const std::vector<BakeSubjectPtr>& built_in_subjects() {
   static const std::vector<BakeSubjectPtr> all{
-      subject("bake-spec", "the specification, micro-triangle by micro-triangle", specified()),
-      subject("bake", "this project's library", this_projects()),
+      subject("bake-spec", "the specification, micro-triangle by micro-triangle",
+              of_meshes(specified(), "array-spec")),
+      subject("bake", "this project's library", of_meshes(this_projects(), "array")),
       subject("centre-sample", "O or T as alpha at the centroid is; not conservative",
               state_by_state([](const Case& one, Level n, std::uint32_t k) {
                 return sampled(one, n, k, {{1, 1, 1}});

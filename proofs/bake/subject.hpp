@@ -1,6 +1,7 @@
 // A subject of topic bake: a baker of maps of base triangles, built in or in the dock.
 #pragma once
 
+#include "proofs/bake/mesh/mesh_case.hpp"
 #include "proofs/bake/support.hpp"
 #include "proofs/engine/topic.hpp"
 
@@ -19,11 +20,14 @@ struct Baked {
 /// The baking function of a subject, and the rules that it follows.
 struct Functions {
   static constexpr char topic[] = "bake";
-  /// Nothing if the subject does not support the case.  Several threads may call at once.
+  /// Nothing if the subject does not support the case.  Several threads may call at once.  Empty: it bakes meshes alone.
   std::function<std::optional<Baked>(const Case&, Level, Format)> bake = {};
   bool centroid = false;  ///< its unknown states are those of spec/bake/state.hpp, micro_state
   Support support = {};   ///< cases are drawn inside it
   bool tight = true;      ///< it promises that a state is unknown only if it has to be
+  /// A whole mesh in one array; nothing if the subject does not support the case.
+  std::function<std::optional<array::Answer>(const MeshCase&)> bake_mesh = {};
+  bool own_levels = false;  ///< each map's level is bake_mesh's choice, up to the one that is asked for
   /// A baker answers for whole micro-triangles.
   bool exact_answers() const { return true; }
 };

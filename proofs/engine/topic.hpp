@@ -159,6 +159,8 @@ struct DrawnCasesOf {
   Kind kind = Kind::interior;
   /// Changes a drawn case to one that the subject supports; empty: no change.
   std::function<Case(const TopicSubject&, const Case&)> fit = {};
+  /// A picture (SVG) of a case; empty: there is none.
+  std::function<std::string(const TopicSubject&, Level, const Case&)> draw = {};
 };
 
 /// The law on cases drawn by number.
@@ -170,6 +172,12 @@ Law on_drawn_cases(Law law, DrawnCasesOf<TopicSubject, Case> cases) {
     return fit ? fit(subject_as<TopicSubject>(s), one) : one;
   };
   const auto check = std::move(cases.check);
+  const auto read = std::move(cases.read);
+  std::function<std::string(const Subject&, Level, const std::string&)> draw;
+  if (cases.draw)
+    draw = [draw = std::move(cases.draw), read](const Subject& s, Level n, const std::string& at) {
+      return draw(subject_as<TopicSubject>(s), n, read(n, at));
+    };
   return on_numbered_cases(
       std::move(law),
       {std::move(cases.count),
@@ -179,10 +187,10 @@ Law on_drawn_cases(Law law, DrawnCasesOf<TopicSubject, Case> cases) {
        [text = std::move(cases.text), drawn](const Subject& s, Level n, std::uint64_t k, const Run& run) {
          return text(n, drawn(s, n, k, run));
        },
-       [check, read = std::move(cases.read)](const Subject& s, Level n, const std::string& at) {
+       [check, read](const Subject& s, Level n, const std::string& at) {
          return check(subject_as<TopicSubject>(s), n, read(n, at));
        },
-       cases.chunk, cases.kind});
+       cases.chunk, cases.kind, std::move(draw)});
 }
 
 }  // namespace mmverify::proofs

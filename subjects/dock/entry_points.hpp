@@ -88,7 +88,8 @@ constexpr std::uint32_t formats = formats_side * formats_side;
   ROW(dag_lookup,          dag,      1,                                                                               \
       (a.format, a.blob, a.blob_bytes, a.words(0), a.words(1), a.bytes(), a.count))                                   \
   ROW(dag_lookup_f32,      dag,      1,                                                                               \
-      (a.format, a.blob, a.blob_bytes, a.words(0), a.floats(1), a.floats(2), a.bytes(), a.count))
+      (a.format, a.blob, a.blob_bytes, a.words(0), a.floats(1), a.floats(2), a.bytes(), a.count))                     \
+  ROW(bake_mesh,           bake,     1, (MeshOf(a), a.bytes(), a.room))
 // clang-format on
 
 /// Entry points by the number of their row.

@@ -28,7 +28,7 @@ constexpr bool is_numbers = one_of<T, const float*, const double*, const std::ui
 template <class T>
 constexpr bool is_blob =
     one_of<T, const std::uint8_t*, const mmverify_bake_case_t*, const mmverify_attribute_case_t*,
-           const mmverify_blend_case_t*, const mmverify_array_case_t*>;
+           const mmverify_blend_case_t*, const mmverify_array_case_t*, const mmverify_mesh_case_t*>;
 template <class T>
 constexpr bool is_answer = one_of<T, std::uint32_t*, std::uint8_t*, float*>;
 /// The size of the pointer's target; 0 for other types.

@@ -44,6 +44,8 @@ extern "C" {
 #define MMVERIFY_BAKE_TIGHT 64u     /* bake's maps are unknown only where they must be */
 #define MMVERIFY_ARRAY_FILES 512u   /* files of arrays are docs/ARRAYS.md's; see array_save */
 #define MMVERIFY_DAG_CONTAINER 256u /* codes of scenes are the containers of docs/DAG.md; see dag_encode */
+#define MMVERIFY_MESH_OWN_LEVELS \
+  1024u /* bake_mesh chooses each map's level, up to the one that is asked for */
 /* A call costs as much as thousands of elements, like a dispatch on a device: points, indices and places come in
  * batches of up to 65,536, and questions are repeated less often. */
 #define MMVERIFY_LARGE_BATCHES 128u
@@ -282,6 +284,19 @@ typedef struct mmverify_array_geometry {
   uint32_t index_type; /* MMVERIFY_INDEX_U8, ... */
   uint32_t base_triangle, triangles;
 } mmverify_array_geometry_t;
+
+/* Triangles on one texture, whose maps come in one array; see bake_mesh.  The struct has `size` bytes, as
+ * mmverify_bake_case. */
+typedef struct mmverify_mesh_case {
+  uint32_t size;                       /* sizeof(mmverify_mesh_case) */
+  uint32_t api;                        /* MMVERIFY_ARRAY_EXT, ... */
+  uint32_t index_type;                 /* MMVERIFY_INDEX_U8, ..., one that the API takes */
+  uint32_t triangles, vertices;        /* how many; 1 or more */
+  const uint32_t* indices;             /* three vertices a triangle, each below `vertices` */
+  const float* uvs;                    /* u and v of each vertex */
+  const uint32_t* levels;              /* of each triangle, none above the surface's; null: all have that */
+  const mmverify_bake_case_t* surface; /* the texture, its sampling and the format; its uv are zeros */
+} mmverify_mesh_case_t;
 
 /* A subject: its name, its limits, its entry points. */
 typedef struct mmverify_subject {
@@ -572,6 +587,19 @@ typedef struct mmverify_subject {
                      const uint32_t* index, uint8_t* state, size_t count);
   void (*dag_lookup_f32)(uint32_t format, const uint8_t* code, size_t code_size, const uint32_t* map,
                          const float* u, const float* v, uint8_t* state, size_t count);
+
+  /* The maps of a mesh, as an array and a geometry's indices: an answer like array_build's, its size likewise; 0 if the
+   * subject does not support the case.  bake_support holds for it, too; records, indices and both usage counts are as
+   * in array_build, without a base triangle.
+   *   - A triangle's index leads to a map, or is special.  Each state, and a special one on the whole triangle, is right
+   *     as `bake` has it for the triangle's own coordinates, in the order of its own vertices; any may be unknown.
+   *   - Triangles may share a record wherever it is right for each of them, and nowhere else.
+   *   - A record has the format of `surface` and the level that its triangles ask for, or, with
+   *     MMVERIFY_MESH_OWN_LEVELS, at most that.  Records may lie in any order, their bytes at any offset; two overlap
+   *     only if they have one offset, level and format.
+   *   - With MMVERIFY_BAKE_TIGHT a state is unknown only where it must be, also if the triangle shares its map.
+   *   - In 2-state all is as force-2-state of the array in 4-state. */
+  size_t (*bake_mesh)(const mmverify_mesh_case_t* what, uint8_t* answer, size_t capacity);
 } mmverify_subject_t;
 
 /* The one exported symbol. The result must stay valid and unchanged for the life of the process; a later call returns

@@ -106,7 +106,7 @@ foreach(fault 0 1 2)
 endforeach()
 
 mmverify_add_room(subjects_tests large_batches_test tree_plugin_test dag_plugin_test vq_plugin_test forgetful_plugin_test touchy_plugin_test traverse_plugin_test array_plugin_test array_changes_plugin_test attribute_plugin_test
-  attribute_bake_plugin_test bake_plugin_test LIBRARIES mmverify::proofs)
+  attribute_bake_plugin_test bake_plugin_test mesh_plugin_test LIBRARIES mmverify::proofs)
 target_compile_definitions(subjects_tests PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
 add_dependencies(subjects_tests mmverify mmverify-worker)
 set(judged_by subjects_tests)
@@ -235,6 +235,18 @@ mmverify_add_part(wrong_bake subjects/wrong_bake.cpp)
 foreach(wrong settles_all rows_from_below pads_with_ones promises_the_centroid all_unknown reads_past overrun unwritten counts_calls throws
     changes_its_mind crashes_on_some crashes_and_is_wrong declines_borders declines_all old_header keeps_by_first_row)
   mmverify_add_wrong(bake_${wrong} ${wrong} wrong_bake right_bake m)
+endforeach()
+# And of bakers of meshes, from the example's baker or this library's.
+set(mesh_example ${PROJECT_SOURCE_DIR}/examples/subject_mesh/subject_mesh.c)
+mmverify_add_subject(mesh_example ${mesh_example})
+target_compile_definitions(subject_mesh_example PRIVATE baker=right_bake)
+target_link_libraries(subject_mesh_example PRIVATE right_bake m)
+mmverify_add_part(right_mesh ${mesh_example} baker=right_c_face mmverify_subject_v1=right_mesh)
+mmverify_add_part(wrong_mesh subjects/wrong_mesh.cpp)
+foreach(wrong nothing shares_by_quarters shares_turned shares_rewound special_of_unbaked overlaps counts_triangles pads_with_ones
+    takes_one_level chooses_levels chooses_levels_untold declines_levels bakes_triangles_too crash throws reads_past overrun
+    counts_calls old_header)
+  mmverify_add_wrong(mesh_${wrong} ${wrong} wrong_mesh right_mesh right_c_face mmverify::impl)
 endforeach()
 mmverify_add_part(declared_bake subjects/declared_bake.cpp)
 foreach(wrong nothing meets_the_cutoff cutoff_half_a_slack_off all_unknowns_opaque one_unknown_transparent upside_down says_nothing)

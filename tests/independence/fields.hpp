@@ -43,6 +43,8 @@ inline std::vector<std::string> parts_of(const Region& r, dock::Call entry) {
   if (entry == dock::Call::attribute_face_mip && begins("blob")) return of_a_face_each;
   if (r.member == "hits")
     return {"w0", "w1", "b8", "b9", "b10", "b11", "w-3", "w-2", "b-4", "b-3", "b-2", "b-1"};
+  if (r.member == "indices" || r.member == "uvs") return {"w0", "w1", "w2", "wmid", "w-3", "w-2", "w-1"};
+  if (r.member == "levels") return {"w0", "w1", "w-1"};
   if (r.member == "triangles") return {"w0", "w1", "w2", "w-3", "w-2", "w-1"};
   if (begins("blob") || r.member == "texels" || r.member == "maps")
     return {"b0", "b1", "bmid", "b-1", "b0.0", "b0.1", "b0.7", "bmid.3", "b-1.6", "b-1.7"};

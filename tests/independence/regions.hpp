@@ -296,6 +296,40 @@ struct Copy<const mmverify_array_case_t*> {
     all.push_back({name, "maps", maps.data(), maps.size()});
   }
 };
+
+template <>
+struct Copy<const mmverify_mesh_case_t*> {
+  mmverify_mesh_case_t what{};
+  Copy<const mmverify_bake_case_t*> surface;
+  std::vector<std::uint32_t> indices, levels;
+  std::vector<float> uvs;
+  void take(const mmverify_mesh_case_t* given, std::size_t, std::size_t) {
+    what = *given;
+    surface.take(what.surface, 0, 0);
+    indices.assign(what.indices, what.indices + std::size_t{3} * what.triangles);
+    uvs.assign(what.uvs, what.uvs + std::size_t{2} * what.vertices);
+    if (what.levels != nullptr) levels.assign(what.levels, what.levels + what.triangles);
+    what.indices = indices.data();
+    what.uvs = uvs.data();
+    if (what.levels != nullptr) what.levels = levels.data();
+  }
+  const mmverify_mesh_case_t* argument() {
+    what.surface = surface.argument();
+    return &what;
+  }
+  void regions(std::string_view name, Regions& all) {
+    MMVERIFY_WORD(api);
+    MMVERIFY_WORD(index_type);
+    surface.regions(name, all);
+    const auto numbers = [&](std::string_view member, auto& some) {
+      all.push_back(
+          {name, member, reinterpret_cast<std::uint8_t*>(some.data()), some.size() * sizeof(some[0])});
+    };
+    numbers("indices", indices);
+    numbers("uvs", uvs);
+    numbers("levels", levels);
+  }
+};
 #undef MMVERIFY_WORD
 
 }  // namespace mmverify::independence

@@ -11,29 +11,16 @@
 #include "proofs/bake/domains/strata.hpp"
 #include "proofs/bake/law_parts.hpp"
 #include "proofs/bake/laws.hpp"
+#include "proofs/bake/truth/denial.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {
 
-using spec::micromap::force2;
 using spec::micromap::unknown;
 
 constexpr char source[] =
     "VK_KHR_opacity_micromap, opacity states; glTF 2.0, Alpha Coverage; spec/bake/state.hpp";
 
-/// Whether a law denies a state, given the true states at the cutoff less the slack and at the cutoff plus the slack.
-/// Both are the same without a slack.
-using Denies = bool (*)(State got, State lower, State upper);
-
-bool not_conservative(State got, State lower, State upper) {
-  return (got == State::O && lower != State::O) || (got == State::T && upper != State::T);
-}
-bool not_tight(State got, State lower, State upper) {
-  return unknown(got) && (upper == State::O || lower == State::T);
-}
-bool wrong_side(State got, State lower, State upper) {
-  return unknown(got) && force2(got) != force2(lower) && force2(got) != force2(upper);
-}
 bool differs(State got, State lower, State upper) {
   return not_conservative(got, lower, upper) || not_tight(got, lower, upper) || wrong_side(got, lower, upper);
 }
@@ -44,56 +31,6 @@ bool leans_opaque(State got, State, State) { return got == State::UO; }
 Denies denied_of(const BakeSubject& s, Denies denies) {
   if (denies != wrong_side || s.functions.centroid) return denies;
   return s.functions.support.unknown == UnknownSide::opaque ? leans_transparent : leans_opaque;
-}
-
-/// The true state to compare a state with.
-State against(State got, State lower, State upper) {
-  if (got == State::O) return lower;
-  if (got == State::T) return upper;
-  return upper == State::O ? State::O : lower;
-}
-
-/// The offender with the simplest map: states that the law does not deny are replaced by right ones.
-std::optional<Offender> offender(const Case& one, Level n, std::vector<State> got,
-                                 const std::vector<std::uint32_t>& at, const Truth& truth, Denies denies) {
-  std::vector<State> right(at.size());
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    const State lower = truth.lower[k], upper = truth.upper[k];
-    State& state = got[at[k]];
-    const bool denied = denies(state, lower, upper);
-    right[k] = against(state, lower, upper);
-    if (denied && right[k] == state) right[k] = state == State::UO ? State::UT : State::UO;
-    if (!denied) state = right[k];
-  }
-  return worst(one, n, got, at, right);
-}
-
-std::string place_text(const Place& p) { return fmt::format("({}, {})", text_of(p.x), text_of(p.y)); }
-
-/// The extent of a wrong O or T as words: a tie, or by how much alpha misses the cutoff and on which share of the
-/// area.
-std::string amount(const Case& one, Level n, const Offender& o, const Extreme& e) {
-  if (is_tie(one, n, o.index, o.said)) return ", a tie: wrong on an area of 0 alone";
-  std::string text;
-  if (!one.blend) {
-    const Rational cutoff = spec::bake::fraction<Rational>(one.cutoff.numerator, one.cutoff.denominator);
-    const Rational by = o.said == State::O ? Rational(cutoff - e.alpha) : Rational(e.alpha - cutoff);
-    if (by > 0) text = fmt::format(", {} {} the cutoff", text_of(by), o.said == State::O ? "below" : "above");
-  }
-  if (one.margin == 0) {
-    const double share = wrong_share(one, n, o.index, o.said, e.mip);
-    text += share == 0 ? std::string(", on less than 1/256 of its area")
-                       : fmt::format(", wrong on about {:.0f} % of its area", 100 * share);
-  }
-  return text;
-}
-
-Words in_words(const Case& one, Level n, const Offender& o) {
-  const Extreme& e = contradiction(o);
-  return {fmt::format("micro-triangle {} {}, alpha {} at texel {}{}{}", o.index, name_of(o.is),
-                      text_of(e.alpha), place_text(e.at), e.mip == 0 ? "" : fmt::format(" of mip {}", e.mip),
-                      unknown(o.said) ? std::string() : amount(one, n, o, e)),
-          name_of(o.said)};
 }
 
 /// Whether all wrong states are ties.
@@ -198,7 +135,7 @@ Check judged_by(Denies by_law, const Domain& domain) {
     };
     if (!offends()) return Finding{hash_of(baked->states)};
     Finding finding = wrong([=, states = baked->states] {
-      return in_words(one, n, offender(one, n, states, domain.at(one, n), truth, denies).value());
+      return words_of(one, n, offender_of(one, n, states, domain.at(one, n), truth, denies).value());
     });
     finding.lesser =
         denies == not_conservative && ties_alone(one, n, baked->states, domain.at(one, n), truth);
@@ -209,9 +146,10 @@ Check judged_by(Denies by_law, const Domain& domain) {
 Draw drawn_by(Denies denies, const Domain& domain) {
   return [=](const BakeSubject& s, const Case& one, Level n) {
     const std::optional<Baked> baked = s.functions.bake(one, n, Format::four_state);
-    return picture(one, n,
-                   offender(one, n, baked.value().states, domain.at(one, n),
-                            domain.truth(s.functions.support, one, n, std::nullopt), denied_of(s, denies)));
+    return picture(
+        one, n,
+        offender_of(one, n, baked.value().states, domain.at(one, n),
+                    domain.truth(s.functions.support, one, n, std::nullopt), denied_of(s, denies)));
   };
 }
 

@@ -118,4 +118,39 @@ class TrianglesOf {
   std::vector<mmverify_array_triangle_t> triangles_;
 };
 
+/// The case at the start of a blob, and its surface; then come the indices, the coordinates, the levels, if the case has
+/// some, and the texels.
+class MeshOf {
+ public:
+  explicit MeshOf(const Arguments& a) : what_(a, 0), surface_(a, behind_case<mmverify_mesh_case_t>) {
+    std::memcpy(what_.get(), a.blob, sizeof(mmverify_mesh_case_t));
+    std::memcpy(surface_.get(), a.blob + sizeof(mmverify_mesh_case_t), sizeof(mmverify_bake_case_t));
+    const std::uint8_t* const numbers = a.blob + sizeof(mmverify_mesh_case_t) + sizeof(mmverify_bake_case_t);
+    // The asking process has no address here: any pointer but null means that there are levels.
+    const bool has_levels = what_->levels != nullptr;
+    const std::size_t indices = std::size_t{3} * what_->triangles, uvs = std::size_t{2} * what_->vertices,
+                      count = indices + uvs + (has_levels ? what_->triangles : 0);
+    // A copy, since numbers in the blob may not be aligned.
+    std::byte* copy = nullptr;
+    if (a.case_room != nullptr) {
+      copy = a.case_room + behind_case<mmverify_mesh_case_t> + behind_case<mmverify_bake_case_t>;
+    } else {
+      numbers_.resize(count);
+      copy = reinterpret_cast<std::byte*>(numbers_.data());
+    }
+    std::memcpy(copy, numbers, count * sizeof(std::uint32_t));
+    what_->indices = reinterpret_cast<const std::uint32_t*>(copy);
+    what_->uvs = reinterpret_cast<const float*>(copy + indices * sizeof(std::uint32_t));
+    if (has_levels) what_->levels = what_->indices + indices + uvs;
+    surface_->texels = numbers + count * sizeof(std::uint32_t);
+    what_->surface = surface_.get();
+  }
+  operator const mmverify_mesh_case_t*() const { return what_.get(); }
+
+ private:
+  InCaseRoom<mmverify_mesh_case_t> what_;
+  InCaseRoom<mmverify_bake_case_t> surface_;
+  std::vector<std::uint32_t> numbers_;
+};
+
 }  // namespace mmverify::dock
