@@ -307,37 +307,23 @@ void write_pictures(const SceneFigures& figures, const SceneOptions& options, st
   }
 }
 
-int scene(const SceneOptions& options) {
+/// Refuses options that cannot go together.
+void refuse_conflicts(const SceneOptions& options) {
   refuse_text_name(options.glb);
   refuse_same_file({{"the scene", options.file},
                     {"--json", options.json},
                     {"--plot", options.plot},
                     {"-o", options.glb},
                     {"--journal", options.journal}});
-  const auto baker = options.subject.empty() ? nullptr : parse_baker(options.subject, options.timeout);
-  const InterruptGuard guard;
-  need_folder("--picture", options.picture);
-  Output output(options);
   if (options.asks && options.states == 2) throw UsageError("--asks: with --states 2 no shader is asked");
-  const LevelRequest wanted = request(options);
-  const auto start = std::chrono::steady_clock::now();
   if (std::error_code none; !options.glb.empty() && std::filesystem::is_directory(options.file, none))
     throw UsageError("-o: a folder of textures is no scene to write");
-  const Scene loaded = loaded_scene(options.file);
-  refuse_files_of(options.file, {{"--json", options.json},
-                                 {"--plot", options.plot},
-                                 {"-o", options.glb},
-                                 {"--journal", options.journal}});
-  const double load_seconds = seconds_since(start);
-  const SceneMicromaps made = micromaps_of(loaded, wanted, options, output);
-  if (made.plan.triangles.empty()) {
-    output.glb(made.plan, loaded, {});
-    output.json(nothing_to_bake(), scene_json(nullptr, loaded, made.plan, {}));
-    return complete;
-  }
-  const proofs::scene::Data data{loaded,     made.plan,    made.baked,     made.arrays,
-                                 made.pairs, made.squares, options.margin, options.states == 2};
-  if (baker) return judged(data, baker, options, output);
+}
+
+/// Runs the laws on a baked scene; prints and writes the results.
+int reported(const proofs::scene::Data& data, const SceneMicromaps& made, double load_seconds,
+             const SceneOptions& options, Output& output) {
+  const Scene& loaded = data.scene;
   const proofs::scene::SceneLaws laws =
       options.no_laws ? proofs::scene::SceneLaws()
                       : proofs::scene::scene_laws(data, sample_of(options.effort, data, options.threads),
@@ -376,6 +362,32 @@ int scene(const SceneOptions& options) {
   return exit_code(report);
 }
 
+int scene(const SceneOptions& options) {
+  refuse_conflicts(options);
+  const auto baker = options.subject.empty() ? nullptr : parse_baker(options.subject, options.timeout);
+  const InterruptGuard guard;
+  need_folder("--picture", options.picture);
+  Output output(options);
+  const LevelRequest wanted = request(options);
+  const auto start = std::chrono::steady_clock::now();
+  const Scene loaded = loaded_scene(options.file);
+  refuse_files_of(options.file, {{"--json", options.json},
+                                 {"--plot", options.plot},
+                                 {"-o", options.glb},
+                                 {"--journal", options.journal}});
+  const double load_seconds = seconds_since(start);
+  const SceneMicromaps made = micromaps_of(loaded, wanted, options, output);
+  if (made.plan.triangles.empty()) {
+    output.glb(made.plan, loaded, {});
+    output.json(nothing_to_bake(), scene_json(nullptr, loaded, made.plan, {}));
+    return complete;
+  }
+  const proofs::scene::Data data{loaded,     made.plan,    made.baked,     made.arrays,
+                                 made.pairs, made.squares, options.margin, options.states == 2};
+  if (baker) return judged(data, baker, options, output);
+  return reported(data, made, load_seconds, options, output);
+}
+
 void add_replay(CLI::App& command, SceneOptions& options, std::initializer_list<CLI::Option*> others) {
   auto* const replay =
       command.add_option("--replay", options.replay, "show one case of a law again")->type_name("LAW");
@@ -403,6 +415,19 @@ std::string percent_within_0_to_100(const std::string& text) {
   if (!CLI::detail::lexical_cast(number, percent) || !(percent >= 0 && percent <= 100))
     throw CLI::ValidationError(fmt::format("{:.40}: write a share such as 2%, from 0% to 100%", text));
   return fmt::format("{}", percent / 100);
+}
+
+/// The options for who looks at maps.
+void add_artists(CLI::App& command, SceneOptions& options) {
+  command
+      .add_option("--asks", options.asks,
+                  "name the coarsest level that leaves so much of the area to shaders")
+      ->type_name("PERCENT")
+      ->transform(percent_within_0_to_100);
+  command
+      .add_option("--picture", options.picture, "draw each material's maps on its texture, in this folder")
+      ->type_name("FOLDER");
+  command.add_flag("--details", options.details, "also the plan, all sizes, each law and each material");
 }
 
 }  // namespace
@@ -436,15 +461,7 @@ Action add_scene(CLI::App& program) {
           "texels by which micro-triangles are dilated along both axes; sampler: 5/1024, for 8-bit weights")
       ->transform(CLI::Transformer(std::map<std::string, float>{{"sampler", sampler_margin}}))
       ->check(finite_within(0, 64));
-  command
-      ->add_option("--asks", options->asks,
-                   "name the coarsest level that leaves so much of the area to shaders")
-      ->type_name("PERCENT")
-      ->transform(percent_within_0_to_100);
-  command
-      ->add_option("--picture", options->picture, "draw each material's maps on its texture, in this folder")
-      ->type_name("FOLDER");
-  command->add_flag("--details", options->details, "also the plan, all sizes, each law and each material");
+  add_artists(*command, *options);
   add_effort(*command, options->effort);
   auto* const no_laws = command->add_flag("--no-laws", options->no_laws, "bake, without the laws");
   auto* const sizes = command

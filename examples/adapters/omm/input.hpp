@@ -37,7 +37,7 @@ inline ommCpuBakeInputDesc input_of(const mmverify_bake_case_t& c, const float* 
   return in;
 }
 
-/// What was baked; false where the baker refused.
+/// The baker's result; false if it refused.
 class Baked {
  public:
   explicit Baked(const ommCpuBakeInputDesc& in) {
