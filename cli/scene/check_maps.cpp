@@ -249,7 +249,7 @@ int check_maps(const CheckMapsOptions& options) {
     maps = options.raw.data.empty() ? of_file(options, scene, out, keeps_rules) : of_buffers(options, scene);
   } catch (const Malformed& malformed) {
     print_malformed(out, options.raw.data.empty() ? options.file : options.raw.data, malformed.lines);
-    print_repair(out, options, {});
+    if (options.raw.data.empty() && repairs_all_rules(options.file, {})) print_repair(out, options.file);
     return failed;
   }
   for (const std::string& note : scene.notes) say(out, "note: {}\n", printable(note));

@@ -29,7 +29,7 @@ extern "C" void ask_to_stop(int signal) {
 }
 
 extern "C" void end_at_once(int) {
-  say("mmverify: a step did not end in time: its results are lost; no file was left half written\n");
+  say("mmverify: interrupted; no file was left half written\n");
   _exit(code_at_end);
 }
 }  // namespace

@@ -1,5 +1,5 @@
 // [long] Subjects of another hand: written from the papers and the interface alone, right but for one fault.  Each fault
-// is refuted by the laws that its row names; every law that they reach is named by three rows or more.
+// is refuted by the laws that its row names; every law that they reach has three rows or mutants.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -207,7 +207,9 @@ TEST_P(RightForeigner, PassesEveryLawAndEachKnowsThreeOfItsFaults) {
     // An alternative stands in a law's place that has its rows.
     if (!fits || law.long_only || law.alternative) continue;
     ++reached;
-    EXPECT_GE(rows[law.id], 3) << law.id << ": too few rows of tests/foreign name it";
+    // A law that is younger than these libraries has mutants of its own.
+    EXPECT_GE(rows[law.id] + static_cast<int>(law.mutants.size()), 3)
+        << law.id << ": too few rows of tests/foreign, and mutants, name it";
   }
   EXPECT_GT(reached, 3);
 }

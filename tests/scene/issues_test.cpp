@@ -288,6 +288,10 @@ std::vector<Case> gltfs() {
   all.push_back({"draft.name", gltf(nothing, Draft::khr), Draft::ext_1});
   all.push_back({"file.no_micromaps", {as_bytes(square().glb())}});
   all.push_back({"file.readable", {as_bytes("{ \"asset\": ")}});
+  all.push_back({"bake.stale", gltf([](micromap_file::Subject& s) {
+                   Json& maps = s.file.json["meshes"][0]["primitives"][0]["extensions"];
+                   maps.begin().value()["extras"]["mmverify_bake"] = {{"version", 1}, {"alphaCutoff", 0.75}};
+                 })});
   all.push_back({"primitive.same_geometry", gltf([](micromap_file::Subject& s) {
                    Json& primitives = s.file.json["meshes"][0]["primitives"];
                    Json other = primitives[0];

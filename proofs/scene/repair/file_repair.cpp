@@ -9,6 +9,7 @@
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/load.hpp"
 #include "scene/read/primitives.hpp"
+#include "scene/record/bake_record.hpp"
 #include "scene/validate/report.hpp"
 #include "scene/validate/stored_maps.hpp"
 
@@ -42,6 +43,20 @@ void FileRepair::run() {
   if (maps_.plan.triangles.empty()) return;
   relink();
   repair_maps(rules.unlinked);
+  if (report_.left.empty()) refresh_records();
+}
+
+/// Writes the records of bakes anew: all maps are right for the file as it is.
+void FileRepair::refresh_records() {
+  for (const Primitive& primitive : scene_.primitives) {
+    const nlohmann::json& maps =
+        extension(file_.json["meshes"][primitive.mesh]["primitives"][primitive.number], micromap_extension);
+    const nlohmann::json& extras = member(maps, "extras");
+    if (!extras.is_object() || !extras.contains(bake_record_name)) continue;
+    if (changes_since(extras[bake_record_name].dump(), scene_, primitive).empty()) continue;
+    extension_of(file_, primitive.mesh, primitive.number)["extras"][bake_record_name] =
+        nlohmann::json::parse(bake_record(scene_, primitive, {request_.margin, request_.two_state}));
+  }
 }
 
 std::string FileRepair::broken_law(const WrittenFile& written) {

@@ -72,6 +72,7 @@ class FileRepair {
   void apply(const Relink& relink, const nlohmann::json& before);
   void relink();
   std::set<std::size_t> planned(const std::vector<mmverify::scene::TriangleOfFile>& triangles) const;
+  void refresh_records();
   void repair_maps(const std::vector<mmverify::scene::TriangleOfFile>& unlinked);
 
   const RepairRequest request_;
