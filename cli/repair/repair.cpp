@@ -50,7 +50,10 @@ int finished(const RepairOptions& options, FileRepair& repair, RepairOutput& out
   }
   if (proofs::interrupted()) throw proofs::Interrupted();
   output.commit(repair.file(), written);
-  if (report.is_right())
+  if (report.is_right() && repair.file().is_changed())
+    say(out, "{}: its maps are right already; {} has the records of its bake anew\n", printable(options.file),
+        printable(options.output));
+  else if (report.is_right())
     say(out, "{}: right already; {} is a copy\n", printable(options.file), printable(options.output));
   else
     say(out, "{}: written; validate and check maps pass\n", printable(options.output));

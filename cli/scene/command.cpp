@@ -336,6 +336,7 @@ int reported(const proofs::scene::Data& data, const SceneMicromaps& made, double
                              vq4_footprint(made.squares, stop_if_interrupted),
                              load_seconds,
                              options.states == 2,
+                             options.level != "auto",
                              material_figures(loaded, made.plan, made.baked),
                              at_levels(loaded, made.plan, options)};
   if (options.details) {

@@ -23,6 +23,7 @@ struct SceneFigures {
   mmverify::scene::VqFootprint vq2, vq4;
   double load_seconds = 0;
   bool two_state = false;  ///< maps are forced to 2-state
+  bool one_level = false;  ///< all maps were asked for at one level
   std::vector<mmverify::scene::MaterialFigures> materials;
   /// The sizes with every triangle at one level (figure 5), if requested.
   struct AtLevel {

@@ -62,23 +62,23 @@ std::string memory_text(const SceneFigures& f) {
 }
 
 /// The shares and bytes of the levels below the finest one.
-std::string coarser_text(const MaterialFigures& all) {
+std::string coarser_text(const MaterialFigures& all, const char* option) {
   std::string text;
   for (std::size_t k = 1; k <= most_levels && k < all.levels.size(); ++k) {
     const std::size_t level = all.levels.size() - 1 - k;
-    text += fmt::format("{}--level {}: {} in {}", text.empty() ? "" : "; ", level,
+    text += fmt::format("{}{} {}: {} in {}", text.empty() ? "" : "; ", option, level,
                         percent(all.levels[level].unknown), bytes_text(all.levels[level].bytes));
   }
   return text.empty() ? "level 0 is the coarsest" : text;
 }
 
 /// The coarsest level that leaves at most a share to shaders.
-std::string asked_text(const MaterialFigures& all, double asks) {
+std::string asked_text(const MaterialFigures& all, double asks, const char* option) {
   const std::optional<unsigned> level = level_for(all, asks);
   if (!level)
     return fmt::format("no level up to {} leaves at most {} to shaders", all.levels.size() - 1,
                        percent(asks));
-  return fmt::format("--level {} leaves {} to shaders, in {}", *level, percent(all.levels[*level].unknown),
+  return fmt::format("{} {} leaves {} to shaders, in {}", option, *level, percent(all.levels[*level].unknown),
                      bytes_text(all.levels[*level].bytes));
 }
 
@@ -97,23 +97,25 @@ std::string laws_text(const proofs::Report& report) {
 void print_summary(std::FILE* out, const SceneFigures& f, const proofs::Report& report,
                    const std::optional<double>& asks, const std::string& file) {
   const MaterialFigures all = total(f.materials);
+  // Maps whose own level is coarser keep it.
+  const char* const option = f.one_level ? "--level" : "--level-limit";
   say(out, "{}\n", printable(f.scene.file));
   summary_line(out, "triangles", triangles_text(f));
   summary_line(out, "any-hit", any_hit_text(f));
   summary_line(out, "memory", memory_text(f));
   if (asks)
-    summary_line(out, "asks", asked_text(all, *asks));
+    summary_line(out, "asks", asked_text(all, *asks, option));
   else if (f.two_state)
     summary_line(out, "coarser", "not counted: with --states 2 no shader is called");
   else
-    summary_line(out, "coarser", coarser_text(all));
+    summary_line(out, "coarser", coarser_text(all, option));
   summary_line(out, "laws", laws_text(report));
   const std::optional<unsigned> level = asks ? level_for(all, *asks) : std::nullopt;
   summary_line(
       out, "next",
       fmt::format("mmverify scene {}{}-o OUT.glb; --picture DIR shows the maps; --details: all figures",
                   file.empty() ? "" : shell_quoted(file) + " ",
-                  level ? fmt::format("--level {} ", *level) : ""));
+                  level ? fmt::format("{} {} ", option, *level) : ""));
 }
 
 void print_materials(std::FILE* out, const SceneFigures& f, const std::optional<double>& asks) {

@@ -132,9 +132,14 @@ std::vector<std::string> changes_since(std::string_view record, const Scene& sce
       !scene.images.at(*material.texture->image).decoded())
     return {"the alpha texture, or its UVs, are gone"};
   std::vector<std::string> changes;
+  bool sampled_elsewhere = false;
   for (const Input& now : inputs_now(scene, primitive)) {
     const auto was = then.find(now.name);
     if (was == then.end() || *was == now.value) continue;
+    // The UVs are hashed as they are sampled: another set or transform changes them all.
+    if (now.hashed && sampled_elsewhere && std::string_view(now.name) == "triangles") continue;
+    const std::string_view name = now.name;
+    sampled_elsewhere = sampled_elsewhere || name == "texCoord" || name == "transform";
     changes.push_back(now.hashed ? std::string(now.words) + " changed"
                                  : std::string(now.words) + " was " + shown(was->dump()) + ", is " +
                                        now.value.dump());

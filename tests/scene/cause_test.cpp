@@ -565,6 +565,17 @@ TEST(Cause, NamesNoneOfRandomMaps) {
   EXPECT_EQ(code(scene, maps), "none");
 }
 
+// Bytes that nobody wrote are T everywhere.
+TEST(Cause, NamesNoneOfMapsOfOneState) {
+  const Scene scene = leaves();
+  for (const State state : {State::T, State::O, State::UT}) {
+    StoredMaps maps = stored(scene);
+    for (std::size_t k = 0; k < maps.links.size(); ++k)
+      set(maps, k, std::vector<State>(impl::micromap::micro_triangles(level), state));
+    EXPECT_EQ(code(scene, maps), "none");
+  }
+}
+
 TEST(Cause, NamesNoneOfOneWrongState) {
   const Scene scene = leaves();
   StoredMaps maps = stored(scene);

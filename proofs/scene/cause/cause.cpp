@@ -50,7 +50,7 @@ class Search {
 
   std::optional<Cause> cause() {
     const Fit& was = examined_.fit();
-    if (was.wrong + was.needless + was.side == 0) return {};
+    if (was.wrong + was.needless + was.side == 0 || is_one_state()) return {};
     try_maps();
     try_corners();
     try_links();
@@ -67,6 +67,15 @@ class Search {
   }
 
  private:
+  /// Whether all stored states are one: such maps, never written perhaps, fit many changes.
+  bool is_one_state() const {
+    const impl::micromap::State first = examined_.stored(examined_.all().front()).front();
+    return std::all_of(examined_.all().begin(), examined_.all().end(), [&](std::size_t k) {
+      const States& states = examined_.stored(k);
+      return std::all_of(states.begin(), states.end(), [first](auto s) { return s == first; });
+    });
+  }
+
   Cause finished() {
     trials_.best_cause().wrong = examined_.wrong();
     return *trials_.best();
