@@ -16,6 +16,7 @@
 #include "cli/json_output.hpp"
 #include "cli/junit.hpp"
 #include "cli/output_file.hpp"
+#include "cli/png_file.hpp"
 #include "cli/scene/check_maps.hpp"
 #include "cli/streams.hpp"
 #include "cli/text.hpp"
@@ -203,6 +204,8 @@ void add_maps(CLI::App& command, CheckMapsOptions& options) {
   command
       .add_option("--picture", options.picture,
                   "maps: draw the first wrong micro-triangle and its map on the texture")
+      ->check(png_name)
+      ->check(png_name)
       ->type_name("FILE.png");
   add_effort(command, options.effort, "maps: ");
   command.add_option("--replay", options.replay, "maps: show one case of a law again")->type_name("LAW");

@@ -4,6 +4,18 @@
 
 namespace mmverify::scene {
 
+const char* name_of(Wrap wrap) noexcept {
+  switch (wrap) {
+    case Wrap::repeat:
+      return "REPEAT";
+    case Wrap::mirrored_repeat:
+      return "MIRRORED_REPEAT";
+    case Wrap::clamp_to_edge:
+      break;
+  }
+  return "CLAMP_TO_EDGE";
+}
+
 Uv transformed(const TextureTransform& transform, const Uv& uv) {
   if (transform == TextureTransform{}) return uv;
   // A rotation of 0 is exact, whatever the library's sine gives.

@@ -21,6 +21,8 @@ using Triangle = std::array<std::uint32_t, 3>;  ///< indices of a primitive's ve
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
+/// glTF's name: "REPEAT".
+const char* name_of(Wrap wrap) noexcept;
 enum class Filter : std::uint8_t { nearest, linear };
 
 /// The sampling of a texture.  A filter that the file leaves open stays open: a renderer may take either.

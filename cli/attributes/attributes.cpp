@@ -22,6 +22,7 @@
 #include "cli/json_output.hpp"
 #include "cli/output_file.hpp"
 #include "cli/plot_file.hpp"
+#include "cli/png_file.hpp"
 #include "cli/scene/loaded.hpp"
 #include "cli/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
@@ -30,7 +31,6 @@
 #include "scene/attribute/picture.hpp"
 #include "scene/attribute/planned_maps.hpp"
 #include "scene/sample/scene.hpp"
-#include "scene/write/png.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -66,10 +66,9 @@ class PictureFolder {
  private:
   /// Writes the picture and returns its path.
   std::string write(const RgbPicture& picture, const std::string& name) const {
-    const std::vector<unsigned char> bytes = png(picture.width, picture.height, picture.rgb);
     const auto path = std::filesystem::path(folder_) / (name + ".png");
     OutputFile file(path.string());
-    file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    commit_png(file, picture.width, picture.height, picture.rgb);
     return path.generic_string();
   }
 

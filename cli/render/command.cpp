@@ -16,6 +16,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/json_output.hpp"
 #include "cli/output_file.hpp"
+#include "cli/png_file.hpp"
 #include "cli/render/path.hpp"
 #include "cli/render/picture_size.hpp"
 #include "cli/scene/loaded.hpp"
@@ -27,7 +28,6 @@
 #include "proofs/engine/progress.hpp"
 #include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"
-#include "scene/write/png.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -68,15 +68,7 @@ std::vector<mmverify::scene::MeshUse> uses_of(const std::string& file) {
 }
 
 void commit(OutputFile& file, const render::Picture& picture) {
-  const std::vector<unsigned char> bytes = mmverify::scene::png(picture.width, picture.height, picture.rgb);
-  file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
-
-/// The check of a picture's name.
-std::string png_name(const std::string& name) {
-  return name.ends_with(".png") || name.ends_with(".PNG")
-             ? ""
-             : fmt::format("{:.200}: pictures are PNG; name it .png", name);
+  commit_png(file, picture.width, picture.height, picture.rgb);
 }
 
 /// The reason why equal pictures are no evidence; empty if methods were compared with the texture.

@@ -194,7 +194,7 @@ int replayed(const proofs::scene::SceneLaws& laws, const CheckMapsOptions& optio
 
 /// Runs the laws on the maps, prints and writes their results.
 int judged(const CheckMapsOptions& options, const Scene& scene, const StoredMaps& maps, JsonOutput& json,
-           std::optional<OutputFile>& junit) {
+           std::optional<OutputFile>& junit, OutputFile* picture) {
   std::FILE* const out = json.text();
   const SceneArrays no_arrays;
   const Pairs no_pairs;
@@ -224,7 +224,7 @@ int judged(const CheckMapsOptions& options, const Scene& scene, const StoredMaps
   const proofs::Report report = run_jobs(laws.jobs, run, [&](const proofs::Result& r) { text.add(r); });
   text.finish(report, false);
   std::string cause_json;
-  if (!report.interrupted) cause_json = print_why(out, options, scene, maps, report);
+  if (!report.interrupted) cause_json = print_why(out, options, scene, maps, report, picture);
   json.write([&] { return to_json(report, options.seed, {}, {}, {}, {}, cause_json); });
   if (junit) junit->commit(to_junit(report));
   if (laws.jobs.empty()) refuse_nothing({});
@@ -239,6 +239,8 @@ int check_maps(const CheckMapsOptions& options) {
   JsonOutput json(options.json);
   std::optional<OutputFile> junit;
   if (!options.junit.empty()) junit.emplace(options.junit);
+  std::optional<OutputFile> picture;
+  if (!options.picture.empty()) picture.emplace(options.picture);
   std::FILE* const out = json.text();
   const Scene scene = load(options.file);
   refuse_files_of(options.file,
@@ -259,7 +261,7 @@ int check_maps(const CheckMapsOptions& options) {
                                  other.empty() ? "" : "; it has " + other + ", which is not read here"));
   }
   print_maps(out, options.file, scene, maps);
-  const int code = judged(options, scene, maps, json, junit);
+  const int code = judged(options, scene, maps, json, junit, picture ? &*picture : nullptr);
   if (!keeps_rules && code == complete && repairs_all_rules(options.file, {}))
     print_repair(out, options.file);
   return keeps_rules || code != complete ? code : failed;

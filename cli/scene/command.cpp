@@ -16,6 +16,7 @@
 #include "cli/json_output.hpp"
 #include "cli/output_file.hpp"
 #include "cli/plot_file.hpp"
+#include "cli/png_file.hpp"
 #include "cli/run_identity.hpp"
 #include "cli/scene/bake_effort.hpp"
 #include "cli/scene/loaded.hpp"
@@ -29,7 +30,6 @@
 #include "scene/sample/scene.hpp"
 #include "scene/validate/micromaps.hpp"
 #include "scene/write/glb.hpp"
-#include "scene/write/png.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -300,8 +300,7 @@ void write_pictures(const SceneFigures& figures, const SceneOptions& options, st
         std::filesystem::path(options.picture) /
         fmt::format("material_{}{}.png", one.material, name.empty() ? "" : "_" + file_name_of(name));
     OutputFile file(path.string());
-    const std::vector<unsigned char> bytes = png(picture->width, picture->height, picture->rgb);
-    file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    commit_png(file, picture->width, picture->height, picture->rgb);
     say(out, "  {:<10}{}\n", "picture", path.generic_string());
     stop_if_interrupted();
   }

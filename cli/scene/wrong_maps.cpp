@@ -10,7 +10,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/output_file.hpp"
+#include "cli/png_file.hpp"
 #include "cli/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
@@ -18,7 +18,6 @@
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/load.hpp"
 #include "scene/read/primitives.hpp"
-#include "scene/write/png.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -101,8 +100,8 @@ std::optional<std::pair<std::size_t, std::uint32_t>> first_wrong(const proofs::R
 }
 
 /// Draws the first wrong micro-triangle's map on its texture.
-void draw_wrong(std::FILE* out, const std::string& path, const Scene& scene, const StoredMaps& maps,
-                const proofs::Report& report) {
+void draw_wrong(std::FILE* out, OutputFile& file, const std::string& path, const Scene& scene,
+                const StoredMaps& maps, const proofs::Report& report) {
   constexpr std::uint32_t longest = 1024;
   const auto wrong = first_wrong(report);
   if (!wrong || wrong->first >= maps.plan.triangles.size()) return;
@@ -111,9 +110,7 @@ void draw_wrong(std::FILE* out, const std::string& path, const Scene& scene, con
   const Surface& surface = maps.plan.surfaces[planned.surface];
   const RgbPicture picture = opacity_picture(scene.images[surface.image], surface,
                                              {{planned.uvs, maps.baked.triangles[triangle]}}, longest, index);
-  OutputFile file(path);
-  const std::vector<unsigned char> bytes = png(picture.width, picture.height, picture.rgb);
-  file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  commit_png(file, picture.width, picture.height, picture.rgb);
   const MapLink& link = maps.link(triangle);
   const Primitive& primitive = scene.primitives[link.primitive];
   say(out, "picture: {}: mesh {} primitive {} triangle {}, micro-triangle {} in red\n", path, primitive.mesh,
@@ -130,11 +127,14 @@ void print_repair(std::FILE* out, const CheckMapsOptions& options, const std::op
 }
 
 std::string print_why(std::FILE* out, const CheckMapsOptions& options, const Scene& scene,
-                      const StoredMaps& maps, const proofs::Report& report) {
+                      const StoredMaps& maps, const proofs::Report& report, OutputFile* picture) {
   std::optional<Cause> cause;
   try {
-    if (exit_code(report) != failed) return print_side(out, options, scene, maps);
-    if (!options.picture.empty()) draw_wrong(out, options.picture, scene, maps, report);
+    if (exit_code(report) != failed) {
+      if (picture != nullptr) say(out, "picture: not drawn: no micro-triangle is wrong\n");
+      return print_side(out, options, scene, maps);
+    }
+    if (picture != nullptr) draw_wrong(out, *picture, options.picture, scene, maps, report);
     cause = cause_of(options, scene, maps);
   } catch (const proofs::Interrupted&) {
     say(out, "cause: the search was interrupted\n");

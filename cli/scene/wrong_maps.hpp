@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/output_file.hpp"
 #include "cli/scene/check_maps.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/scene/cause/cause.hpp"
@@ -16,10 +17,11 @@ namespace mmverify::cli {
 void print_repair(std::FILE* out, const CheckMapsOptions& options,
                   const std::optional<proofs::scene::Cause>& cause);
 
-/// Prints why maps are wrong and what to do, and draws the first wrong micro-triangle if a picture is asked for.
+/// Prints why maps are wrong and what to do, and draws the first wrong micro-triangle into `picture`, if there is one.
 /// Right maps get a note if most of their unknown states are on the other side.
 /// Returns the cause as JSON: null, or empty if nothing is wrong.
 std::string print_why(std::FILE* out, const CheckMapsOptions& options, const mmverify::scene::Scene& scene,
-                      const mmverify::scene::StoredMaps& maps, const proofs::Report& report);
+                      const mmverify::scene::StoredMaps& maps, const proofs::Report& report,
+                      OutputFile* picture);
 
 }  // namespace mmverify::cli

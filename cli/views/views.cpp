@@ -11,13 +11,13 @@
 #include "cli/exit_code.hpp"
 #include "cli/json_output.hpp"
 #include "cli/output_file.hpp"
+#include "cli/png_file.hpp"
 #include "cli/scene/loaded.hpp"
 #include "cli/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "scene/attribute/footprint.hpp"
 #include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"
-#include "scene/write/png.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -51,8 +51,7 @@ Loaded loaded(const std::string& file) {
 std::string written(const std::string& folder, const std::string& name, const render::Picture& picture) {
   const auto path = std::filesystem::path(folder) / (name + ".png");
   OutputFile file(path.string());
-  const std::vector<unsigned char> bytes = file_of::png(picture.width, picture.height, picture.rgb);
-  file.commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  commit_png(file, picture.width, picture.height, picture.rgb);
   return path.generic_string();
 }
 

@@ -60,20 +60,8 @@ std::string triangles_hash(const Primitive& primitive) {
   return hash.text();
 }
 
-const char* wrap_name(Wrap wrap) {
-  switch (wrap) {
-    case Wrap::repeat:
-      return "REPEAT";
-    case Wrap::mirrored_repeat:
-      return "MIRRORED_REPEAT";
-    case Wrap::clamp_to_edge:
-      break;
-  }
-  return "CLAMP_TO_EDGE";
-}
-
 std::string sampler_text(const Sampler& sampler) {
-  return std::string(wrap_name(sampler.wrap_u)) + ", " + wrap_name(sampler.wrap_v) +
+  return std::string(name_of(sampler.wrap_u)) + ", " + name_of(sampler.wrap_v) +
          (filter_of(sampler) == Filter::nearest ? ", nearest" : ", linear");
 }
 

@@ -82,20 +82,29 @@ FileKind known_kind(const std::string& name, std::span<const unsigned char> byte
                  "neither JSON (glTF, or the sidecar of an array) nor GLB, MMARRAYS, mmtr, mmdg or mmat");
 }
 
+/// The document; none if it cannot be read: the validator of micromaps reports the reason.
+std::optional<Document> opened(const std::function<Document()>& open) try {
+  return open();
+} catch (const BadScene&) {
+  return {};
+}
+
 /// Judges a glTF file by the drafts whose extension it uses, or by `draft`, and reports a file without the
 /// extension.
 template <class Names, class Validate>
 void judge_gltf(Judged& judged, std::optional<Draft> draft, const Names& names, const Validate& validate,
                 const std::function<Document()>& open) {
   const NamesUsed used = names();
+  const std::optional<Document> document = opened(open);
   const auto add_all = [&](const std::vector<FileViolation>& found) {
     judged.findings.insert(judged.findings.end(), found.begin(), found.end());
   };
   const auto judge = [&](Draft by) {
     judged.drafts.push_back(by);
     add_all(validate(by));
-    add_all(same_geometry(open, by));
-    add_all(stale_records(open, by));
+    if (!document) return;
+    add_all(same_geometry(*document, by));
+    add_all(stale_records(*document, by));
   };
   if (draft) {
     judge(*draft);

@@ -1,7 +1,6 @@
 // Primitives that draw one geometry with different micromaps.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "scene/validate/micromaps.hpp"
@@ -10,7 +9,7 @@ namespace mmverify::scene {
 
 /// An advice (primitive.same_geometry) for each primitive whose attributes and indices are the accessors of one before
 /// it, while the draft's extension differs: a reader that finds maps by the accessors gives both the maps of one.
-/// Domain: any document; none that cannot be read.  Time: O(p log p) in the primitives.
-std::vector<FileViolation> same_geometry(const std::function<Document()>& open, Draft draft);
+/// Time: O(p log p) in the primitives.
+std::vector<FileViolation> same_geometry(const Document& document, Draft draft);
 
 }  // namespace mmverify::scene

@@ -30,10 +30,9 @@ std::map<PrimitivePlace, std::string> records_of(const nlohmann::json& document,
 
 }  // namespace
 
-std::vector<FileViolation> stale_records(const std::function<Document()>& open, Draft draft) {
+std::vector<FileViolation> stale_records(const Document& document, Draft draft) {
   std::vector<FileViolation> findings;
   try {
-    const Document document = open();
     const char* const name = text(draft).extension;
     const std::map<PrimitivePlace, std::string> records = records_of(document.json, name);
     if (records.empty()) return findings;

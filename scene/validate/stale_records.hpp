@@ -1,7 +1,6 @@
 // Records of bakes that no longer describe their file.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "scene/validate/micromaps.hpp"
@@ -10,7 +9,7 @@ namespace mmverify::scene {
 
 /// A warning (bake.stale) for each primitive whose record of its bake differs from the file: an input was changed after
 /// the bake.  Nothing is baked; files without records are not decoded.
-/// Domain: any document; none that cannot be read.
-std::vector<FileViolation> stale_records(const std::function<Document()>& open, Draft draft);
+/// A scene that cannot be read has none: the validator of micromaps reports the reason.
+std::vector<FileViolation> stale_records(const Document& document, Draft draft);
 
 }  // namespace mmverify::scene

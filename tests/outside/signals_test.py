@@ -92,7 +92,7 @@ def large_files(program, folder):
     subprocess.run([program, "scene", "--level", "10", "--no-laws", "--quiet", "-o", large], check=True,
                    stdout=subprocess.DEVNULL)
     text = pathlib.Path(large).read_bytes()
-    # Of the same length, so that the chunk's length stays.
+    # The text keeps its length, and so does the chunk.
     changed = text.replace(b'"alphaCutoff":0.4,', b'"alphaCutoff":0.6,')
     assert changed != text, "the file names no cutoff of 0.4"
     pathlib.Path(wrong).write_bytes(changed)
@@ -115,7 +115,7 @@ def main():
                 sent, delay = draw.choice([signal.SIGINT, signal.SIGTERM]), draw.uniform(0.02, MOST_DELAY)
                 try:
                     code, seconds = interrupt(program, line.format(**places).split(), sent, delay)
-                    # What was refuted before the signal stays refuted, and one that ends by itself has its own code.
+                    # A refutation from before the signal stays one.
                     allowed = (INTERRUPTED, 1) if seconds is not None and "wrong" in name else (INTERRUPTED,)
                     if seconds is None or code == 0 or (delay < BEFORE_MAIN and code == -sent):
                         continue  # it had ended by itself, or not begun

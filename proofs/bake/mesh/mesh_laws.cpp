@@ -26,7 +26,7 @@ std::optional<std::string> bakes_no_meshes(const BakeSubject& s, Level n) {
   return std::nullopt;
 }
 
-/// Which texel a rounded coordinate samples, nothing says.
+/// Nothing says which texel a rounded coordinate samples.
 std::optional<std::string> samples_unknown_texels(const BakeSubject& s) {
   const Support& support = s.functions.support;
   if (support.coordinate_bits == 0 || support.filters.has(Filter::bilinear)) return std::nullopt;

@@ -37,7 +37,7 @@ struct Cause {
 std::optional<Cause> cause_of(const Judged& judged);
 
 /// The cause `unknown_side`, if most unknown states of right maps are on the other side than alpha at their centroids.
-/// Of many maps, some 2^18 micro-triangles are looked at.
+/// The search looks at some 2^18 micro-triangles.
 /// Domain: at least one triangle; 4-state maps.  Errors: exceptions of baking.
 std::optional<Cause> side_cause_of(const Judged& judged);
 

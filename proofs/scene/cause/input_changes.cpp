@@ -16,18 +16,6 @@ using mmverify::scene::TextureTransform;
 using mmverify::scene::Uv;
 using mmverify::scene::Wrap;
 
-const char* name_of(Wrap wrap) {
-  switch (wrap) {
-    case Wrap::repeat:
-      return "REPEAT";
-    case Wrap::mirrored_repeat:
-      return "MIRRORED_REPEAT";
-    case Wrap::clamp_to_edge:
-      return "CLAMP_TO_EDGE";
-  }
-  return "?";
-}
-
 class Changes {
  public:
   explicit Changes(const Judged& judged) : judged_(judged), inputs_(inputs_of(judged)) {}
