@@ -45,7 +45,7 @@ enum class Form : std::uint8_t {
 };
 
 /// The printed form of the rows of a table within.
-enum class Within : std::uint8_t {
+enum class RowLayout : std::uint8_t {
   below,   ///< a line each
   beside,  ///< side by side: each figure under the names of the rows
 };
@@ -58,7 +58,7 @@ struct Column {
   std::string group = {};            ///< columns of one group are printed together, below its name
   bool leads = false;                ///< names the subject of a row: begins each line of the table
   std::vector<Column> columns = {};  ///< of a table within; its rows are the value
-  Within within = Within::below;
+  RowLayout within = RowLayout::below;
   Form form = Form::list;  ///< of a table within
   std::string row = {};    ///< a description of its rows
 };

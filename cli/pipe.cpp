@@ -81,18 +81,18 @@ bool on_pipe(const Law& law) {
   return law.general && !law.long_only && !law.alternative && law.at_once.empty();
 }
 
-pipe::Asked asked(const PipeOptions& options, const Topic& topic) {
+pipe::PipeRun asked(const PipeOptions& options, const Topic& topic) {
   if (!options.level.empty())
     throw UsageError(
         fmt::format("{}: write --levels A..B, or --levels N, in the place of --level", topic.name));
   if (options.interiors_only())
     throw UsageError(
         fmt::format("--cells interior: {} is not about points on cells; leave it out", topic.name));
-  pipe::Asked a{topic.name,
-                *topic.dialogue,
-                {},
-                options.laws,
-                options.levels.empty() ? Levels{0, 2} : parse_levels(options.levels)};
+  pipe::PipeRun a{topic.name,
+                  *topic.dialogue,
+                  {},
+                  options.laws,
+                  options.levels.empty() ? Levels{0, 2} : parse_levels(options.levels)};
   a.errors = options.errors;
   a.seed = options.seed;
   a.cases = options.cases;
@@ -151,7 +151,7 @@ Report checked_level(const PipeOptions& options) {
 
 int check(const PipeOptions& options, const std::string& junit_file, bool quiet) {
   const Topic* topic = asking_topic(options);
-  std::optional<pipe::Asked> questions;
+  std::optional<pipe::PipeRun> questions;
   if (topic != nullptr) {
     questions = asked(options, *topic);
     questions->show_progress = !quiet;

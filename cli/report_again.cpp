@@ -34,7 +34,7 @@ Order order_of(const Law& law, const index::IndexSubject& subject) {
 }
 
 /// The subjects of topic index, asked once for each order.
-class Asked {
+class SubjectAnswers {
  public:
   /// Asks the subject and returns its number in the list. Domain: the subject has the order's entry point.
   std::size_t add(const index::IndexSubject& subject, Order order, Level level, const std::string& at) {
@@ -112,7 +112,7 @@ Json states_of(const bake::BakeSubject& subject, const std::string& at, Level n)
 }
 
 /// Repeats the question of one result's counterexample, and writes the outcome into `one`.
-void ask(const Json& result, Asked& asked, std::size_t& pictures, Json& one) {
+void ask(const Json& result, SubjectAnswers& asked, std::size_t& pictures, Json& one) {
   const std::string id = result["law"], name = result["subject"];
   const Json& c = result["counterexample"];
   const Json level_text = c.contains("level") && !c["level"].is_null() ? c["level"] : result["level"];
@@ -149,7 +149,7 @@ void ask(const Json& result, Asked& asked, std::size_t& pictures, Json& one) {
 }  // namespace
 
 Json asked_again(const std::vector<ReportInput>& inputs) {
-  Asked asked;
+  SubjectAnswers asked;
   Json again = Json::array();
   std::size_t pictures = 0;
   for (std::size_t file = 0; file < inputs.size(); ++file) {

@@ -17,9 +17,9 @@ if(TARGET mmverify-described)
 endif()
 install(DIRECTORY subjects/shaders DESTINATION ${CMAKE_INSTALL_DATADIR}/mmverify FILES_MATCHING PATTERN *.glsl PATTERN *.rchit
   PATTERN compile EXCLUDE PATTERN device EXCLUDE PATTERN speed EXCLUDE)
-file(GLOB documents CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md ${PROJECT_SOURCE_DIR}/docs/*.svg ${PROJECT_SOURCE_DIR}/docs/*.png)
+file(GLOB documents CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md)
 install(FILES ${documents} docs/result.schema.json docs/validate.schema.json docs/repair.schema.json docs/array.schema.json docs/vectors.schema.json LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY examples docs/ci DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY examples docs/ci docs/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # cpack -G DEB
 set(CPACK_GENERATOR DEB)

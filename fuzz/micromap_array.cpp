@@ -121,7 +121,7 @@ void raw(Reader& reader) {
   validated(in);
 }
 
-struct Built {
+struct BuiltArray {
   std::vector<slow::Map> maps;
   slow::Options options;
   slow::Array array;
@@ -131,7 +131,7 @@ struct Built {
 };
 
 // Builds the same maps twice; false if the encoding cannot represent an index.
-bool build(Reader& reader, Built& b) {
+bool build(Reader& reader, BuiltArray& b) {
   const std::uint8_t flags = reader.byte();
   b.options = {slow::encodings[reader.byte() % 5], 0, (flags & 1) != 0, (flags & 2) != 0};
   std::vector<Bytes> packed;
@@ -177,7 +177,7 @@ bool build(Reader& reader, Built& b) {
   return true;
 }
 
-slow::Input handed(const Built& b) {
+slow::Input handed(const BuiltArray& b) {
   slow::Input in;
   in.sets = slow::glTF;
   in.records = b.records;
@@ -194,7 +194,7 @@ slow::Input handed(const Built& b) {
 }
 
 // Breaks a rule of one record, of which there is one at least; none if that takes two records.
-std::optional<Rule> plant_in_record(Built& b, slow::Input& in, unsigned kind, std::size_t r) {
+std::optional<Rule> plant_in_record(BuiltArray& b, slow::Input& in, unsigned kind, std::size_t r) {
   std::vector<slow::Record>& records = b.array.records;
   slow::Record record = records[r];
   Rule rule = Rule::record_region;
@@ -221,7 +221,7 @@ std::optional<Rule> plant_in_record(Built& b, slow::Input& in, unsigned kind, st
   return rule;
 }
 
-void set_index(Built& b, slow::Input& in, std::size_t t, std::uint32_t code) {
+void set_index(BuiltArray& b, slow::Input& in, std::size_t t, std::uint32_t code) {
   const std::size_t size = slow::width(in.encoding) / 8;
   for (std::size_t j = 0; j < size; ++j)
     b.geometry.indices[t * size + j] = static_cast<std::uint8_t>(code >> 8 * j);
@@ -229,7 +229,7 @@ void set_index(Built& b, slow::Input& in, std::size_t t, std::uint32_t code) {
 }
 
 // Breaks one rule, if that is possible, and returns the rule.
-std::optional<Rule> plant(Built& b, slow::Input& in, std::uint8_t breach, std::uint8_t where) {
+std::optional<Rule> plant(BuiltArray& b, slow::Input& in, std::uint8_t breach, std::uint8_t where) {
   const std::size_t records = b.array.records.size(), maps = b.maps.size();
   switch (const unsigned kind = breach % 12) {
     case 0:
@@ -278,7 +278,7 @@ std::optional<Rule> plant(Built& b, slow::Input& in, std::uint8_t breach, std::u
 
 void built(Reader& reader) {
   const std::uint8_t breach = reader.byte(), where = reader.byte();
-  Built b;
+  BuiltArray b;
   if (!build(reader, b)) return;
   slow::Input in = handed(b);
   for (const slow::Sets sets : {slow::glTF, slow::KHR, slow::DXR, slow::EXT}) {

@@ -75,15 +75,16 @@ Rgba rounded(const std::array<double, 4>& mean, const Curves& curves) {
   return codes;
 }
 
-struct Place {
+struct Point2 {
   double x, y;
 };
 
 /// Cuts a polygon down to the part with sign (axis - at) >= 0.
-void cut(std::vector<Place>& polygon, std::vector<Place>& room, double Place::*axis, double at, double sign) {
+void cut(std::vector<Point2>& polygon, std::vector<Point2>& room, double Point2::*axis, double at,
+         double sign) {
   room.clear();
   for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Place &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+    const Point2 &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
     const double h = sign * (p.*axis - at), next = sign * (q.*axis - at);
     if (h >= 0) room.push_back(p);
     if ((h > 0 && next < 0) || (h < 0 && next > 0)) {
@@ -102,7 +103,7 @@ class Obvious {
   void faces(const BaseTriangle& uv, std::uint32_t level, bool clip, std::vector<Rgba>& out) {
     for (std::uint32_t k = 0; k < out.size(); ++k) {
       const auto corners = impl::index::corners(k, level);
-      std::array<Place, 3> p;
+      std::array<Point2, 3> p;
       for (std::size_t c = 0; c < 3; ++c) p[c] = place(uv, level, corners[c].i, corners[c].j);
       out[k] = clip ? clipped(p) : centres(p);
     }
@@ -133,17 +134,17 @@ class Obvious {
   }
 
  private:
-  Place place(const BaseTriangle& uv, std::uint32_t level, std::uint32_t i, std::uint32_t j) const {
+  Point2 place(const BaseTriangle& uv, std::uint32_t level, std::uint32_t i, std::uint32_t j) const {
     const double side = 1u << level, s = i / side, t = j / side;
     return {(uv[0].u + s * (double{uv[1].u} - uv[0].u) + t * (double{uv[2].u} - uv[0].u)) * t_.side,
             (uv[0].v + s * (double{uv[1].v} - uv[0].v) + t * (double{uv[2].v} - uv[0].v)) * t_.side};
   }
 
   template <class Visit>
-  static void each_texel(const std::array<Place, 3>& p, Visit visit) {
-    const auto ends = [&](double Place::*axis) { return std::minmax({p[0].*axis, p[1].*axis, p[2].*axis}); };
-    const auto [left, right] = ends(&Place::x);
-    const auto [top, bottom] = ends(&Place::y);
+  static void each_texel(const std::array<Point2, 3>& p, Visit visit) {
+    const auto ends = [&](double Point2::*axis) { return std::minmax({p[0].*axis, p[1].*axis, p[2].*axis}); };
+    const auto [left, right] = ends(&Point2::x);
+    const auto [top, bottom] = ends(&Point2::y);
     for (auto y = static_cast<std::int64_t>(std::floor(top)); y <= static_cast<std::int64_t>(bottom); ++y)
       for (auto x = static_cast<std::int64_t>(std::floor(left)); x <= static_cast<std::int64_t>(right); ++x)
         visit(x, y);
@@ -157,16 +158,16 @@ class Obvious {
     return rounded(sum, curves_);
   }
 
-  Rgba clipped(const std::array<Place, 3>& p) {
+  Rgba clipped(const std::array<Point2, 3>& p) {
     std::array<double, 4> sum{};
     double all = 0;
     each_texel(p, [&](std::int64_t x, std::int64_t y) {
       polygon_.assign(p.begin(), p.end());
       const auto left = static_cast<double>(x), top = static_cast<double>(y);
-      cut(polygon_, room_, &Place::x, left, 1);
-      cut(polygon_, room_, &Place::x, left + 1, -1);
-      cut(polygon_, room_, &Place::y, top, 1);
-      cut(polygon_, room_, &Place::y, top + 1, -1);
+      cut(polygon_, room_, &Point2::x, left, 1);
+      cut(polygon_, room_, &Point2::x, left + 1, -1);
+      cut(polygon_, room_, &Point2::y, top, 1);
+      cut(polygon_, room_, &Point2::y, top + 1, -1);
       double area = 0;
       for (std::size_t k = 2; k < polygon_.size(); ++k)
         area += (polygon_[k - 1].x - polygon_[0].x) * (polygon_[k].y - polygon_[0].y) -
@@ -179,14 +180,14 @@ class Obvious {
     return mean(sum, all);
   }
 
-  Rgba centres(const std::array<Place, 3>& p) const {
+  Rgba centres(const std::array<Point2, 3>& p) const {
     std::array<double, 4> sum{};
     double count = 0;
     each_texel(p, [&](std::int64_t x, std::int64_t y) {
       const double cx = static_cast<double>(x) + 0.5, cy = static_cast<double>(y) + 0.5;
       bool left = true, right = true;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Place &a = p[k], &b = p[(k + 1) % 3];
+        const Point2 &a = p[k], &b = p[(k + 1) % 3];
         const double side = (b.x - a.x) * (cy - a.y) - (b.y - a.y) * (cx - a.x);
         left = left && side >= 0;
         right = right && side <= 0;
@@ -205,7 +206,7 @@ class Obvious {
 
   const Texture& t_;
   const Curves& curves_;
-  std::vector<Place> polygon_ = {}, room_ = {};
+  std::vector<Point2> polygon_ = {}, room_ = {};
 };
 
 std::uint64_t differing(const std::vector<Rgba>& a, const std::vector<Rgba>& b) {

@@ -104,14 +104,14 @@ Part clipped(const Part& part, double Spot::*axis, double limit, bool above) {
   return kept;
 }
 
-struct Seen {
+struct AlphaSides {
   bool opaque = false, transparent = false;
   void take(double alpha, double cutoff) { (alpha >= cutoff ? opaque : transparent) = true; }
   bool both() const { return opaque && transparent; }
 };
 
 /// Marks alpha at the corners of a part, and at its extremes on the part's edges.
-void look(const Cell& cell, const Part& part, double x0, double y0, double cutoff, Seen& seen) {
+void look(const Cell& cell, const Part& part, double x0, double y0, double cutoff, AlphaSides& seen) {
   for (std::size_t k = 0; k < part.size; ++k) {
     const Spot &p = part.at[k], &q = part.at[k + 1 == part.size ? 0 : k + 1];
     const double px = p.x - x0, py = p.y - y0, x = q.x - p.x, y = q.y - p.y;
@@ -122,7 +122,7 @@ void look(const Cell& cell, const Part& part, double x0, double y0, double cutof
   }
 }
 
-Seen rasterised(const BakeTexture& t, const Corners& corners) {
+AlphaSides rasterised(const BakeTexture& t, const Corners& corners) {
   Part all{};
   // Cells begin at the centres of texels.
   for (const Spot& p : corners) all.add({p.x - 0.5, p.y - 0.5});
@@ -134,7 +134,7 @@ Seen rasterised(const BakeTexture& t, const Corners& corners) {
     }
     return std::pair{floored(low), floored(high)};
   };
-  Seen seen;
+  AlphaSides seen;
   const auto [top, bottom] = ends(all, &Spot::y);
   for (std::int64_t j = top; j <= bottom && !seen.both(); ++j) {
     const auto y = static_cast<double>(j);
@@ -180,7 +180,7 @@ void bake_sixteen(const BakeTexture& t, const impl::bake::BaseTriangle& uv, std:
 void bake_rasterised(const BakeTexture& t, const impl::bake::BaseTriangle& uv, std::uint32_t level,
                      std::span<std::uint8_t> states) {
   bake(t, uv, level, states, [&](const Corners& p) {
-    const Seen seen = rasterised(t, p);
+    const AlphaSides seen = rasterised(t, p);
     return seen.both() ? lean(t, p) : seen.opaque ? opaque : transparent;
   });
 }

@@ -42,8 +42,9 @@ Result dag_tables(const std::vector<DagFigures>& figures, const DagBenchOptions&
        [](const F& f) { return f.bits == 1 ? 2u : 4u; }},
       {{.key = level(12), .heading = "level", .leads = true}, [](const F& f) { return f.level; }},
       {{positive("maps", same), "maps"}, [](const F& f) { return std::uint64_t{f.maps}; }},
-      within<F, DagFormOf>({.key = list("forms", "", {5, 5}), .heading = "forms", .within = Within::beside},
-                           fields_of_form(), forms_of_dag),
+      within<F, DagFormOf>(
+          {.key = list("forms", "", {5, 5}), .heading = "forms", .within = RowLayout::beside},
+          fields_of_form(), forms_of_dag),
       {{count("tile_bytes", about_less, "bytes of the graph's tiles"), "tiles", "bytes", {}, arrays},
        [](const F& f) { return f.tiles; }},
       {{count("node_bytes", about_less, "bytes of its nodes"), "nodes", "bytes", {}, arrays},

@@ -193,7 +193,7 @@ Table subjects_table(const std::vector<F>& figures) {
       within<F, GrowthOf>({.key = object("growth", left_out),
                            .heading = "growth",
                            .group = "law",
-                           .within = Within::beside,
+                           .within = RowLayout::beside,
                            .form = Form::object,
                            .row = "from level to level"},
                           growth_fields(), growths_of),

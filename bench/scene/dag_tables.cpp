@@ -74,7 +74,7 @@ Table rows_table(const SceneDagScene& figures) {
       {{positive("maps", same, "the others"), "maps"}, [](const F& f) { return f.maps; }},
       {{positive("distinct", same, "of these, by their bytes"), "distinct"},
        [](const F& f) { return f.distinct; }},
-      within<F, FormOf>({.key = list("forms", "", {7, 7}), .heading = "forms", .within = Within::beside},
+      within<F, FormOf>({.key = list("forms", "", {7, 7}), .heading = "forms", .within = RowLayout::beside},
                         form_fields(), forms_of),
       {{number("entropy_order_0_bytes", about,
                "bytes: the entropy of the distinct maps' states, each by its frequency"),

@@ -5,8 +5,8 @@
 namespace mmverify::bench {
 namespace {
 
-Fields<render::Seen> camera_fields() {
-  using S = render::Seen;
+Fields<render::CameraView> camera_fields() {
+  using S = render::CameraView;
   return {
       {{.key = count("camera", key, "its number on the path, from 1"), .heading = "camera", .leads = true},
        [](const S& s) { return s.number; }},
@@ -111,7 +111,7 @@ Result path_tables(const PathFigures& figures) {
                "them, with a candidate on a triangle that gets a micromap; any-hit: candidates that the "
                "texture decides; tries: places until a ray of the camera met a map",
       .tables = {table_of<F>({.form = Form::members}, members, {figures}),
-                 table_of<render::Seen>({.key = "cameras"}, camera_fields(), figures.path->cameras),
+                 table_of<render::CameraView>({.key = "cameras"}, camera_fields(), figures.path->cameras),
                  table_of<render::PathRow>({.key = list("rows", "", {})}, row_fields(), rows)}};
 }
 

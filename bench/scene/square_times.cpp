@@ -42,13 +42,13 @@ SquareFigures measured(const char* form, std::uint32_t level, const std::vector<
                                                impl::micromap::Format::four_state) +
                   record_bytes);
   f.build_rate = 1e3 * static_cast<double>(f.regions) / encoding;
-  struct Asked {
+  struct Lookup {
     std::uint32_t block, x, y;
   };
   std::mt19937_64 random(seed);
-  std::vector<Asked> asked(lookups);
+  std::vector<Lookup> asked(lookups);
   const std::uint32_t side = std::uint32_t{1} << level;
-  for (Asked& one : asked)
+  for (Lookup& one : asked)
     one = {static_cast<std::uint32_t>(random() % blocks.size()), static_cast<std::uint32_t>(random() % side),
            static_cast<std::uint32_t>(random() % side)};
   std::vector<impl::vq::State> states(asked.size());

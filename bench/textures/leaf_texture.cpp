@@ -19,13 +19,13 @@ AlphaTexture leaf_texture(std::uint64_t seed, int size) {
   // none.
   constexpr int tile = 16;
   const double radius = tile * 0.7072 * texel;
-  const auto byte = [&](const Leaves::Near& near, const Place& p) {
+  const auto byte = [&](const Leaves::Near& near, const LeafPoint& p) {
     const double inside = (swell - leaves(near, p)) / fade + 0.5;
     return static_cast<std::uint8_t>(255 * std::clamp(inside, 0.0, 1.0) + 0.5);
   };
   for (int top = 0; top < size; top += tile)
     for (int left = 0; left < size; left += tile) {
-      const Place centre{(left + tile * 0.5) * texel, (top + tile * 0.5) * texel};
+      const LeafPoint centre{(left + tile * 0.5) * texel, (top + tile * 0.5) * texel};
       const Leaves::Near near = leaves.near(leaves.all(), centre, radius);
       const bool plain = std::abs(swell - leaves(near, centre)) > leaves.slope() * radius + fade;
       const std::uint8_t at_centre = byte(near, centre);

@@ -9,7 +9,7 @@
 namespace mmverify::bench {
 namespace {
 
-double distance(const Place& a, const Place& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance(const LeafPoint& a, const LeafPoint& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
 
@@ -25,8 +25,8 @@ Leaves::Leaves(std::uint64_t seed, std::uint32_t least, std::uint32_t most) {
                  angle = turn * unit();
     // Two circles that meet in the tips: radius r, centres r - breadth/2 to either side of the midrib.
     const double r = (length * length + breadth * breadth) / (4 * breadth), off = r - breadth / 2;
-    const Place middle{unit(), unit()};
-    const Place across{-std::sin(angle), std::cos(angle)};
+    const LeafPoint middle{unit(), unit()};
+    const LeafPoint across{-std::sin(angle), std::cos(angle)};
     leaves_.push_back({{middle.x + off * across.x, middle.y + off * across.y},
                        {middle.x - off * across.x, middle.y - off * across.y},
                        r});
@@ -44,7 +44,7 @@ Leaves::Near Leaves::all() const {
   return all;
 }
 
-Leaves::Near Leaves::near(const Near& among, const Place& p, double radius) const {
+Leaves::Near Leaves::near(const Near& among, const LeafPoint& p, double radius) const {
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t k : among) least = std::min(least, lens(k, p));
   Near nearest;
@@ -53,7 +53,7 @@ Leaves::Near Leaves::near(const Near& among, const Place& p, double radius) cons
   return nearest;
 }
 
-double Leaves::operator()(const Near& among, const Place& p) const {
+double Leaves::operator()(const Near& among, const LeafPoint& p) const {
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t k : among) least = std::min(least, lens(k, p));
   for (const Wave& wave : serration_)
@@ -61,7 +61,7 @@ double Leaves::operator()(const Near& among, const Place& p) const {
   return least;
 }
 
-double Leaves::lens(std::uint32_t k, const Place& p) const {
+double Leaves::lens(std::uint32_t k, const LeafPoint& p) const {
   const Lens& leaf = leaves_[k];
   return std::max(distance(p, leaf.one), distance(p, leaf.other)) - leaf.radius;
 }

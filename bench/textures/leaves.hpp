@@ -7,7 +7,7 @@
 
 namespace mmverify::bench {
 
-struct Place {
+struct LeafPoint {
   double x, y;
 };
 
@@ -22,20 +22,20 @@ class Leaves {
   using Near = std::vector<std::uint32_t>;
   Near all() const;
   /// The leaves `among` these that may be the nearest within `radius` of p: no distance is steeper than 1.
-  Near near(const Near& among, const Place& p, double radius) const;
+  Near near(const Near& among, const LeafPoint& p, double radius) const;
 
-  double operator()(const Near& among, const Place& p) const;
+  double operator()(const Near& among, const LeafPoint& p) const;
   double slope() const { return slope_; }
 
  private:
   struct Lens {
-    Place one, other;
+    LeafPoint one, other;
     double radius;
   };
   struct Wave {
     double x, y, phase, height;
   };
-  double lens(std::uint32_t k, const Place& p) const;
+  double lens(std::uint32_t k, const LeafPoint& p) const;
 
   std::vector<Lens> leaves_;
   std::array<Wave, 4> serration_;

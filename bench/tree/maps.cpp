@@ -26,8 +26,8 @@ struct Painter {
 
   void node(Level d, std::uint32_t k, const Leaves::Near& above) {
     const double side = std::ldexp(1.0, -static_cast<int>(d));
-    std::array<Place, 3> corner{};
-    Place centre{0, 0};
+    std::array<LeafPoint, 3> corner{};
+    LeafPoint centre{0, 0};
     const impl::index::Corners on_grid = impl::index::corners(k, d);
     for (std::size_t c = 0; c < 3; ++c) {
       corner[c] = {on_grid[c].i * side, on_grid[c].j * side};
@@ -56,7 +56,7 @@ struct Painter {
     }
     bool crossed = false;
     if (b == 2)
-      for (const Place& p : corner) crossed = crossed || (leaves(near, p) < 0) != (state != 0);
+      for (const LeafPoint& p : corner) crossed = crossed || (leaves(near, p) < 0) != (state != 0);
     put(k, state + (crossed ? 2 : 0));
   }
 };

@@ -11,7 +11,7 @@ namespace mmverify::bench {
 using impl::tree::Format;
 using impl::tree::Level;
 
-struct SdslTree::Parts {
+struct SdslTree::Sequences {
   sdsl::bit_vector nodes;
   sdsl::rank_support_v5<1> rank;
   sdsl::int_vector<> leaves;
@@ -39,7 +39,8 @@ std::uint32_t state_at(std::span<const std::uint8_t> map, std::uint64_t k, std::
 
 }  // namespace
 
-SdslTree::SdslTree(Level n, Format b, std::span<const std::uint8_t> map) : parts_(std::make_unique<Parts>()) {
+SdslTree::SdslTree(Level n, Format b, std::span<const std::uint8_t> map)
+    : parts_(std::make_unique<Sequences>()) {
   const auto width = static_cast<std::uint32_t>(b);
   // The nodes by depth: their state, or 4 if the states below differ.
   std::vector<std::vector<std::uint8_t>> by_depth(n + 1);

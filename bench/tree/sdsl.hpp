@@ -36,10 +36,10 @@ class SdslTree {
   /// The 64-byte lines of its three arrays that a lookup reads; each array is taken to begin on a line.
   std::size_t lines(std::uint32_t index) const;
 
-  struct Parts;
+  struct Sequences;
 
  private:
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<Sequences> parts_;
 };
 
 }  // namespace mmverify::bench

@@ -5,7 +5,7 @@
 
 namespace mmverify::bench {
 
-struct SdslTree::Parts {};
+struct SdslTree::Sequences {};
 
 SdslTree::SdslTree(impl::tree::Level, impl::tree::Format, std::span<const std::uint8_t>) {
   throw std::runtime_error(

@@ -56,7 +56,7 @@ Result tree_tables(const std::vector<TreeFigures>& figures, const TreeBenchOptio
       {{number("paper_bits_read", about_less, "of the paper's tree by a lookup, mean"), "bits read", "",
         digits(0), stream},
        [](const F& f) { return f.bits_read; }},
-      within<F, FormOf>({.key = list("forms", "", {4, 4}), .heading = "forms", .within = Within::beside},
+      within<F, FormOf>({.key = list("forms", "", {4, 4}), .heading = "forms", .within = RowLayout::beside},
                         form_fields(), forms_of),
       {{ratio("ratio_paper_to_ours", speed_more,
               "of ns a lookup: the median of the rounds' ratios, as are the next two"),

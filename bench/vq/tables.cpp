@@ -87,10 +87,10 @@ Table maps_table(const VqFigures& figures) {
       {{share("savings.16x16", about_more)}, [](const VqRow& r) { return r.savings_16; }},
       {{share("savings.32x32", about_more)}, [](const VqRow& r) { return r.savings_32; }},
       within<VqRow, EncodedMap>(
-          {.key = list("vq2", "", {3, 3}), .heading = "vq2", .group = vq2, .within = Within::beside},
+          {.key = list("vq2", "", {3, 3}), .heading = "vq2", .group = vq2, .within = RowLayout::beside},
           encoded_fields(), encoded_vq2),
       within<VqRow, EncodedMap>(
-          {.key = list("vq4", "", {6, 6}), .heading = "vq4", .group = vq4, .within = Within::beside},
+          {.key = list("vq4", "", {6, 6}), .heading = "vq4", .group = vq4, .within = RowLayout::beside},
           encoded_fields(), encoded_vq4),
       {{count("vq2_bound", same, "substitutions that no block undercuts")},
        [](const VqRow& r) { return bound_of(r, Vq2Encoder{}); }},

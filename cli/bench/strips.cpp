@@ -10,9 +10,9 @@ namespace {
 using bench::Column;
 using bench::Form;
 using bench::Row;
+using bench::RowLayout;
 using bench::Table;
 using bench::Value;
-using bench::Within;
 
 struct CellText {
   const bench::Print& print;
@@ -95,7 +95,7 @@ std::size_t lines_of(const Table& table, const Row& row) {
   std::size_t lines = 1;
   for (std::size_t k = 0; k < row.size(); ++k)
     if (const auto* rows = rows_within(row[k]))
-      if (table.columns[k].within == Within::below && !table.columns[k].heading.empty())
+      if (table.columns[k].within == RowLayout::below && !table.columns[k].heading.empty())
         lines = std::max(lines, rows->size());
   return lines;
 }
@@ -142,7 +142,7 @@ Table spread(const Table& table) {
   spread.columns.push_back({.key = "",
                             .heading = "beside",
                             .columns = {table.columns.begin() + split, table.columns.end()},
-                            .within = Within::beside});
+                            .within = RowLayout::beside});
   for (const Row& row : table.rows) {
     const Row begin(row.begin(), row.begin() + split), rest(row.begin() + split, row.end());
     const auto same = [&](const Row& other) { return std::equal(begin.begin(), begin.end(), other.begin()); };
@@ -174,7 +174,7 @@ std::vector<Strip> strips_of(const Table& given) {
     const Column& column = table.columns[k];
     if (column.heading.empty()) continue;
     if (!column.columns.empty()) {
-      const auto parts = column.within == Within::beside ? beside(table, k) : below(table, k);
+      const auto parts = column.within == RowLayout::beside ? beside(table, k) : below(table, k);
       strips.insert(strips.end(), parts.begin(), parts.end());
       continue;
     }

@@ -38,7 +38,7 @@ struct BlendHits {
   std::vector<impl::traverse::Hit> hits;
   Met accepted;
   Barycentrics at{0, 0};  ///< the accepted hit on its triangle
-  Asked asked;
+  ShaderCalls asked;
 };
 
 struct BlendPixel {
@@ -48,7 +48,7 @@ struct BlendPixel {
   std::uint32_t as_met =
       0;  ///< all hits blended in the order met: also hits behind the accepted one that came first
   float shade = 0;
-  Asked asked;
+  ShaderCalls asked;
 };
 
 struct BlendFrame {

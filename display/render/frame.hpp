@@ -18,7 +18,7 @@ struct Met {
 };
 
 /// The filter calls and any-hit calls of one ray.
-struct Asked {
+struct ShaderCalls {
   std::uint32_t candidates = 0;  ///< filter calls: hits on triangles that have a surface
   std::uint32_t shader = 0;      ///< candidates that an any-hit shader decided by the texture
 };
@@ -28,7 +28,7 @@ struct Pixel {
   Barycentrics at{0, 0};  ///< the primary hit on its triangle
   bool lit = false;       ///< the shadow ray met nothing
   float shade = 0;        ///< cosine of normal and light
-  Asked by_primary, by_shadow;
+  ShaderCalls by_primary, by_shadow;
 };
 
 struct Counts {

@@ -40,7 +40,7 @@ struct Context {
   const Opacity* opacity;
   std::uint64_t ray;
   Counts counts;
-  Asked asked;
+  ShaderCalls asked;
   bool passes = false;             ///< the ray passes through every candidate
   Gathering* gathering = nullptr;  ///< null if hits do not blend
 };
@@ -156,7 +156,7 @@ double cpu_seconds() {
 bool has_embree() { return true; }
 std::string embree_text() { return "Embree " RTC_VERSION_STRING; }
 
-struct Tracer::Built {
+struct Tracer::EmbreeScene {
   const World& world;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
@@ -165,7 +165,7 @@ struct Tracer::Built {
   float scale = 1;  ///< the scene's longest side, for the offset of shadow rays
   float reach = 0;  ///< the greatest magnitude of a placed coordinate
 
-  explicit Built(const World& w) : world(w) {
+  explicit EmbreeScene(const World& w) : world(w) {
     // Embree's "threads=1" would bind the whole process.
     device = rtcNewDevice(nullptr);
     if (device == nullptr) fail(nullptr);
@@ -181,9 +181,9 @@ struct Tracer::Built {
     if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
       throw std::runtime_error("Embree: error " + std::to_string(static_cast<int>(error)));
   }
-  Built(const Built&) = delete;
-  Built& operator=(const Built&) = delete;
-  ~Built() {
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+  ~EmbreeScene() {
     for (const RTCScene mesh : meshes) rtcReleaseScene(mesh);
     if (scene != nullptr) rtcReleaseScene(scene);
     if (device != nullptr) rtcReleaseDevice(device);
@@ -366,7 +366,7 @@ struct Tracer::Built {
   }
 };
 
-Tracer::Tracer(const World& world) : built_(std::make_unique<Built>(world)) {}
+Tracer::Tracer(const World& world) : built_(std::make_unique<EmbreeScene>(world)) {}
 Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;

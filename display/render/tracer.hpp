@@ -73,8 +73,8 @@ class Tracer {
   Met first_hit(const Ray& ray, const Opacity* opacity, std::uint64_t number, Counts& counts) const;
 
  private:
-  struct Built;
-  std::unique_ptr<Built> built_;
+  struct EmbreeScene;
+  std::unique_ptr<EmbreeScene> built_;
 };
 
 }  // namespace mmverify::render

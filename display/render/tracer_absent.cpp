@@ -10,7 +10,7 @@ std::string embree_text() {
   return "built without Embree; install the Debian package libembree-dev (./run install) and build again";
 }
 
-struct Tracer::Built {};
+struct Tracer::EmbreeScene {};
 Tracer::Tracer(const World&) { throw std::runtime_error(embree_text()); }
 Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;

@@ -242,11 +242,11 @@ AttributeMaps header_of(std::span<const std::uint8_t> bytes) {
 }
 
 /// The number of triangles, and where the file's parts begin.
-struct Parts {
+struct ContainerParts {
   std::uint64_t triangles, flags, payload;
 };
 
-Parts parts_of(std::span<const std::uint8_t> bytes, const AttributeMaps& maps) {
+ContainerParts parts_of(std::span<const std::uint8_t> bytes, const AttributeMaps& maps) {
   const std::uint64_t triangles = number_at(bytes, at_triangles, 4);
   const std::uint64_t announced = number_at(bytes, at_payload_bytes, 8);
   const std::uint64_t flags_at = attribute_header + 4 * triangles;
@@ -267,7 +267,7 @@ Parts parts_of(std::span<const std::uint8_t> bytes, const AttributeMaps& maps) {
   return {triangles, flags_at, payload_at};
 }
 
-void read_uses(std::span<const std::uint8_t> bytes, const Parts& at, AttributeMaps& maps) {
+void read_uses(std::span<const std::uint8_t> bytes, const ContainerParts& at, AttributeMaps& maps) {
   const auto flag = [&](std::uint64_t bit) {
     return bytes[static_cast<std::size_t>(at.flags + bit / 8)] >> bit % 8 & 1u;
   };
@@ -287,7 +287,7 @@ void read_uses(std::span<const std::uint8_t> bytes, const Parts& at, AttributeMa
 
 AttributeMaps read_attributes(std::span<const std::uint8_t> bytes) {
   AttributeMaps maps = header_of(bytes);
-  const Parts at = parts_of(bytes, maps);
+  const ContainerParts at = parts_of(bytes, maps);
   read_uses(bytes, at, maps);
   const auto payload = bytes.subspan(static_cast<std::size_t>(at.payload));
   if (maps.payload == Payload::plain) {

@@ -4,13 +4,13 @@ namespace mmverify::impl::attribute {
 namespace {
 
 /// A point's grid square and its place there, exactly: x = iu + fu, y = iv + fv in squares of the level.
-struct Located {
+struct GridPlace {
   std::uint32_t iu, iv;
   double fu, fv;
   bool upper;
 };
 
-Located locate(float u, float v, std::uint32_t N) noexcept {
+GridPlace locate(float u, float v, std::uint32_t N) noexcept {
   const float side = static_cast<float>(N);
   // The product is exact: N is a power of two.
   const float un = index::detail::clamped(u) * side, vn = index::detail::clamped(v) * side;
@@ -44,7 +44,7 @@ struct Shares {
 
 /// Twice the areas that the point makes with the sides of a triangle.  A side has 2 steps at most, or is the whole of
 /// level 1.
-Shares shares_of(const std::array<Vertex, 3>& c, const Located& p) noexcept {
+Shares shares_of(const std::array<Vertex, 3>& c, const GridPlace& p) noexcept {
   const auto share = [&](Vertex a, Vertex b) {
     const double di = along(b.i, a.i), dj = along(b.j, a.j);
     return signed_sum(di * p.fv, -dj * p.fu, di * along(p.iv, a.j) - dj * along(p.iu, a.i));
@@ -64,7 +64,7 @@ std::array<Vertex, 3> moved(std::array<Vertex, 3> c, Level n, EdgeFlags flags) n
 VertexWeights decimated_lookup(float u, float v, Level level, EdgeFlags flags) noexcept {
   const Level n = std::min(level, max_level);
   const std::uint32_t N = std::uint32_t{1} << n;
-  const Located p = locate(u, v, N);
+  const GridPlace p = locate(u, v, N);
   const std::array<Vertex, 3> before = corners_of(MicroTriangle{p.iu, p.iv, p.upper});
 
   std::array<Vertex, 3> found = moved(before, n, flags);

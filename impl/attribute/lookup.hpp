@@ -35,7 +35,7 @@ struct Located {
 /// Law: attribute.weights_on_floats, attribute.triplets_on_floats
 inline Located locate(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
-  const index::detail::Located p = index::detail::locate(u, v, n);
+  const index::detail::GridSquare p = index::detail::locate(u, v, n);
   const std::uint32_t last = (std::uint32_t{1} << n) - 1;
   const std::uint32_t iv = std::min(p.iv, last), iu = std::min(p.iu, last - iv);
   const bool upper = p.row != iu + iv;

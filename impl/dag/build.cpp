@@ -12,7 +12,7 @@ using namespace detail;
 
 static_assert(std::endian::native == std::endian::little, "words are loaded from maps' bytes as they are");
 
-Dag::Dag(Format b) : b_(static_cast<std::uint32_t>(b)), known_(std::make_unique<Known>()) {
+Dag::Dag(Format b) : b_(static_cast<std::uint32_t>(b)), known_(std::make_unique<HashTables>()) {
   if (b != Format::two_state && b != Format::four_state)
     throw std::invalid_argument("dag: a state has 1 or 2 bits");
 }

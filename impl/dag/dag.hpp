@@ -115,8 +115,8 @@ class Dag {
   std::vector<std::uint64_t> tiles_, flat_;
   std::vector<std::uint32_t> nodes_;
 
-  struct Known;  // hash tables, for adding alone
-  std::unique_ptr<Known> known_;
+  struct HashTables;  // hash tables, for adding alone
+  std::unique_ptr<HashTables> known_;
 };
 
 }  // namespace mmverify::impl::dag

@@ -9,7 +9,7 @@
 
 namespace mmverify::impl::dag {
 
-struct Dag::Known {
+struct Dag::HashTables {
   Table tiles;
   std::array<Table, max_level + 1> nodes, flat;  ///< by level
   std::vector<Level> added;                      ///< levels of the nodes that the current add() has added

@@ -21,7 +21,7 @@ struct FromBarycentrics {
   Level n;
 
   WordVec operator()(FloatVec u, FloatVec v) const {
-    const Found p = find(u, v, n);
+    const GridPoint p = find(u, v, n);
     return curve(square(p.iu, p.iv, p.carry, hn::Set(Ints(), std::int32_t{1} << n)));
   }
 };
@@ -31,7 +31,7 @@ struct WMinor {
 
   WordVec operator()(FloatVec u, FloatVec v) const {
     const Words dw;
-    const Found p = find(u, v, n);
+    const GridPoint p = find(u, v, n);
     const auto N = hn::Set(Ints(), std::int32_t{1} << n), last = hn::Set(Ints(), (std::int32_t{1} << n) - 1);
     const RowPlace place = row_place(p.iu, p.iv, p.carry, p.beyond, N);
     const auto along = hn::Add(place.col, hn::Add(place.row, hn::Sub(place.dia, last)));

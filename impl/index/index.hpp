@@ -158,13 +158,13 @@ constexpr Word curve(const Square<Word>& q) noexcept {
 }
 
 /// The place of a point: iu = floor(uN), iv = floor(vN), N at u = 1 and v = 1; carry: uf+vf >= 1; beyond: uf > 0.
-struct Found {
+struct GridPoint {
   std::uint32_t iu, iv;
   bool carry, beyond;
 };
 
 /// Finds a point.  Domain: any bit patterns; n in 0..30.
-inline Found find(float u, float v, Level n) noexcept {
+inline GridPoint find(float u, float v, Level n) noexcept {
   const float N = static_cast<float>(std::int32_t{1} << n);
   const auto pu = cut<std::int32_t>(scaled(u, N)), pv = cut<std::int32_t>(scaled(v, N));
   return {static_cast<std::uint32_t>(pu.whole), static_cast<std::uint32_t>(pv.whole),
@@ -173,13 +173,13 @@ inline Found find(float u, float v, Level n) noexcept {
 
 /// The grid square (iu, iv) of a point, its row, and ceil(uN).
 /// iu and iv may still be N here: at u = 1 and v = 1.
-struct Located {
+struct GridSquare {
   std::uint32_t iu, iv, row, u_ceil;
 };
 
 /// Locates a point by its u and v; rounding decides nothing.  n in 0..16.
-inline Located locate(float u, float v, Level n) noexcept {
-  const Found p = find(u, v, n);
+inline GridSquare locate(float u, float v, Level n) noexcept {
+  const GridPoint p = find(u, v, n);
   return {p.iu, p.iv, row_of(p.iu, p.iv, p.carry, std::uint32_t{1} << n), p.iu + (p.beyond ? 1u : 0u)};
 }
 
@@ -193,7 +193,7 @@ inline Located locate(float u, float v, Level n) noexcept {
 /// Law: index.equals_reference, index.floats
 inline std::uint32_t from_barycentrics(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
-  const detail::Found p = detail::find(u, v, n);
+  const detail::GridPoint p = detail::find(u, v, n);
   return detail::curve(detail::square(p.iu, p.iv, p.carry, std::uint32_t{1} << n));
 }
 
@@ -240,7 +240,7 @@ void corners(std::span<const std::uint32_t> index, Level level, const CornerSpan
 /// Law: index.row_order, index.row_floats
 inline std::uint32_t w_minor(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
-  const detail::Found p = detail::find(u, v, n);
+  const detail::GridPoint p = detail::find(u, v, n);
   const std::uint32_t N = std::uint32_t{1} << n;
   const auto place = detail::row_place(p.iu, p.iv, p.carry, p.beyond, N);
   return place.row * place.row + place.col + (place.dia - (N - 1 - place.row));

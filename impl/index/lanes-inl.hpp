@@ -38,10 +38,10 @@ HWY_INLINE IntVec row_of(IntVec iu, IntVec iv, IntVec carry, IntVec N) {
 }
 
 // iu = floor(uN), iv = floor(vN); carry is 1 if uf+vf >= 1, beyond is 1 if uf > 0, else 0.
-struct Found {
+struct GridPoint {
   IntVec iu, iv, carry, beyond;
 };
-HWY_INLINE Found find(FloatVec u, FloatVec v, Level n) {
+HWY_INLINE GridPoint find(FloatVec u, FloatVec v, Level n) {
   const auto N = hn::Set(Floats(), static_cast<float>(std::int32_t{1} << n));
   const Cut pu = cut(scaled(u, N)), pv = cut(scaled(v, N));
   return {pu.whole, pv.whole, reach_one(pu.part, pv.part), is_more_than_none(pu.part)};

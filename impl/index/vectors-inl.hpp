@@ -30,12 +30,12 @@ using WordVec = hn::Vec<Words>;
 #include "impl/index/lanes-inl.hpp"
 
 // The grid squares (iu, iv) of points, their rows and ceil(uN).
-struct Located {
+struct GridSquare {
   IntVec iu, iv, row, u_ceil;
 };
 
-HWY_INLINE Located locate(FloatVec u, FloatVec v, Level n) {
-  const Found p = find(u, v, n);
+HWY_INLINE GridSquare locate(FloatVec u, FloatVec v, Level n) {
+  const GridPoint p = find(u, v, n);
   const auto N = hn::Set(Ints(), std::int32_t{1} << n);
   return {p.iu, p.iv, row_of(p.iu, p.iv, p.carry, N), hn::Add(p.iu, p.beyond)};
 }

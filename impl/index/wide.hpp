@@ -44,7 +44,7 @@ constexpr Word wide_curve(const Square<Word>& q) noexcept {
 /// Law: index.wide_equals_reference, index.impl_wide_is_wide, index.wide_exact_on_floats
 inline std::uint64_t from_barycentrics_wide(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_wide_level);
-  const detail::Found p = detail::find(u, v, n);
+  const detail::GridPoint p = detail::find(u, v, n);
   return detail::wide_curve(
       detail::square(std::uint64_t{p.iu}, std::uint64_t{p.iv}, p.carry, std::uint64_t{1} << n));
 }

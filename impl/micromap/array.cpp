@@ -41,9 +41,9 @@ std::uint64_t hash(const Canonical& map, Level level, Format f) {
 }
 
 // A hash table of records by their maps.  Open addressing; a slot is the record's number + 1, or 0.
-class Known {
+class RecordTable {
  public:
-  explicit Known(std::size_t expected) : slots_(std::bit_ceil(2 * expected + 16)) {}
+  explicit RecordTable(std::size_t expected) : slots_(std::bit_ceil(2 * expected + 16)) {}
 
   // The slot of an equal record, or an empty one.  The table is at most half full.
   template <class Equal>
@@ -92,7 +92,7 @@ Geometry append_checked(Array& array, std::span<const PackedMap> maps, const Opt
   Histogram histogram;
 
   const std::size_t shared = options.deduplicate ? array.records.size() - base : 0;
-  Known known(options.deduplicate ? shared + maps.size() : 0);
+  RecordTable known(options.deduplicate ? shared + maps.size() : 0);
   const auto slot_for = [&](const Canonical& map, Level level, Format f) -> std::uint32_t& {
     return known.find(hash(map, level, f), [&](std::uint32_t number) {
       const Record& r = array.records[number];

@@ -33,9 +33,9 @@ Column apart(std::span<const Element> at, Member Element::*of) {
 }
 
 /// Indices below `count`; in the place of others, which are asked of nobody, 0.
-class Within {
+class IndicesInRange {
  public:
-  Within(Numbers index, std::uint64_t count) : count_(count), index_(index.begin(), index.end()) {
+  IndicesInRange(Numbers index, std::uint64_t count) : count_(count), index_(index.begin(), index.end()) {
     for (std::size_t k = 0; k < index_.size(); ++k)
       if (index_[k] >= count_) beyond_.push_back(k), index_[k] = 0;
   }
@@ -101,7 +101,7 @@ void ask_vertices(const LibraryPtr& library, Orders& f) {
   if (library->offers(Call::attribute_vertex_place))
     f.vertex_at = [=](VertexOrder order, Level n, Numbers index, std::span<Vertex> out) {
       static_assert(sizeof(Vertex) == dock::entry_point(Call::attribute_vertex_place).answer_bytes);
-      const Within asked(index, spec::attribute::vertex_count(n));
+      const IndicesInRange asked(index, spec::attribute::vertex_count(n));
       dock::ask_all(
           *library,
           {Call::attribute_vertex_place, n, format_of(order), {asked.index().data()}, naming(asked.index())},
@@ -123,7 +123,7 @@ void ask_faces(const LibraryPtr& library, Orders& f) {
     };
   if (library->offers(Call::attribute_face_place))
     f.face_at = [=](FaceOrder order, Level n, Numbers index, std::span<MicroTriangle> out) {
-      const Within asked(index, spec::attribute::face_count(n));
+      const IndicesInRange asked(index, spec::attribute::face_count(n));
       std::vector<std::array<std::uint32_t, 3>> places(out.size());
       dock::ask_all(
           *library,
@@ -142,7 +142,7 @@ void ask_faces(const LibraryPtr& library, Orders& f) {
 void ask_triplets(const LibraryPtr& library, Orders& f) {
   if (library->offers(Call::attribute_triplet))
     f.triplet = [=](FaceOrder faces, VertexOrder vertices, Level n, Numbers face, std::span<Triplet> out) {
-      const Within asked(face, spec::attribute::face_count(n));
+      const IndicesInRange asked(face, spec::attribute::face_count(n));
       dock::ask_all(*library,
                     {Call::attribute_triplet,
                      n,

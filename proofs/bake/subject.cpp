@@ -105,7 +105,7 @@ Functions this_projects() { return {baked_by_impl, true, {}}; }
 template <class Q>
 bool opaque_at(const Case& one, const spec::bake::Polygon<Q>& corners, const std::array<int, 3>& weights) {
   const Q share = spec::bake::fraction<Q>(1, weights[0] + weights[1] + weights[2]);
-  spec::bake::Place<Q> p{0, 0};
+  spec::bake::TexturePoint<Q> p{0, 0};
   for (std::size_t k = 0; k < 3; ++k) {
     p.x += corners[k].x * Q(weights[k]) * share;
     p.y += corners[k].y * Q(weights[k]) * share;

@@ -9,7 +9,7 @@
 namespace mmverify::proofs::induction {
 namespace {
 
-std::string say(const Statement& s, const Found& found) {
+std::string say(const Statement& s, const ProverAnswer& found) {
   return fmt::format("statement {}: expected {}, the prover says {}{}", s.name, to_string(s.expected),
                      to_string(found.answer), found.detail.empty() ? "" : " (" + found.detail + ")");
 }
@@ -52,7 +52,7 @@ Law on_statements(Law law, std::vector<About> known, Settle settle) {
 
 Tally discharge(const std::vector<Statement>& statements, const Search& search, const Run& run,
                 const Effort& effort) {
-  std::vector<Found> answers(statements.size());
+  std::vector<ProverAnswer> answers(statements.size());
   Tally tally = sweep(run, statements.size(), 1, [&](Chunk chunk, Tally& part) {
     for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
       answers[k] = ask_z3(statements[k], effort);

@@ -32,22 +32,22 @@ std::uint64_t steps_of(const z3::solver& solver) {
 /// subject.  Threads share it.
 class Settled {
  public:
-  std::optional<Found> answer(const std::string& text) const {
+  std::optional<ProverAnswer> answer(const std::string& text) const {
     const std::lock_guard hold(lock_);
     const auto one = found_.find(text);
     return one == found_.end() ? std::nullopt : std::optional(one->second);
   }
-  void keep(const std::string& text, const Found& found) {
+  void keep(const std::string& text, const ProverAnswer& found) {
     const std::lock_guard hold(lock_);
     found_.emplace(text, found);
   }
 
  private:
   mutable std::mutex lock_;
-  std::map<std::string, Found> found_;
+  std::map<std::string, ProverAnswer> found_;
 };
 
-Found ask_anew(const Statement& statement, const Effort& effort) {
+ProverAnswer ask_anew(const Statement& statement, const Effort& effort) {
   try {
     z3::context context;
     z3::solver solver(context);
@@ -75,14 +75,14 @@ Found ask_anew(const Statement& statement, const Effort& effort) {
 bool has_prover() { return true; }
 std::string no_prover_text() { return {}; }
 
-Found ask_z3(const Statement& statement, const Effort& effort) {
+ProverAnswer ask_z3(const Statement& statement, const Effort& effort) {
   // Another effort may settle a statement differently, so it is not looked up.
   constexpr Effort usual;
   if (effort.milliseconds != usual.milliseconds || effort.steps != usual.steps)
     return ask_anew(statement, effort);
   static Settled settled;
   if (const auto before = settled.answer(statement.text)) return *before;
-  const Found found = ask_anew(statement, effort);
+  const ProverAnswer found = ask_anew(statement, effort);
   if (found.answer != Answer::unknown) settled.keep(statement.text, found);
   return found;
 }

@@ -19,14 +19,14 @@ struct Effort {
   unsigned steps = 250'000'000;     ///< 0: no limit
 };
 
-struct Found {
+struct ProverAnswer {
   Answer answer = Answer::unknown;
   std::string detail = {};  ///< sat: the model's constants on one line; unknown: the prover's reason
   std::uint64_t steps = 0;  ///< the steps that z3 took
 };
 
 /// z3's answer to the file's assertions.  A statement that z3 rejects or gives up on is `unknown`.
-Found ask_z3(const Statement& statement, const Effort& effort = {});
+ProverAnswer ask_z3(const Statement& statement, const Effort& effort = {});
 
 /// An answer, and for sat the model's words of up to 64 bits by their names.
 struct Solved {

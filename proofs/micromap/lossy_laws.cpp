@@ -87,7 +87,7 @@ Finding judges(const MicromapSubject& s, const PackedMap& was, const PackedMap& 
   const std::uint64_t count = slow::micro_triangles(was.level);
   const States a = slow::unpack(was.bytes, four, count), b = slow::unpack(is.bytes, four, count);
   // The statements themselves, not spec/micromap/lossy.hpp, which a subject may use.
-  Kept expected{true, true, true};
+  LossyRules expected{true, true, true};
   for (std::size_t i = 0; i < count; ++i) {
     const bool same_state = a[i] == b[i];
     const bool to_unknown = b[i] == UT || b[i] == UO, from_known = a[i] == T || a[i] == O;
@@ -96,12 +96,14 @@ Finding judges(const MicromapSubject& s, const PackedMap& was, const PackedMap& 
     expected.conservative &= same_state || (from_known && to_unknown);
     expected.force2_stable &= same_state || own_side;
   }
-  const auto number = [](const Kept& k) { return 4 * k.allowed + 2 * k.conservative + k.force2_stable; };
+  const auto number = [](const LossyRules& k) {
+    return 4 * k.allowed + 2 * k.conservative + k.force2_stable;
+  };
   // Padding is no state: it is zero in both maps first; then the first map's values rise and the second's fall.
   const std::vector<Bytes> before = with_paddings(was), after = with_paddings(is);
   for (std::size_t k = 0; k <= before.size(); ++k) {
-    const Kept got = k == 0 ? s.functions.judge(was.level, was.bytes, is.bytes)
-                            : s.functions.judge(was.level, before[k - 1], after[after.size() - k]);
+    const LossyRules got = k == 0 ? s.functions.judge(was.level, was.bytes, is.bytes)
+                                  : s.functions.judge(was.level, before[k - 1], after[after.size() - k]);
     if (got != expected)
       return wrong(fmt::format("allowed, conservative, force2-stable {:03b}", number(expected)),
                    fmt::format("{:03b}", number(got)));
@@ -118,8 +120,8 @@ Law judge_law() {
   const auto pair = [](Level n, std::uint64_t k) {
     return std::pair(four_state_map(n, k / four_state_maps(n)), four_state_map(n, k % four_state_maps(n)));
   };
-  const auto exactly = [](Level n, std::uint8_t was, std::uint8_t is, void (*change)(Kept&)) {
-    return spoils(&Functions::judge, [=](Level level, auto a, auto b, Kept& kept) {
+  const auto exactly = [](Level n, std::uint8_t was, std::uint8_t is, void (*change)(LossyRules&)) {
+    return spoils(&Functions::judge, [=](Level level, auto a, auto b, LossyRules& kept) {
       if (level == n && a[0] == was && b[0] == is) change(kept);
     });
   };
@@ -131,13 +133,13 @@ Law judge_law() {
        .tiers = {.fast = {0, 1}, .long_run = {0, 1}, .seconds = 1},
        .domain = [](const Subject&,
                     Level n) { return fmt::format("all pairs of 4-state maps of level {}", n); },
-       .mutants = {mutant("takes O for UO as allowed", "micromap", {0, 0},
-                          exactly(0, 3, 1, [](Kept& k) { k.allowed = true; })),
-                   mutant("takes UT for UO as conservative", "micromap", {1, 1},
-                          exactly(1, 0b11'00'00'00, 0b10'00'00'00, [](Kept& k) { k.conservative = true; })),
-                   mutant(
-                       "takes UO for the last T as force2-stable", "micromap-spec", {1, 1},
-                       exactly(1, 0b00'01'01'01, 0b11'01'01'01, [](Kept& k) { k.force2_stable = true; }))}},
+       .mutants =
+           {mutant("takes O for UO as allowed", "micromap", {0, 0},
+                   exactly(0, 3, 1, [](LossyRules& k) { k.allowed = true; })),
+            mutant("takes UT for UO as conservative", "micromap", {1, 1},
+                   exactly(1, 0b11'00'00'00, 0b10'00'00'00, [](LossyRules& k) { k.conservative = true; })),
+            mutant("takes UO for the last T as force2-stable", "micromap-spec", {1, 1},
+                   exactly(1, 0b00'01'01'01, 0b11'01'01'01, [](LossyRules& k) { k.force2_stable = true; }))}},
       {entry::judge},
       {[](Level n) -> std::uint64_t { return n > 1 ? 0 : four_state_maps(n) * four_state_maps(n); },
        [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run&) {
@@ -199,8 +201,8 @@ Law judge_samples_law() {
   const auto at = [](Level n, std::uint64_t k, const Run& run) {
     return maps_of(n, run.seed, substituted(n, k));
   };
-  const auto last = [](Level level, State now, void (*change)(Kept&)) {
-    return spoils(&Functions::judge, [=](Level n, auto was, auto is, Kept& kept) {
+  const auto last = [](Level level, State now, void (*change)(LossyRules&)) {
+    return spoils(&Functions::judge, [=](Level n, auto was, auto is, LossyRules& kept) {
       if (n == level && was.back() >> 6 != is.back() >> 6 && is.back() >> 6 == slow::code(now)) change(kept);
     });
   };
@@ -219,11 +221,11 @@ Law judge_samples_law() {
                  maps, n);
            },
        .mutants = {mutant("the last of level 7 may become T", "micromap", {7, 7},
-                          last(7, T, [](Kept& k) { k.allowed = true; })),
+                          last(7, T, [](LossyRules& k) { k.allowed = true; })),
                    mutant("the last of level 4 may not become UT", "micromap", {4, 4},
-                          last(4, UT, [](Kept& k) { k.conservative = false; })),
+                          last(4, UT, [](LossyRules& k) { k.conservative = false; })),
                    mutant("the last of level 2 may become UO", "micromap-spec", {2, 2},
-                          last(2, UO, [](Kept& k) { k.force2_stable = true; }))}},
+                          last(2, UO, [](LossyRules& k) { k.force2_stable = true; }))}},
       {entry::judge},
       {[](Level) { return maps * substitutions; },
        [=](const MicromapSubject& s, Level n, std::uint64_t k, const Run& run) {

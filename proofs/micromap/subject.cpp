@@ -42,7 +42,7 @@ Functions specified() {
   };
   f.special_code = slow::special_code;
   f.meaning = slow::meaning;
-  f.judge = [](Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) -> Kept {
+  f.judge = [](Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) -> LossyRules {
     const States a = states(n, was), b = states(n, is);
     return {slow::everywhere(a, b, slow::allowed), slow::everywhere(a, b, slow::conservative),
             slow::everywhere(a, b, slow::force2_stable)};
@@ -176,7 +176,7 @@ Functions library() {
     return fast::is_index(code, encoding) ? Meaning{Meaning::Kind::index, code}
                                           : Meaning{Meaning::Kind::unknown};
   };
-  f.judge = [](Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) -> Kept {
+  f.judge = [](Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is) -> LossyRules {
     const fast::Substitutions found = fast::substitutions(was, is, micro_triangles(n));
     return {found.allowed(), found.conservative(), found.force2_stable()};
   };

@@ -33,9 +33,9 @@ struct Built {
 };
 
 /// The rules of lossy substitution, and whether each holds between two maps.
-struct Kept {
+struct LossyRules {
   bool allowed = false, conservative = false, force2_stable = false;
-  friend bool operator==(const Kept&, const Kept&) = default;
+  friend bool operator==(const LossyRules&, const LossyRules&) = default;
 };
 
 /// The entry points of a subject; an empty function is a missing entry point.  Several threads may call at once.
@@ -56,8 +56,8 @@ struct Functions {
   /// The map that a lossy codec gives for a map.
   std::function<Bytes(Level n, std::span<const std::uint8_t> four_state)> substitute = {};
   /// The rules that a substitution keeps.
-  std::function<Kept(Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is)> judge =
-      {};
+  std::function<LossyRules(Level n, std::span<const std::uint8_t> was, std::span<const std::uint8_t> is)>
+      judge = {};
   /// Appends to an array in which every map of `before` has a record of its own.
   std::function<Built(std::span<const PackedMap> before, std::span<const PackedMap> maps,
                       const Options& options)>

@@ -38,7 +38,7 @@ class Numbers {
 };
 
 /// Judges the laws one after the other on one thread, so that questions come in one order.
-std::vector<Result> judged(const Asked& asked, const SubjectPtr& subject, Progress* progress) {
+std::vector<Result> judged(const PipeRun& asked, const SubjectPtr& subject, Progress* progress) {
   Request request;
   request.laws = asked.laws;
   request.subjects = {subject};
@@ -57,7 +57,7 @@ std::vector<Result> judged(const Asked& asked, const SubjectPtr& subject, Progre
 }
 
 /// The first line, with all that the questions depend on.
-std::string heading(const Asked& asked) {
+std::string heading(const PipeRun& asked) {
   std::string text = fmt::format("{}{} levels {}..{} seed {}", heading_begins, asked.topic,
                                  asked.levels.first, asked.levels.last, asked.seed);
   if (asked.cases != 0) text += fmt::format(" cases {}", asked.cases);
@@ -66,7 +66,7 @@ std::string heading(const Asked& asked) {
 }
 
 /// The number of cases, which all run twice.
-std::uint64_t cases_of(const Asked& asked) {
+std::uint64_t cases_of(const PipeRun& asked) {
   std::uint64_t cases = 0;
   Run run;
   run.cases = asked.cases;
@@ -79,7 +79,7 @@ std::uint64_t cases_of(const Asked& asked) {
 
 }  // namespace
 
-bool generate_questions(const Asked& asked, std::FILE* out) {
+bool generate_questions(const PipeRun& asked, std::FILE* out) {
   const InterruptGuard guard;
   Written written(out);
   bool open = written.line(heading(asked));
@@ -94,7 +94,7 @@ bool generate_questions(const Asked& asked, std::FILE* out) {
   return written.end() && !interrupted();
 }
 
-Report check_questions(const Asked& asked, std::istream& in) {
+Report check_questions(const PipeRun& asked, std::istream& in) {
   const InterruptGuard guard;
   Progress progress(cases_of(asked), asked.show_progress);
   Numbers numbers;

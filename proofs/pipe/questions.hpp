@@ -24,7 +24,7 @@ struct Dialogue {
 };
 
 /// A set of laws and the settings of their runs.
-struct Asked {
+struct PipeRun {
   std::string topic;
   Dialogue dialogue;
   std::vector<const Law*> laws;
@@ -39,10 +39,10 @@ struct Asked {
 /// Writes each question once, "CASE QUESTION", CASE counting from 0.  The first line starts with # and has the
 /// settings that the questions depend on, and the last has their number.  False if `out` no longer accepts lines, or
 /// the run was interrupted.
-bool generate_questions(const Asked& asked, std::FILE* out);
+bool generate_questions(const PipeRun& asked, std::FILE* out);
 
 /// Reads the answers, "CASE ANSWER", all in the order of the cases, and judges them.  Throws BadAnswers. Memory: the
 /// answers, and 24 bytes each.
-Report check_questions(const Asked& asked, std::istream& in);
+Report check_questions(const PipeRun& asked, std::istream& in);
 
 }  // namespace mmverify::proofs::pipe

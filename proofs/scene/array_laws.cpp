@@ -89,7 +89,7 @@ unsigned state_at(std::span<const std::uint8_t> map, std::uint64_t index, unsign
 }
 
 /// The states that a device finds by a code: one state of a whole triangle, or a record's map.
-struct Found {
+struct DeviceMap {
   std::optional<unsigned> special;
   std::span<const std::uint8_t> map;
   unsigned bits = 0;
@@ -98,9 +98,9 @@ struct Found {
 };
 
 /// Nothing if the code names no record, or a record without a map of the level within the data.
-std::optional<Found> found_by(const Data& data, std::uint32_t code, Level n) {
+std::optional<DeviceMap> found_by(const Data& data, std::uint32_t code, Level n) {
   if (const auto state = micromap::special_state(code, data.arrays.encoding))
-    return Found{static_cast<unsigned>(*state), {}, 0};
+    return DeviceMap{static_cast<unsigned>(*state), {}, 0};
   if (code >= data.arrays.array.records.size()) return std::nullopt;
   const micromap::Record& record = data.arrays.array.records[code];
   if (record.level != n || (record.format != 1 && record.format != 2)) return std::nullopt;
@@ -108,7 +108,7 @@ std::optional<Found> found_by(const Data& data, std::uint32_t code, Level n) {
       micromap::packed_bytes(micromap::micro_triangles(n), static_cast<micromap::Format>(record.format));
   const std::span<const std::uint8_t> all(data.arrays.array.data);
   if (record.offset > all.size() || size > all.size() - record.offset) return std::nullopt;
-  return Found{std::nullopt, all.subspan(record.offset, size), record.format};
+  return DeviceMap{std::nullopt, all.subspan(record.offset, size), record.format};
 }
 
 /// Compares every state of a use with the baked one, and their counts with the plan's.

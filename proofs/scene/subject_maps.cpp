@@ -55,7 +55,7 @@ double ns_of(const auto& work) {
 SubjectMaps::SubjectMaps(const Data& data, bake::BakeSubjectPtr subject)
     : data_(data),
       subject_(std::move(subject)),
-      asked_(std::make_unique<Asked[]>(data.plan.triangles.size())) {}
+      asked_(std::make_unique<TriangleAnswer[]>(data.plan.triangles.size())) {}
 
 std::optional<bake::Case> SubjectMaps::case_without_texels(std::size_t triangle) const {
   const auto& planned = data_.plan.triangles.at(triangle);
@@ -98,7 +98,7 @@ bake::Case SubjectMaps::case_of(std::size_t triangle) const {
   return one;
 }
 
-void SubjectMaps::ask(std::size_t triangle, Asked& asked) const {
+void SubjectMaps::ask(std::size_t triangle, TriangleAnswer& asked) const {
   const auto& ours = data_.baked.triangles.at(triangle);
   const bake::Case one = case_of(triangle);
   std::optional<bake::Baked> baked;
@@ -141,7 +141,7 @@ void SubjectMaps::ask(std::size_t triangle, Asked& asked) const {
 }
 
 const WrongStates* SubjectMaps::wrong(std::size_t triangle) const {
-  Asked& asked = asked_[triangle];
+  TriangleAnswer& asked = asked_[triangle];
   std::call_once(asked.once, [&] { ask(triangle, asked); });
   return asked.answer == Answer::baked ? &asked.wrong : nullptr;
 }
@@ -149,7 +149,7 @@ const WrongStates* SubjectMaps::wrong(std::size_t triangle) const {
 SubjectTotals SubjectMaps::totals() const {
   SubjectTotals sum;
   for (std::size_t k = 0; k < data_.plan.triangles.size(); ++k) {
-    const Asked& asked = asked_[k];
+    const TriangleAnswer& asked = asked_[k];
     const Answer answer = asked.answer;
     ++sum.triangles;
     sum.outside += asks(k) ? 0 : 1;

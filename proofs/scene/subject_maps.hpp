@@ -44,18 +44,18 @@ class SubjectMaps {
 
  private:
   enum class Answer : std::uint8_t { none, declined, baked };
-  struct Asked {
+  struct TriangleAnswer {
     std::once_flag once;
     std::atomic<Answer> answer{Answer::none};
     WrongStates wrong;
     double ns = 0, our_ns = 0;
   };
-  void ask(std::size_t triangle, Asked& asked) const;
+  void ask(std::size_t triangle, TriangleAnswer& asked) const;
   std::optional<bake::Case> case_without_texels(std::size_t triangle) const;
 
   Data data_;
   bake::BakeSubjectPtr subject_;
-  std::unique_ptr<Asked[]> asked_;
+  std::unique_ptr<TriangleAnswer[]> asked_;
 };
 
 }  // namespace mmverify::proofs::scene

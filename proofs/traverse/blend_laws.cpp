@@ -79,14 +79,14 @@ struct TwoColumns {
   std::span<const std::uint32_t> one, other;
 };
 TwoColumns answers_to(const TraverseSubject& s, const Codes& c, AsksSheet asks) {
-  struct Kept {
+  struct LastColumns {
     std::uint64_t subject = 0;
     AsksSheet asks = nullptr;
     Operation operation = Operation::max;
     Code first = 0;
     CodeSheet sheet = {};
   };
-  thread_local Kept kept;
+  thread_local LastColumns kept;
   if (kept.subject != s.serial || kept.asks != asks || kept.operation != c.operation ||
       kept.first != c.first) {
     kept.subject = 0;  // until the sheet is complete, since `asks` may throw

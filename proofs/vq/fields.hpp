@@ -12,7 +12,7 @@ template <class Format>
 constexpr std::size_t entries = Format::side == 2 ? 11 : 13;  ///< codes in a codebook
 
 /// The place of a field.
-struct Place {
+struct BitField {
   std::uint32_t first, bits;
 };
 
@@ -20,8 +20,8 @@ template <class Format>
 constexpr std::size_t fields_of = 64 + 3 + entries<Format>;
 
 template <class Format>
-constexpr std::array<Place, fields_of<Format>> places = [] {
-  std::array<Place, fields_of<Format>> all{};
+constexpr std::array<BitField, fields_of<Format>> places = [] {
+  std::array<BitField, fields_of<Format>> all{};
   std::size_t at = 0;
   const std::uint32_t index_bits = Format::side == 2 ? 3 : 4;
   for (std::uint32_t k = 0; k < 64; ++k) all[at++] = {index_bits * k, index_bits};
@@ -72,7 +72,7 @@ template <class Format>
 Values<Format> values_of_bits(const BlockBytes<Format>& block) {
   Values<Format> values;
   for (std::size_t field = 0; field < values.size(); ++field) {
-    const Place& place = places<Format>[field];
+    const BitField& place = places<Format>[field];
     std::uint32_t value = 0;
     for (std::uint32_t k = 0; k < place.bits; ++k)
       value |= (block[(place.first + k) / 8] >> ((place.first + k) % 8) & 1u) << k;

@@ -110,12 +110,12 @@ void along_x(const Filters& filters, const std::array<const float*, opponents>& 
 }
 
 /// A part's texels after both filters.
-struct Seen {
+struct FilteredTexels {
   V y, xy, yz;          ///< as the eye resolves them
   V edge[2], point[2];  ///< gradients along x and along y
 };
 
-HWY_INLINE Seen along_y(const Filters& filters, Window rows, std::size_t radius, std::size_t x) {
+HWY_INLINE FilteredTexels along_y(const Filters& filters, Window rows, std::size_t radius, std::size_t x) {
   const Floats f;
   const SpatialFilters& s = filters.spatial;
   const FeatureFilters& g = filters.feature;
@@ -194,7 +194,7 @@ HWY_INLINE Both lab_f_of(const Both& t) {
 }
 
 /// The difference of colour: back to linear RGB, to L*a*b* with its a* and b* times L*/100 (Hunt), HyAB of that.
-HWY_INLINE V colour_difference(const Seen& m, const Seen& d) {
+HWY_INLINE V colour_difference(const FilteredTexels& m, const FilteredTexels& d) {
   Both rgb[3];
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector& row = rgb_of_relative_xyz[i];
@@ -224,8 +224,8 @@ void errors(const Filters& filters, const std::array<Window, parts>& windows, st
   const Floats f;
   const double greatest = greatest_difference(), bend = p_c * greatest;
   for (std::size_t x = 0; x < piece; x += hn::Lanes(f)) {
-    const Seen m = along_y(filters, windows[middle], radius, x),
-               d = along_y(filters, windows[difference], radius, x);
+    const FilteredTexels m = along_y(filters, windows[middle], radius, x),
+                         d = along_y(filters, windows[difference], radius, x);
     const V apart = power(colour_difference(m, d), all(q_c));
     const V below = hn::Mul(apart, all(p_t / bend));
     const V above = plus_product(all(p_t), hn::Sub(apart, all(bend)), all((1 - p_t) / (greatest - bend)));

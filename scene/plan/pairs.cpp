@@ -33,8 +33,8 @@ class Matcher {
   explicit Matcher(const Primitive& primitive) : primitive_(primitive) {}
 
   /// Calls found(lower, its order, upper, its order) for each pair; returns the number of unpaired triangles.
-  template <class Found>
-  std::uint64_t each(Found found) {
+  template <class Match>
+  std::uint64_t each(Match found) {
     const std::size_t count = primitive_.triangles.size();
     std::unordered_map<Edge, std::vector<std::size_t>, Hash> open;  // triangles by their edges
     for (std::size_t t = 0; t < count; ++t)
@@ -85,8 +85,8 @@ class Matcher {
     return best;
   }
 
-  template <class Found>
-  void pair(std::size_t t, std::uint8_t apex, std::size_t other, Found found) const {
+  template <class Match>
+  void pair(std::size_t t, std::uint8_t apex, std::size_t other, Match found) const {
     const auto next = [](std::uint8_t k, unsigned by) { return static_cast<std::uint8_t>((k + by) % 3); };
     const Edge shared = edge(t, apex);
     std::uint8_t far = 0;

@@ -42,7 +42,7 @@ std::size_t UvDuplicates::Hash::operator()(const Key& key) const {
   return static_cast<std::size_t>(hash ^ hash >> 32);
 }
 
-UvDuplicates::Found UvDuplicates::add(std::uint32_t surface, const UvTriangle& given,
+UvDuplicates::Match UvDuplicates::add(std::uint32_t surface, const UvTriangle& given,
                                       const Periods& periods) {
   UvTriangle uvs = given;
   for (Uv& corner : uvs)

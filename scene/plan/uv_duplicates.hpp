@@ -22,7 +22,7 @@ Periods periods(const Sampler& sampler);
 /// corners exactly.  A shift that would round a corner gives another triangle.
 class UvDuplicates {
  public:
-  struct Found {
+  struct Match {
     std::size_t number;  ///< of the distinct triangle
     VertexOrder order;   ///< from its vertices to those of the first equal triangle; of several that fit,
                          ///< the first in lexical order
@@ -31,7 +31,7 @@ class UvDuplicates {
 
   /// `surface` separates triangles on different textures, and `periods` are those of its sampler.  Domain:
   /// UVs not NaN.
-  Found add(std::uint32_t surface, const UvTriangle& uvs, const Periods& periods = {0, 0});
+  Match add(std::uint32_t surface, const UvTriangle& uvs, const Periods& periods = {0, 0});
 
   std::size_t size() const { return distinct_.size(); }
 

@@ -107,7 +107,7 @@ class Collector {
   using Key = std::tuple<std::size_t, std::size_t, VertexOrder, std::size_t, std::uint64_t, bool>;
 
   void add(MapLink link, const PlannedTriangle& triangle, const std::optional<micromap::State>& special) {
-    const UvDuplicates::Found same =
+    const UvDuplicates::Match same =
         uvs_.add(triangle.surface, triangle.uvs, periods(all_.plan.surfaces[triangle.surface].sampler));
     const Key key{link.primitive,
                   same.number,

@@ -28,9 +28,9 @@ namespace mmverify::spec::attribute {
 
 using bake::BaseTriangle;
 using bake::Filter;
-using bake::Place;
 using bake::Polygon;
 using bake::TextureOf;
+using bake::TexturePoint;
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Shares
@@ -57,7 +57,7 @@ Q mean(const TextureOf<Texel>& t, const Shares<Q>& shares) {
 
 /// The shares of the sampler at a point: nearest, the texel that owns it; bilinear, (1-x)(1-y), x(1-y), (1-x)y, xy.
 template <class Q>
-Shares<Q> shares_at(const Place<Q>& p, Filter filter) {
+Shares<Q> shares_at(const TexturePoint<Q>& p, Filter filter) {
   if (filter == Filter::nearest) return {{bake::floored(p.x), bake::floored(p.y), Q(1)}};
   const std::int64_t i = bake::cell_at(p.x), j = bake::cell_at(p.y);
   const Q x = p.x - fraction<Q>(2 * i + 1, 2), y = p.y - fraction<Q>(2 * j + 1, 2), one(1);
@@ -74,7 +74,7 @@ Shares<Q> shares_at(const Place<Q>& p, Filter filter) {
 /// A triangle in the texture as the image of s, t >= 0, s + t <= 1.
 template <class Q>
 struct Image {
-  Place<Q> corner, along_s, along_t;
+  TexturePoint<Q> corner, along_s, along_t;
 
   /// Errors: std::out_of_range without three corners.
   explicit Image(const Polygon<Q>& corners)
@@ -82,8 +82,8 @@ struct Image {
         along_s{corners.at(1).x - corner.x, corners.at(1).y - corner.y},
         along_t{corners.at(2).x - corner.x, corners.at(2).y - corner.y} {}
 
-  Q x(const Place<Q>& st) const { return corner.x + st.x * along_s.x + st.y * along_t.x; }
-  Q y(const Place<Q>& st) const { return corner.y + st.x * along_s.y + st.y * along_t.y; }
+  Q x(const TexturePoint<Q>& st) const { return corner.x + st.x * along_s.x + st.y * along_t.x; }
+  Q y(const TexturePoint<Q>& st) const { return corner.y + st.x * along_s.y + st.y * along_t.y; }
 };
 
 /// The whole triangle, in (s, t).
@@ -97,7 +97,7 @@ template <class Q>
 Q double_area(const Polygon<Q>& polygon) {
   Q sum(0);
   for (std::size_t k = 2; k < polygon.size(); ++k) {
-    const Place<Q>&p = polygon[0], &q = polygon[k - 1], &r = polygon[k];
+    const TexturePoint<Q>&p = polygon[0], &q = polygon[k - 1], &r = polygon[k];
     sum += (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   }
   return sum < 0 ? Q(-sum) : sum;
@@ -107,15 +107,17 @@ Q double_area(const Polygon<Q>& polygon) {
 /// height - offset = k + 1 belongs to the next strip.
 template <class Q, class Height, class Visit>
 void for_each_strip(const Polygon<Q>& polygon, Height height, const Q& offset, Visit visit) {
-  const auto whole = [&](const Place<Q>& p) { return bake::floored(Q(height(p) - offset)); };
+  const auto whole = [&](const TexturePoint<Q>& p) { return bake::floored(Q(height(p) - offset)); };
   std::vector<std::int64_t> wholes;
-  for (const Place<Q>& p : polygon) wholes.push_back(whole(p));
+  for (const TexturePoint<Q>& p : polygon) wholes.push_back(whole(p));
   const auto [least, greatest] = std::minmax_element(wholes.begin(), wholes.end());
   for (std::int64_t k = *least; k <= *greatest; ++k) {
     const Q low = fraction<Q>(k, 1) + offset, high = fraction<Q>(k + 1, 1) + offset;
-    const Polygon<Q> above = bake::clipped(polygon, [&](const Place<Q>& p) { return Q(height(p) - low); });
-    const Polygon<Q> part = bake::clipped(above, [&](const Place<Q>& p) { return Q(high - height(p)); });
-    if (std::any_of(part.begin(), part.end(), [&](const Place<Q>& p) { return whole(p) <= k; }))
+    const Polygon<Q> above =
+        bake::clipped(polygon, [&](const TexturePoint<Q>& p) { return Q(height(p) - low); });
+    const Polygon<Q> part =
+        bake::clipped(above, [&](const TexturePoint<Q>& p) { return Q(high - height(p)); });
+    if (std::any_of(part.begin(), part.end(), [&](const TexturePoint<Q>& p) { return whole(p) <= k; }))
       visit(k, part);
   }
 }
@@ -124,11 +126,11 @@ void for_each_strip(const Polygon<Q>& polygon, Height height, const Q& offset, V
 /// meets, with that part in (s, t); a square met by its high sides alone is left out.
 template <class Q, class Visit>
 void for_each_part(const Image<Q>& image, const Q& offset, Visit visit) {
-  const auto x = [&](const Place<Q>& p) { return image.x(p); };
-  const auto y = [&](const Place<Q>& p) { return image.y(p); };
+  const auto x = [&](const TexturePoint<Q>& p) { return image.x(p); };
+  const auto y = [&](const TexturePoint<Q>& p) { return image.y(p); };
   for_each_strip(unit_triangle<Q>(), y, offset, [&](std::int64_t j, const Polygon<Q>& row) {
     for_each_strip(row, x, offset, [&](std::int64_t i, const Polygon<Q>& part) {
-      const auto reached = [&](const Place<Q>& p) { return bake::floored(Q(y(p) - offset)) <= j; };
+      const auto reached = [&](const TexturePoint<Q>& p) { return bake::floored(Q(y(p) - offset)) <= j; };
       if (std::any_of(part.begin(), part.end(), reached)) visit(i, j, part);
     });
   });
@@ -146,11 +148,11 @@ template <class Q, class F>
 Q integral(const Polygon<Q>& polygon, F f) {
   Q sum(0);
   const Q half = fraction<Q>(1, 2), third = fraction<Q>(1, 3);
-  const auto middle = [&](const Place<Q>& p, const Place<Q>& q) {
-    return Place<Q>{(p.x + q.x) * half, (p.y + q.y) * half};
+  const auto middle = [&](const TexturePoint<Q>& p, const TexturePoint<Q>& q) {
+    return TexturePoint<Q>{(p.x + q.x) * half, (p.y + q.y) * half};
   };
   for (std::size_t k = 2; k < polygon.size(); ++k) {
-    const Place<Q>&p = polygon[0], &q = polygon[k - 1], &r = polygon[k];
+    const TexturePoint<Q>&p = polygon[0], &q = polygon[k - 1], &r = polygon[k];
     sum += double_area(Polygon<Q>{p, q, r}) * third * (f(middle(p, q)) + f(middle(q, r)) + f(middle(r, p)));
   }
   return sum;
@@ -171,10 +173,10 @@ Shares<Q> shares_on(const Polygon<Q>& corners, Filter filter) {
       return;
     }
     const Q column = fraction<Q>(2 * i + 1, 2), row = fraction<Q>(2 * j + 1, 2);
-    const auto x = [&](const Place<Q>& p) { return Q(image.x(p) - column); };
-    const auto y = [&](const Place<Q>& p) { return Q(image.y(p) - row); };
+    const auto x = [&](const TexturePoint<Q>& p) { return Q(image.x(p) - column); };
+    const auto y = [&](const TexturePoint<Q>& p) { return Q(image.y(p) - row); };
     const Q right = integral(part, x), below = integral(part, y),
-            across = integral(part, [&](const Place<Q>&p) { return Q(x(p) * y(p)); });
+            across = integral(part, [&](const TexturePoint<Q>&p) { return Q(x(p) * y(p)); });
     shares.push_back({i, j, all - right - below + across});
     shares.push_back({i + 1, j, right - across});
     shares.push_back({i, j + 1, below - across});
@@ -190,13 +192,13 @@ Shares<Q> shares_on(const Polygon<Q>& corners, Filter filter) {
 /// The place of micro-vertex (i, j), in texels:  (P + i/N (Q - P) + j/N (R - P)) x (width, height).
 /// Domain: i + j <= 2^n, n in 0..16.
 template <class Q>
-Place<Q> micro_vertex(const BaseTriangle<Q>& uv, Level n, const index::Vertex& at, std::uint32_t width,
-                      std::uint32_t height) {
+TexturePoint<Q> micro_vertex(const BaseTriangle<Q>& uv, Level n, const index::Vertex& at, std::uint32_t width,
+                             std::uint32_t height) {
   const Q i = fraction<Q>(at.i, side(n)), j = fraction<Q>(at.j, side(n));
-  const auto along = [&](Q Place<Q>::*axis) {
+  const auto along = [&](Q TexturePoint<Q>::*axis) {
     return uv[0].*axis + i * (uv[1].*axis - uv[0].*axis) + j * (uv[2].*axis - uv[0].*axis);
   };
-  return {along(&Place<Q>::x) * Q(width), along(&Place<Q>::y) * Q(height)};
+  return {along(&TexturePoint<Q>::x) * Q(width), along(&TexturePoint<Q>::y) * Q(height)};
 }
 
 /// The number at micro-vertex (i, j).

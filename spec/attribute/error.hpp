@@ -23,18 +23,18 @@ namespace mmverify::spec::attribute {
 /// The error over a micro-triangle.
 template <class Q>
 struct Error {
-  Q largest;    ///< greatest |e|; with nearest filtering the supremum
-  Place<Q> at;  ///< the (s, t) of the greatest |e|
-  Q square;     ///< the mean of e^2
+  Q largest;           ///< greatest |e|; with nearest filtering the supremum
+  TexturePoint<Q> at;  ///< the (s, t) of the greatest |e|
+  Q square;            ///< the mean of e^2
 };
 
 /// 2 integral of e^2 over a triangle.  Domain: e of degree 2 at most.
 ///   area / 180 x (6 e_k^2 - 2 e_k e_l - 8 e_k m_k + 32 m_k^2 + 32 m_k m_l),  m_k in the middle of the edge opposite k
 template <class Q, class F>
-Q square_integral(const Place<Q>& p, const Place<Q>& q, const Place<Q>& r, F e) {
+Q square_integral(const TexturePoint<Q>& p, const TexturePoint<Q>& q, const TexturePoint<Q>& r, F e) {
   const Q half = fraction<Q>(1, 2);
-  const auto middle = [&](const Place<Q>& a, const Place<Q>& b) {
-    return Place<Q>{(a.x + b.x) * half, (a.y + b.y) * half};
+  const auto middle = [&](const TexturePoint<Q>& a, const TexturePoint<Q>& b) {
+    return TexturePoint<Q>{(a.x + b.x) * half, (a.y + b.y) * half};
   };
   const std::array<Q, 3> c{e(p), e(q), e(r)}, m{e(middle(q, r)), e(middle(r, p)), e(middle(p, q))};
   Q form(0);
@@ -58,17 +58,19 @@ Error<Q> error_on(const TextureOf<Texel>& t, const Polygon<Q>& corners, const Sh
   const Image<Q> image(corners);
   Error<Q> error{Q(-1), {Q(0), Q(0)}, Q(0)};
   const auto judge = [&](const Polygon<Q>& part, auto texture) {
-    const auto e = [&](const Place<Q>& p) {
-      return Q(texture(Place<Q>{image.x(p), image.y(p)}) -
+    const auto e = [&](const TexturePoint<Q>& p) {
+      return Q(texture(TexturePoint<Q>{image.x(p), image.y(p)}) -
                (shown[0] + p.x * (shown[1] - shown[0]) + p.y * (shown[2] - shown[0])));
     };
-    const auto take = [&](const Place<Q>& p) {
+    const auto take = [&](const TexturePoint<Q>& p) {
       const Q here = e(p), size = here < 0 ? Q(-here) : here;
       if (size > error.largest) error.largest = size, error.at = p;
     };
     for (std::size_t k = 0; k < part.size(); ++k) {
-      const Place<Q>&p = part[k], &q = part[(k + 1) % part.size()];
-      const auto along = [&](const Q& f) { return Place<Q>{p.x + f * (q.x - p.x), p.y + f * (q.y - p.y)}; };
+      const TexturePoint<Q>&p = part[k], &q = part[(k + 1) % part.size()];
+      const auto along = [&](const Q& f) {
+        return TexturePoint<Q>{p.x + f * (q.x - p.x), p.y + f * (q.y - p.y)};
+      };
       take(p);
       // e = e0 + l f + k f^2 on the edge.
       const Q e0 = e(p), em = e(along(fraction<Q>(1, 2))), e1 = e(q), two(2);
@@ -84,10 +86,10 @@ Error<Q> error_on(const TextureOf<Texel>& t, const Polygon<Q>& corners, const Sh
                 [&](std::int64_t i, std::int64_t j, const Polygon<Q>& part) {
                   if (t.filter == Filter::nearest) {
                     const Q c = bake::texel<Q>(t, i, j);
-                    judge(part, [&](const Place<Q>&) { return c; });
+                    judge(part, [&](const TexturePoint<Q>&) { return c; });
                   } else {
                     const bake::Cell<Q> cell(t, i, j);
-                    judge(part, [&](const Place<Q>& p) { return cell.alpha(cell.local(p)); });
+                    judge(part, [&](const TexturePoint<Q>& p) { return cell.alpha(cell.local(p)); });
                   }
                 });
   return error;

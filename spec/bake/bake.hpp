@@ -26,7 +26,7 @@ namespace mmverify::spec::bake {
 
 /// A point of the texture, in texels.
 template <class Q>
-struct Place {
+struct TexturePoint {
   Q x, y;
 };
 
@@ -54,8 +54,8 @@ struct Cell {
     d = a - right - below + across;
   }
   /// The place p in the cell's coordinates.
-  Place<Q> local(const Place<Q>& p) const { return {p.x - along(i), p.y - along(j)}; }
-  Q alpha(const Place<Q>& l) const { return a + b * l.x + c * l.y + d * l.x * l.y; }
+  TexturePoint<Q> local(const TexturePoint<Q>& p) const { return {p.x - along(i), p.y - along(j)}; }
+  Q alpha(const TexturePoint<Q>& l) const { return a + b * l.x + c * l.y + d * l.x * l.y; }
 
   /// The coordinate at which cell k begins along an axis.
   static Q along(std::int64_t k) { return fraction<Q>(2 * k + 1, 2); }
@@ -69,7 +69,7 @@ std::int64_t cell_at(const Q& x) {
 
 /// Alpha at a point.
 template <class Q, class Texel>
-Q alpha(const TextureOf<Texel>& t, const Place<Q>& p) {
+Q alpha(const TextureOf<Texel>& t, const TexturePoint<Q>& p) {
   if (t.filter == Filter::nearest) return texel<Q>(t, floored(p.x), floored(p.y));
   const Cell<Q> cell(t, cell_at(p.x), cell_at(p.y));
   return cell.alpha(cell.local(p));
@@ -82,14 +82,14 @@ Q alpha(const TextureOf<Texel>& t, const Place<Q>& p) {
 /// A convex and closed polygon, its corners in order, either way round.  One corner is a point, two are a segment, and
 /// corners may repeat: nothing below needs an interior.
 template <class Q>
-using Polygon = std::vector<Place<Q>>;
+using Polygon = std::vector<TexturePoint<Q>>;
 
 /// The part with height >= 0; empty if there is none.  Domain: `height` is affine in the place.
 template <class Q, class Height>
 Polygon<Q> clipped(const Polygon<Q>& polygon, Height height) {
   Polygon<Q> part;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Place<Q>&from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
+    const TexturePoint<Q>&from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
     const Q h = height(from), next = height(to);
     if (h >= 0) part.push_back(from);
     if ((h > 0 && next < 0) || (h < 0 && next > 0)) {
@@ -102,16 +102,16 @@ Polygon<Q> clipped(const Polygon<Q>& polygon, Height height) {
 
 /// The part with low <= x <= high, or low <= y <= high.
 template <class Q>
-Polygon<Q> clipped(const Polygon<Q>& polygon, Q Place<Q>::*axis, const Q& low, const Q& high) {
-  return clipped(clipped(polygon, [&](const Place<Q>& p) { return p.*axis - low; }),
-                 [&](const Place<Q>& p) { return high - p.*axis; });
+Polygon<Q> clipped(const Polygon<Q>& polygon, Q TexturePoint<Q>::*axis, const Q& low, const Q& high) {
+  return clipped(clipped(polygon, [&](const TexturePoint<Q>& p) { return p.*axis - low; }),
+                 [&](const TexturePoint<Q>& p) { return high - p.*axis; });
 }
 
 /// Whether a polygon is more than a point or a segment.
 template <class Q>
 bool has_area(const Polygon<Q>& polygon) {
   for (std::size_t k = 2; k < polygon.size(); ++k) {
-    const Place<Q>&p = polygon[0], &q = polygon[k - 1], &r = polygon[k];
+    const TexturePoint<Q>&p = polygon[0], &q = polygon[k - 1], &r = polygon[k];
     if ((q.x - p.x) * (r.y - p.y) != (q.y - p.y) * (r.x - p.x)) return true;
   }
   return false;
@@ -119,9 +119,9 @@ bool has_area(const Polygon<Q>& polygon) {
 
 /// The centroid: the mean of the corners.
 template <class Q>
-Place<Q> centroid(const Polygon<Q>& polygon) {
-  Place<Q> sum{0, 0};
-  for (const Place<Q>& p : polygon) sum = {sum.x + p.x, sum.y + p.y};
+TexturePoint<Q> centroid(const Polygon<Q>& polygon) {
+  TexturePoint<Q> sum{0, 0};
+  for (const TexturePoint<Q>& p : polygon) sum = {sum.x + p.x, sum.y + p.y};
   const Q share = fraction<Q>(1, static_cast<std::int64_t>(polygon.size()));
   return {sum.x * share, sum.y * share};
 }
@@ -130,19 +130,19 @@ Place<Q> centroid(const Polygon<Q>& polygon) {
 /// Domain: any points.  Source: A. M. Andrew, Another Efficient Algorithm for Convex Hulls in Two Dimensions.
 template <class Q>
 Polygon<Q> hull(Polygon<Q> points) {
-  const auto before = [](const Place<Q>& p, const Place<Q>& q) {
+  const auto before = [](const TexturePoint<Q>& p, const TexturePoint<Q>& q) {
     return p.x < q.x || (p.x == q.x && p.y < q.y);
   };
-  const auto left_of = [](const Place<Q>& p, const Place<Q>& q, const Place<Q>& r) {
+  const auto left_of = [](const TexturePoint<Q>& p, const TexturePoint<Q>& q, const TexturePoint<Q>& r) {
     return (q.x - p.x) * (r.y - p.y) > (q.y - p.y) * (r.x - p.x);
   };
   std::sort(points.begin(), points.end(), before);
-  const auto same = [&](const Place<Q>& p, const Place<Q>& q) { return !before(p, q); };
+  const auto same = [&](const TexturePoint<Q>& p, const TexturePoint<Q>& q) { return !before(p, q); };
   points.erase(std::unique(points.begin(), points.end(), same), points.end());
   Polygon<Q> corners;
   for (int chain = 0; chain < 2; ++chain) {
     const std::size_t begin = corners.size();
-    for (const Place<Q>& p : points) {
+    for (const TexturePoint<Q>& p : points) {
       while (corners.size() >= begin + 2 && !left_of(corners.end()[-2], corners.back(), p))
         corners.pop_back();
       corners.push_back(p);
@@ -161,7 +161,7 @@ Polygon<Q> dilated(const Polygon<Q>& polygon, const Q& margin) {
   if (margin < 0) throw std::invalid_argument("bake: a margin below 0");
   if (margin == 0) return polygon;
   Polygon<Q> points;
-  for (const Place<Q>& p : polygon)
+  for (const TexturePoint<Q>& p : polygon)
     for (const Q& x : {Q(p.x - margin), Q(p.x + margin)})
       for (const Q& y : {Q(p.y - margin), Q(p.y + margin)}) points.push_back({x, y});
   return hull(points);
@@ -192,7 +192,7 @@ template <class Q>
 Range<Q> range(const Cell<Q>& cell, const Polygon<Q>& local) {
   Range<Q> found(cell.alpha(local.at(0)));
   for (std::size_t corner = 0; corner < local.size(); ++corner) {
-    const Place<Q>&p = local[corner], &q = local[(corner + 1) % local.size()];
+    const TexturePoint<Q>&p = local[corner], &q = local[(corner + 1) % local.size()];
     const Q x = q.x - p.x, y = q.y - p.y;
     const Q k = cell.d * x * y, l = cell.b * x + cell.c * y + cell.d * (p.x * y + p.y * x);
     found.take(cell.alpha(p));
@@ -205,10 +205,11 @@ Range<Q> range(const Cell<Q>& cell, const Polygon<Q>& local) {
 
 /// The least and greatest whole part of a polygon's coordinates along an axis, each less `offset`.
 template <class Q>
-std::pair<std::int64_t, std::int64_t> ends(const Polygon<Q>& polygon, Q Place<Q>::*axis, const Q& offset) {
-  const auto [low, high] =
-      std::minmax_element(polygon.begin(), polygon.end(),
-                          [axis](const Place<Q>& p, const Place<Q>& q) { return p.*axis < q.*axis; });
+std::pair<std::int64_t, std::int64_t> ends(const Polygon<Q>& polygon, Q TexturePoint<Q>::*axis,
+                                           const Q& offset) {
+  const auto [low, high] = std::minmax_element(
+      polygon.begin(), polygon.end(),
+      [axis](const TexturePoint<Q>& p, const TexturePoint<Q>& q) { return p.*axis < q.*axis; });
   return {floored((*low).*axis - offset), floored((*high).*axis - offset)};
 }
 
@@ -218,17 +219,17 @@ std::pair<std::int64_t, std::int64_t> ends(const Polygon<Q>& polygon, Q Place<Q>
 /// another comes below both midway between.
 template <class Q, class Visit>
 void for_each_square(const Polygon<Q>& polygon, const Q& offset, Visit visit) {
-  const auto [top, bottom] = ends(polygon, &Place<Q>::y, offset);
+  const auto [top, bottom] = ends(polygon, &TexturePoint<Q>::y, offset);
   for (std::int64_t j = top; j <= bottom; ++j) {
     const Polygon<Q> row =
-        clipped(polygon, &Place<Q>::y, fraction<Q>(j, 1) + offset, fraction<Q>(j + 1, 1) + offset);
-    if (row.empty() || ends(row, &Place<Q>::y, offset).first > j) continue;
-    const auto [left, right] = ends(row, &Place<Q>::x, offset);
+        clipped(polygon, &TexturePoint<Q>::y, fraction<Q>(j, 1) + offset, fraction<Q>(j + 1, 1) + offset);
+    if (row.empty() || ends(row, &TexturePoint<Q>::y, offset).first > j) continue;
+    const auto [left, right] = ends(row, &TexturePoint<Q>::x, offset);
     for (std::int64_t i = left; i <= right; ++i) {
       const Polygon<Q> part =
-          clipped(row, &Place<Q>::x, fraction<Q>(i, 1) + offset, fraction<Q>(i + 1, 1) + offset);
-      if (part.empty() || ends(part, &Place<Q>::x, offset).first > i ||
-          ends(part, &Place<Q>::y, offset).first > j)
+          clipped(row, &TexturePoint<Q>::x, fraction<Q>(i, 1) + offset, fraction<Q>(i + 1, 1) + offset);
+      if (part.empty() || ends(part, &TexturePoint<Q>::x, offset).first > i ||
+          ends(part, &TexturePoint<Q>::y, offset).first > j)
         continue;
       visit(i, j, part);
     }
@@ -252,7 +253,7 @@ void for_each_part(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Visit v
     // Cells may leave out their high sides: their neighbours have the same alpha there.
     for_each_square(polygon, fraction<Q>(1, 2), [&](std::int64_t i, std::int64_t j, Polygon<Q> part) {
       const Cell<Q> cell(t, i, j);
-      for (Place<Q>& p : part) p = cell.local(p);
+      for (TexturePoint<Q>& p : part) p = cell.local(p);
       visit(part, range(cell, part));
     });
 }

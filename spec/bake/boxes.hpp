@@ -134,7 +134,7 @@ bool is_whole(const BoxPart<Q>& one, const Q& offset) {
   for (const std::int64_t column : {one.box.columns.first, one.box.columns.last + 1})
     for (const std::int64_t row : {one.box.rows.first, one.box.rows.last + 1}) {
       const Q x = fraction<Q>(column, 1) + offset, y = fraction<Q>(row, 1) + offset;
-      const auto is_corner = [&](const Place<Q>& p) { return p.x == x && p.y == y; };
+      const auto is_corner = [&](const TexturePoint<Q>& p) { return p.x == x && p.y == y; };
       if (std::none_of(one.part.begin(), one.part.end(), is_corner)) return false;
     }
   return true;
@@ -144,18 +144,19 @@ bool is_whole(const BoxPart<Q>& one, const Q& offset) {
 /// high side: that side is its neighbour's low side.
 template <class Q, class Take>
 void halves(const BoxPart<Q>& one, bool by_column, const Q& offset, Take take) {
-  Q Place<Q>::*const axis = by_column ? &Place<Q>::x : &Place<Q>::y;
+  Q TexturePoint<Q>::*const axis = by_column ? &TexturePoint<Q>::x : &TexturePoint<Q>::y;
   const Interval& all = by_column ? one.box.columns : one.box.rows;
   const std::int64_t middle = all.first + all.size() / 2;
   const Q line = fraction<Q>(middle, 1) + offset;
   for (const bool low : {true, false}) {
-    BoxPart<Q> half{
-        one.box, clipped(one.part, [&](const Place<Q>& p) { return low ? line - p.*axis : p.*axis - line; })};
+    BoxPart<Q> half{one.box, clipped(one.part, [&](const TexturePoint<Q>& p) {
+                      return low ? line - p.*axis : p.*axis - line;
+                    })};
     (by_column ? half.box.columns : half.box.rows) =
         low ? Interval{all.first, middle - 1} : Interval{middle, all.last};
     if (half.part.empty()) continue;
-    if (ends(half.part, &Place<Q>::x, offset).first > half.box.columns.last) continue;
-    if (ends(half.part, &Place<Q>::y, offset).first > half.box.rows.last) continue;
+    if (ends(half.part, &TexturePoint<Q>::x, offset).first > half.box.columns.last) continue;
+    if (ends(half.part, &TexturePoint<Q>::y, offset).first > half.box.rows.last) continue;
     take(std::move(half));
   }
 }
@@ -184,8 +185,8 @@ void for_each_box(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Settled 
   if (t.alpha.empty() || t.alpha.size() != static_cast<std::size_t>(t.width) * t.height)
     throw std::invalid_argument("bake: the texels are not width x height");
   const Q offset = t.filter == Filter::bilinear ? fraction<Q>(1, 2) : Q(0);
-  const auto [left, right] = ends(polygon, &Place<Q>::x, offset);
-  const auto [top, bottom] = ends(polygon, &Place<Q>::y, offset);
+  const auto [left, right] = ends(polygon, &TexturePoint<Q>::x, offset);
+  const auto [top, bottom] = ends(polygon, &TexturePoint<Q>::y, offset);
   std::deque<BoxPart<Q>> boxes{{{{left, right}, {top, bottom}}, polygon}};
   for (; !boxes.empty(); boxes.pop_front()) {
     const BoxPart<Q>& one = boxes.front();
@@ -206,10 +207,10 @@ inline constexpr std::int64_t few_squares = 8;
 
 /// Whether a convex polygon with an area holds a place.
 template <class Q>
-bool holds(const Polygon<Q>& polygon, const Place<Q>& p) {
+bool holds(const Polygon<Q>& polygon, const TexturePoint<Q>& p) {
   bool left = false, right = false;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Place<Q>&from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
+    const TexturePoint<Q>&from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
     const Q side = (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
     (side > 0 ? left : right) |= side != 0;
   }
@@ -226,7 +227,7 @@ std::int64_t nearest_index(Wrap wrap, std::int64_t index, std::uint32_t size, co
 
 /// Whether the centre of a texel, or of one that means the same, lies in the part of a box.
 template <class Q, class Texel>
-bool has_centre(const TextureOf<Texel>& t, const Polygon<Q>& part, const Place<Q>& middle,
+bool has_centre(const TextureOf<Texel>& t, const Polygon<Q>& part, const TexturePoint<Q>& middle,
                 const TexelAt<Texel>& at) {
   return holds(part, {Cell<Q>::along(nearest_index(t.wrap_x, at.i, t.width, middle.x)),
                       Cell<Q>::along(nearest_index(t.wrap_y, at.j, t.height, middle.y))});
@@ -237,7 +238,7 @@ template <class Q, class Texel>
 Range<Q> range_in_square(const TextureOf<Texel>& t, std::int64_t i, std::int64_t j, Polygon<Q> part) {
   if (t.filter == Filter::nearest) return Range<Q>(texel<Q>(t, i, j));
   const Cell<Q> cell(t, i, j);
-  for (Place<Q>& p : part) p = cell.local(p);
+  for (TexturePoint<Q>& p : part) p = cell.local(p);
   return range(cell, part);
 }
 

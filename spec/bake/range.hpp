@@ -37,7 +37,7 @@ Range<Q> range(const TextureOf<Texel>& t, const Polygon<Q>& polygon, Enough enou
         if (rows == 1 || few.rows.size() == 1) return settle_strip(t, one, true, take, known);
         if (columns == 1 || few.columns.size() == 1) return settle_strip(t, one, false, take, known);
         // A long part holds most texels, wherever it lies.
-        const Place<Q> middle = centroid(one.part);
+        const TexturePoint<Q> middle = centroid(one.part);
         for (const TexelAt<Texel>& at : {texels.least, texels.greatest})
           if (has_centre(t, one.part, middle, at)) take(Range<Q>(texel<Q>(t, at.i, at.j)));
         return known(bound);

@@ -106,7 +106,7 @@ State open_nearest(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const M
           take(open_strip(t, one, one.box.rows.size() == 1));
           return true;
         }
-        const Place<Q> middle = centroid(one.part);
+        const TexturePoint<Q> middle = centroid(one.part);
         for (const TexelAt<Texel>& at : {texels.least, texels.greatest})
           if (has_centre(t, one.part, middle, at)) take(Range<Q>(texel<Q>(t, at.i, at.j)));
         return all == State::C;
@@ -149,10 +149,10 @@ State open_state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Mod
 
 /// Texture coordinates (u, v) of a base triangle's vertices; any three points, in any order.
 template <class Q>
-using BaseTriangle = std::array<Place<Q>, 3>;
+using BaseTriangle = std::array<TexturePoint<Q>, 3>;
 
 template <class Q>
-Place<Q> place(Binary32 u, Binary32 v) {
+TexturePoint<Q> place(Binary32 u, Binary32 v) {
   return {number<Q>(u), number<Q>(v)};
 }
 
@@ -165,10 +165,10 @@ Polygon<Q> micro_triangle(const BaseTriangle<Q>& uv, Level n, std::uint32_t inde
   Polygon<Q> polygon;
   for (const index::Vertex& vertex : index::corners(index, n)) {
     const Q i = fraction<Q>(vertex.i, side(n)), j = fraction<Q>(vertex.j, side(n));
-    const auto along = [&](Q Place<Q>::*axis) {
+    const auto along = [&](Q TexturePoint<Q>::*axis) {
       return uv[0].*axis + i * (uv[1].*axis - uv[0].*axis) + j * (uv[2].*axis - uv[0].*axis);
     };
-    polygon.push_back({along(&Place<Q>::x) * Q(width), along(&Place<Q>::y) * Q(height)});
+    polygon.push_back({along(&TexturePoint<Q>::x) * Q(width), along(&TexturePoint<Q>::y) * Q(height)});
   }
   return polygon;
 }

@@ -13,7 +13,7 @@ namespace mmverify::spec::bake {
 /// An axis of the texture: a strip's long one, or the other.
 template <class Q>
 struct Axis {
-  Q Place<Q>::*along;
+  Q TexturePoint<Q>::*along;
   Interval Box::*squares;
   Wrap wrap;
   std::uint32_t size;
@@ -21,22 +21,22 @@ struct Axis {
 
 template <class Q, class Texel>
 std::array<Axis<Q>, 2> axes(const TextureOf<Texel>& t, bool along_x) {
-  const Axis<Q> x{&Place<Q>::x, &Box::columns, t.wrap_x, t.width},
-      y{&Place<Q>::y, &Box::rows, t.wrap_y, t.height};
+  const Axis<Q> x{&TexturePoint<Q>::x, &Box::columns, t.wrap_x, t.width},
+      y{&TexturePoint<Q>::y, &Box::rows, t.wrap_y, t.height};
   return along_x ? std::array{x, y} : std::array{y, x};
 }
 
 /// The least and the greatest coordinate of a polygon.
 template <class Q>
-Range<Q> extent(const Polygon<Q>& polygon, Q Place<Q>::*axis) {
+Range<Q> extent(const Polygon<Q>& polygon, Q TexturePoint<Q>::*axis) {
   Range<Q> all(polygon.at(0).*axis);
-  for (const Place<Q>& p : polygon) all.take(p.*axis);
+  for (const TexturePoint<Q>& p : polygon) all.take(p.*axis);
   return all;
 }
 
 /// The part of a polygon where a coordinate has one value: a segment.
 template <class Q>
-Polygon<Q> slice(const Polygon<Q>& polygon, Q Place<Q>::*axis, const Q& at) {
+Polygon<Q> slice(const Polygon<Q>& polygon, Q TexturePoint<Q>::*axis, const Q& at) {
   return clipped(polygon, axis, at, at);
 }
 
@@ -46,7 +46,7 @@ template <class Q, class Texel, class Take>
 void take_constant_strip(const TextureOf<Texel>& t, const BoxPart<Q>& one, const Axis<Q>& axis, Take take) {
   const Range<Q> all = extent(one.part, axis.along);
   const auto alpha_at = [&](const Q& at) {
-    Place<Q> p = one.part[0];
+    TexturePoint<Q> p = one.part[0];
     p.*axis.along = at;
     take(Range<Q>(alpha(t, p)));
   };
@@ -73,7 +73,7 @@ StripBound<Q> bound_of(const TextureOf<Texel>& t, const BoxPart<Q>& one, const s
   std::optional<StripBound<Q>> found;
   for (std::int64_t k = indices.first; k <= indices.last; ++k)
     for (const Q& at : {across.least, across.greatest}) {
-      Place<Q> p;
+      TexturePoint<Q> p;
       p.*axis[0].along = Cell<Q>::along(k);
       p.*axis[1].along = at;
       const Q here = alpha(t, p);
@@ -94,7 +94,7 @@ bool is_rectangle(const BoxPart<Q>& one, const std::array<Axis<Q>, 2>& axis) {
     return false;
   for (const Q& a : {along.least, along.greatest})
     for (const Q& b : {across.least, across.greatest}) {
-      const auto is_corner = [&](const Place<Q>& p) {
+      const auto is_corner = [&](const TexturePoint<Q>& p) {
         return p.*axis[0].along == a && p.*axis[1].along == b;
       };
       if (std::none_of(one.part.begin(), one.part.end(), is_corner)) return false;
@@ -106,17 +106,19 @@ bool is_rectangle(const BoxPart<Q>& one, const std::array<Axis<Q>, 2>& axis) {
 template <class Q, class Texel, class Take>
 void take_slices(const TextureOf<Texel>& t, const BoxPart<Q>& one, const std::array<Axis<Q>, 2>& axis,
                  std::int64_t index, Take take) {
-  const auto [low, high] = std::minmax_element(
-      one.part.begin(), one.part.end(),
-      [&](const Place<Q>& a, const Place<Q>& b) { return a.*axis[1].along < b.*axis[1].along; });
+  const auto [low, high] = std::minmax_element(one.part.begin(), one.part.end(),
+                                               [&](const TexturePoint<Q>& a, const TexturePoint<Q>& b) {
+                                                 return a.*axis[1].along < b.*axis[1].along;
+                                               });
   const Range<Q> along = extent(one.part, axis[0].along);
   const std::int64_t period =
       axis[0].wrap == Wrap::mirrored_repeat ? 2 * std::int64_t{axis[0].size} : axis[0].size;
-  for (const Place<Q>& corner : {*low, *high}) {
+  for (const TexturePoint<Q>& corner : {*low, *high}) {
     std::int64_t k = nearest_index(axis[0].wrap, index, axis[0].size, corner.*axis[0].along);
     if (Cell<Q>::along(k) < along.least) k += period;
     if (Cell<Q>::along(k) > along.greatest) k -= period;
-    for (const Place<Q>& p : slice(one.part, axis[0].along, Cell<Q>::along(k))) take(Range<Q>(alpha(t, p)));
+    for (const TexturePoint<Q>& p : slice(one.part, axis[0].along, Cell<Q>::along(k)))
+      take(Range<Q>(alpha(t, p)));
   }
 }
 
@@ -126,7 +128,7 @@ template <class Q, class Texel>
 Range<Q> nearest_strip(const TextureOf<Texel>& t, const BoxPart<Q>& one, const std::array<Axis<Q>, 2>& axis) {
   const Range<Q> along = extent(one.part, axis[0].along);
   const Q high = Q((one.box.*axis[1].squares).last + 1);
-  const bool owned = std::any_of(one.part.begin(), one.part.end(), [&](const Place<Q>& p) {
+  const bool owned = std::any_of(one.part.begin(), one.part.end(), [&](const TexturePoint<Q>& p) {
     return p.*axis[0].along == along.greatest && p.*axis[1].along < high;
   });
   const std::int64_t first = floored(along.least),

@@ -146,7 +146,7 @@ bool lookup_turn(const Sequences& s, Cursor<Count>& at, NextChild& next_child) {
 }
 
 /// The state found, and the number of tree bits read for it, 0..t; one value is read, too.
-struct Found {
+struct StateAndBits {
   State state;
   std::uint64_t tree_bits;
 };
@@ -154,21 +154,21 @@ struct Found {
 /// tree-lookup.  next_child() is the paper's step(u, v), the digit of the next child.
 /// Domain: an encoded map, and as many digits as the tree is deep.
 template <class NextChild>
-Found lookup(const Succinct& s, NextChild next_child) {
+StateAndBits lookup(const Succinct& s, NextChild next_child) {
   Cursor<std::uint64_t> at{0, 0};
   while (lookup_turn(s, at, next_child)) continue;
   return {s.data[at.d], at.t + 1};
 }
 
 /// The state at an index < 4^n.
-inline Found at_index(const Succinct& s, Level n, std::uint64_t index) {
+inline StateAndBits at_index(const Succinct& s, Level n, std::uint64_t index) {
   Level depth = 0;
   return lookup(s, [&] { return index >> 2 * (n - ++depth) & 3; });
 }
 
 /// The state at a point of the triangle, by the digits of Algorithm 4.
 template <Number Q>
-Found at_point(const Succinct& s, const Point<Q>& p) {
+StateAndBits at_point(const Succinct& s, const Point<Q>& p) {
   auto step = index::first_step<Q, std::uint64_t>(p);
   return lookup(s, [&] {
     step = index::next_step<index::Reading::printed>(step);

@@ -18,14 +18,14 @@ void KnownBreaks::add(const Worker& worker, const Command& c, std::uint64_t t, c
   known_[{c.call, c.level, c.format}].emplace(inputs_of(worker, c.call, c.count, t), what);
 }
 
-std::optional<KnownBreaks::Found> KnownBreaks::first(const Worker& worker, const Command& c) const {
+std::optional<KnownBreaks::BrokenElement> KnownBreaks::first(const Worker& worker, const Command& c) const {
   const std::lock_guard hold(lock_);
   const auto of_level = known_.find({c.call, c.level, c.format});
   if (of_level == known_.end()) return std::nullopt;
   for (std::uint64_t t = 0; t < c.count; ++t)
     if (const auto one = of_level->second.find(inputs_of(worker, c.call, c.count, t));
         one != of_level->second.end())
-      return Found{t, one->second};
+      return BrokenElement{t, one->second};
   return std::nullopt;
 }
 

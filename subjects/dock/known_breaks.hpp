@@ -27,7 +27,7 @@ class KnownBreaks {
     std::string what;  ///< what the library did
     bool hung = false;
   };
-  struct Found {
+  struct BrokenElement {
     std::uint64_t element;
     Break known;
   };
@@ -36,7 +36,7 @@ class KnownBreaks {
   void add(const Worker& worker, const Command& command, std::uint64_t t, const Break& what);
 
   /// The first element of the command in the worker's inputs with a known break.
-  std::optional<Found> first(const Worker& worker, const Command& command) const;
+  std::optional<BrokenElement> first(const Worker& worker, const Command& command) const;
 
  private:
   using Inputs = std::string;  ///< an element's bytes, array after array

@@ -98,7 +98,7 @@ TEST(BenchPrint, RowsWithinAreColumnsSideBySideUnderTheirNames) {
                                     {.key = "x", .heading = "bits", .print = {.digits = 0}},
                                     {.key = "y", .heading = "lookup", .unit = "ns", .print = {.digits = 0}}};
   EXPECT_EQ(printed({.columns = {{.heading = "level", .leads = true},
-                                 {.heading = "forms", .columns = figures, .within = Within::beside}},
+                                 {.heading = "forms", .columns = figures, .within = RowLayout::beside}},
                      .rows = {{n(3), rows({{"flat", 1.0, 2.0}})},
                               {n(4), rows({{"flat", 3.0, 4.0}, {"ours", 5.0, 6.0}})}}}),
             "            bits       lookup, ns\n"

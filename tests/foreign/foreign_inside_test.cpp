@@ -14,8 +14,8 @@
 #include "proofs/engine/runner.hpp"
 #include "proofs/index/options.hpp"
 #include "proofs/registry/registry.hpp"
-#include "tests/foreign/inside.hpp"
-#include "tests/foreign/inside_gaps.hpp"
+#include "tests/foreign/inside/gaps.hpp"
+#include "tests/foreign/inside/inside.hpp"
 
 namespace mmverify::tests::foreign {
 /// ctest lists a test by its parameter.
@@ -26,7 +26,7 @@ namespace {
 
 using namespace mmverify::proofs;
 using namespace mmverify::tests::foreign;
-using Asked = mmverify::proofs::Run;
+using LawRun = mmverify::proofs::Run;
 
 /// A prover's law, whose statements name no case: one that fails leaves the law unproved.
 bool by_prover(const Law& law) {
@@ -113,7 +113,7 @@ TEST_P(InsideFaults, IsFound) {
     if (r.verdict != Verdict::refuted) continue;
     ASSERT_FALSE(r.counterexamples.empty());
     EXPECT_FALSE(r.counterexamples.front().at.empty());
-    EXPECT_FALSE(known_gap(f)) << "is refuted now: its row in inside_gaps.hpp can go";
+    EXPECT_FALSE(known_gap(f)) << "is refuted now: its row in inside/gaps.hpp can go";
     return;
   }
   EXPECT_TRUE(known_gap(f)) << f.law << " lets live: " << f.wrong;

@@ -24,7 +24,7 @@
 namespace {
 
 using namespace mmverify::proofs;
-using Asked = Run;  // inside a test, Run is a member function of GoogleTest's
+using LawRun = Run;  // inside a test, Run is a member function of GoogleTest's
 
 /// A row of tests/foreign/TOPIC_faults.def: the laws that must refute the fault, "ID", or "ID@LEVEL" where those below
 /// take their time; none where it takes the long tier or stands in docs/SOUNDNESS.md as a gap.
@@ -132,7 +132,7 @@ std::vector<SubjectPtr> foreign(const std::string& topic, const std::string& fau
 /// The first level at which the law refutes one of the subjects, as a result.
 std::optional<Result> refutation(const Asks& asks, const std::vector<SubjectPtr>& subjects) {
   const Law& law = *find_law(asks.law);
-  Asked run;
+  LawRun run;
   run.options = {&index::in_fixed_point_alone};  // the slow numbers are for the right ones
   run.until_refuted = true;
   if (asks.level) {
@@ -197,7 +197,7 @@ TEST_P(RightForeigner, PassesEveryLawAndEachKnowsThreeOfItsFaults) {
         if (law.unfit(*s, n)) continue;
         fits = true;
         if (law.long_only) break;
-        const Result r = run_level(law, *s, n, Asked{});
+        const Result r = run_level(law, *s, n, LawRun{});
         if (r.verdict == Verdict::not_applicable) continue;
         EXPECT_TRUE(r.verdict == Verdict::proved || r.verdict == Verdict::checked)
             << law.id << " level " << n << ": " << to_string(r.verdict) << " " << r.reason

@@ -3,7 +3,7 @@ if(MMVERIFY_BRIEF)
 endif()
 # Subjects of another hand for laws that no shared library reaches; their own loops are most of the work.
 if(NOT MMVERIFY_SANITIZE)
-  file(GLOB foreign_inside CONFIGURE_DEPENDS foreign/inside_*.cpp)
+  file(GLOB foreign_inside CONFIGURE_DEPENDS foreign/inside/*.cpp)
   add_executable(foreign_inside_test foreign/foreign_inside_test.cpp ${foreign_inside})
   target_include_directories(foreign_inside_test PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(foreign_inside_test PRIVATE mmverify::proofs GTest::gmock GTest::gtest_main)

@@ -18,7 +18,7 @@ namespace spec = mmverify::spec::bake;
 using namespace mmverify::impl::bake;
 using mmverify::impl::vq::State;
 using Number = mmverify::spec::Rational128;
-using Place = spec::Place<Number>;
+using Place = spec::TexturePoint<Number>;
 using States = std::vector<State>;
 
 constexpr State T = State::T, C = State::C, O = State::O;

@@ -11,7 +11,7 @@ trap 'rm -r "$folder"' EXIT
 ./write-seeds "$folder/first"
 ./write-seeds "$folder/second"
 diff -rq "$folder/first" "$folder/second"
-for generator in make_*_corpus.py; do
+for generator in corpus/make_*.py; do
   code=0
   python3 -B "$generator" 2>/dev/null || code=$?
   ((code == 2)) || { echo "FAILED: $generator without a folder: exit code $code"; exit 1; }

@@ -17,10 +17,10 @@ namespace alike_inputs_test {
 using namespace mmverify::proofs;
 using mmverify::spec::vq::Vq2;
 using mmverify::spec::vq::Vq4;
-using Asked = Run;
+using LawRun = Run;
 
 Result judged(const char* law, const Mutant& m, Level level) {
-  return run_level(*find_law(law), *m.subject, level, Asked{});
+  return run_level(*find_law(law), *m.subject, level, LawRun{});
 }
 
 std::uint64_t bytes_of(const array::Record& r) {

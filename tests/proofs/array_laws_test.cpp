@@ -11,7 +11,7 @@ namespace array_laws_test {
 
 using namespace mmverify::proofs;
 using namespace mmverify::proofs::array;
-using Asked = mmverify::proofs::Run;
+using LawRun = mmverify::proofs::Run;
 
 TEST(ArrayCases, AreAsManyAsTheirDomainSays) {
   EXPECT_EQ(all_maps(0).size(), 6u);
@@ -21,7 +21,7 @@ TEST(ArrayCases, AreAsManyAsTheirDomainSays) {
   EXPECT_EQ(small_arrays(0), 259u * 8 * 3);
   EXPECT_EQ(small_arrays(1), (278u + 278 * 278 + 7 * (46 + 46 * 46) + 46 * 46 * 46) * 3);
   EXPECT_EQ(whole_small_arrays(), 278u * 278 * 278 * 3);
-  const auto cases = [](const char* id, Level n) { return find_law(id)->cases(n, Asked{}); };
+  const auto cases = [](const char* id, Level n) { return find_law(id)->cases(n, LawRun{}); };
   EXPECT_EQ(cases("array.resolves", 1), small_arrays(1));
   EXPECT_EQ(cases("array.merging", 1), 2u * (278 * 278 + 46 * 46 * 46));
   // Bell's numbers 1, 2, 5, ... of 1 to 10.

@@ -24,7 +24,7 @@ using mmverify::spec::attribute::face_count;
 using mmverify::spec::attribute::face_orders;
 using mmverify::spec::attribute::vertex_count;
 using mmverify::spec::attribute::vertex_orders;
-using Asked = mmverify::proofs::Run;
+using LawRun = mmverify::proofs::Run;
 using Names = std::set<std::string>;
 
 const std::map<std::string, std::vector<Statement> (*)()> shipped{
@@ -96,7 +96,7 @@ TEST(AttributeMutants, AreRefutedOnTheLowestLevelThatShowsThem) {
   for (const auto& [id, statements] : shipped)
     for (const Mutant& m : find_law(id)->mutants) {
       const Law& law = *find_law(id);
-      const Result r = run_level(law, *m.subject, 0, Asked{});
+      const Result r = run_level(law, *m.subject, 0, LawRun{});
       EXPECT_EQ(r.verdict, Verdict::refuted) << m.name;
       ASSERT_EQ(r.counterexamples.size(), 1u) << m.name;
       const Counterexample& c = r.counterexamples.front();
@@ -167,12 +167,12 @@ TEST(AttributeParts, LevelsGrowAsTheStatementsSay) {
 TEST(AttributeLaws, AreAboutTheSpecification) {
   for (const auto& [id, statements] : shipped) {
     const Law& law = *find_law(id);
-    const Result r = run_level(law, *find_subject("attribute-spec"), 0, Asked{});
+    const Result r = run_level(law, *find_subject("attribute-spec"), 0, LawRun{});
     EXPECT_EQ(r.verdict, Verdict::proved) << id << " " << r.reason;
     EXPECT_EQ(r.proof, "induction");
     EXPECT_EQ(r.cases_run(), statements().size());
     for (const char* name : {"attribute", "attribute-single", "step"})
-      EXPECT_EQ(run_level(law, *find_subject(name), 0, Asked{}).verdict, Verdict::not_applicable) << name;
+      EXPECT_EQ(run_level(law, *find_subject(name), 0, LawRun{}).verdict, Verdict::not_applicable) << name;
   }
 }
 

@@ -30,10 +30,10 @@ using namespace mmverify::proofs;
 using namespace mmverify::proofs::bake;
 using mmverify::spec::Integer;
 
-using Asked = Run;  // inside a test, Run is a member function of GoogleTest's
+using LawRun = Run;  // inside a test, Run is a member function of GoogleTest's
 
 Result judged(const char* law, const Subject& subject, Level level) {
-  return run_level(*find_law(law), subject, level, Asked{});
+  return run_level(*find_law(law), subject, level, LawRun{});
 }
 Result judged(const char* law, const char* subject, Level level) {
   return judged(law, *find_subject(subject), level);
@@ -255,7 +255,7 @@ TEST(BakeStrata, AreWhatTheirTextSays) {
 TEST(BakeStrata, EveryFourthIsPlain) {
   for (Level n = 0; n <= 9; ++n) {
     std::size_t plain = 0;
-    const std::uint64_t count = find_law("bake.tight_on_strata")->cases(n, Asked{});
+    const std::uint64_t count = find_law("bake.tight_on_strata")->cases(n, LawRun{});
     for (std::uint64_t k = 0; k < count; ++k) {
       if (stratum(n, k) < plain_rows) continue;
       ++plain;
@@ -370,7 +370,7 @@ TEST(BakeNumbers, NarrowOnesTakeNoWholeNumberBeyondTheirs) {
 // Counterexamples
 // ---------------------------------------------------------------------------------------------------------------------
 
-using spec_place = Place;
+using spec_place = TexturePoint;
 
 /// Whether p lies on the closed triangle, of either orientation.
 bool inside(const mmverify::spec::bake::Polygon<Rational>& t, const spec_place& p) {

@@ -11,14 +11,15 @@ Law last_law();
 namespace {
 
 using namespace mmverify::proofs;
-using Asked = Run;
+using LawRun = Run;
 
 TEST(DocumentedLaw, HoldsAndCanFail) {
   const Law law = index::last_law();
   for (const std::string& name : law.subjects)
     for (Level n = law.tiers.fast.first; n <= law.tiers.fast.last; ++n)
-      EXPECT_EQ(run_level(law, *find_subject(name), n, Asked{}).verdict, Verdict::proved) << name << " " << n;
-  for (const MutantResult& m : run_mutants(law, Asked{})) EXPECT_TRUE(m.killed) << m.mutant;
+      EXPECT_EQ(run_level(law, *find_subject(name), n, LawRun{}).verdict, Verdict::proved)
+          << name << " " << n;
+  for (const MutantResult& m : run_mutants(law, LawRun{})) EXPECT_TRUE(m.killed) << m.mutant;
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ namespace {
 
 using namespace mmverify::proofs;
 using testing::ElementsAre;
-using Asked = Run;  // inside a test, Run is a member function of GoogleTest's
+using LawRun = Run;  // inside a test, Run is a member function of GoogleTest's
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Random
@@ -173,7 +173,7 @@ TEST_F(Sweep, JudgesEveryUnitExactlyOnceAtChunkBorders) {
   for (const std::uint64_t units : {0u, 1u, 63u, 64u, 65u, 640u})
     for (const int threads : {0, 1, 2, 3}) {
       oneapi::tbb::task_arena arena(std::max(threads, 1));
-      Asked run;
+      LawRun run;
       run.arena = threads == 0 ? nullptr : &arena;
       std::vector<std::atomic<int>> judged(units);
       std::atomic<std::uint64_t> misplaced = 0, chunks = 0;
@@ -195,7 +195,7 @@ TEST_F(Sweep, JudgesEveryUnitExactlyOnceAtChunkBorders) {
 
 TEST_F(Sweep, SameTallyForAnyNumberOfThreads) {
   const auto swept = [](oneapi::tbb::task_arena* arena) {
-    Asked run;
+    LawRun run;
     run.arena = arena;
     run.errors = 4;
     return sweep(run, 10'001, 7, [](Chunk chunk, Tally& tally) {
@@ -230,7 +230,7 @@ class Named : public Subject {
   bool exact() const override { return true; }
 };
 
-using Judge = std::function<Tally(const Subject&, Level, const Asked&)>;
+using Judge = std::function<Tally(const Subject&, Level, const LawRun&)>;
 
 SubjectPtr subject(const std::string& name) { return std::make_shared<Named>(name); }
 
@@ -240,7 +240,7 @@ Law law_judged_by(Judge judge, Method method = Method::exhaustive) {
   law.id = "test.law";
   law.topic = "test";
   law.method = method;
-  law.cases = [](Level, const Asked&) -> std::uint64_t { return 1000; };
+  law.cases = [](Level, const LawRun&) -> std::uint64_t { return 1000; };
   law.domain = [](const Subject&, Level) { return std::string("numbers"); };
   law.how = [](const Subject&, Level) { return std::string("counting"); };
   law.unfit = [](const Subject&, Level) -> std::optional<std::string> { return std::nullopt; };
@@ -248,21 +248,21 @@ Law law_judged_by(Judge judge, Method method = Method::exhaustive) {
   return law;
 }
 
-Tally counting(const Asked& run, std::uint64_t cases) {
+Tally counting(const LawRun& run, std::uint64_t cases) {
   return sweep(run, cases, 10,
                [](Chunk chunk, Tally& tally) { tally.count(Kind::edge, chunk.end - chunk.begin); });
 }
 
-Tally all_right(const Subject&, Level, const Asked& run) { return counting(run, 1000); }
+Tally all_right(const Subject&, Level, const LawRun& run) { return counting(run, 1000); }
 
-Tally wrong_from_level_2(const Subject&, Level n, const Asked& run) {
+Tally wrong_from_level_2(const Subject&, Level n, const LawRun& run) {
   Tally tally = counting(run, 1000);
   if (n >= 2) fail(tally, Kind::edge, {n, 0, 0}, "k=" + std::to_string(n));
   return tally;
 }
 
 /// `mutant` is wrong from level 2 on, everybody else right.
-Tally wrong_if_mutant(const Subject& s, Level n, const Asked& run) {
+Tally wrong_if_mutant(const Subject& s, Level n, const LawRun& run) {
   return s.name() == "mutant" ? wrong_from_level_2(s, n, run) : all_right(s, n, run);
 }
 
@@ -276,13 +276,13 @@ RunOptions quiet(unsigned threads = 2) {
 void nothing(const Result&) {}
 
 TEST_F(Runner, VerdictsOfAPassAndOfAFailure) {
-  EXPECT_EQ(run_level(law_judged_by(all_right), Named("s"), 0, Asked{}).verdict, Verdict::proved);
-  EXPECT_EQ(run_level(law_judged_by(all_right, Method::witness), Named("s"), 0, Asked{}).verdict,
+  EXPECT_EQ(run_level(law_judged_by(all_right), Named("s"), 0, LawRun{}).verdict, Verdict::proved);
+  EXPECT_EQ(run_level(law_judged_by(all_right, Method::witness), Named("s"), 0, LawRun{}).verdict,
             Verdict::proved);
-  EXPECT_EQ(run_level(law_judged_by(all_right, Method::sample), Named("s"), 0, Asked{}).verdict,
+  EXPECT_EQ(run_level(law_judged_by(all_right, Method::sample), Named("s"), 0, LawRun{}).verdict,
             Verdict::checked);
 
-  const Result r = run_level(law_judged_by(wrong_from_level_2), Named("s"), 2, Asked{});
+  const Result r = run_level(law_judged_by(wrong_from_level_2), Named("s"), 2, LawRun{});
   EXPECT_EQ(r.verdict, Verdict::refuted);
   EXPECT_EQ(r.cases_run(), 1000u);
   EXPECT_EQ(r.cases_expected, 1000u);
@@ -293,15 +293,16 @@ TEST_F(Runner, VerdictsOfAPassAndOfAFailure) {
 // A law that lost or doubled a case is an error of the program, never a proof.
 TEST_F(Runner, MiscountedCasesAreALogicError) {
   for (const std::uint64_t cases : {0u, 999u, 1001u})
-    EXPECT_THROW(run_level(law_judged_by(
-                               [=](const Subject&, Level, const Asked& run) { return counting(run, cases); }),
-                           Named("s"), 0, Asked{}),
+    EXPECT_THROW(run_level(law_judged_by([=](const Subject&, Level, const LawRun& run) {
+                             return counting(run, cases);
+                           }),
+                           Named("s"), 0, LawRun{}),
                  std::logic_error)
         << cases;
 }
 
 TEST_F(Runner, ASubjectThatBreaksIsBroken) {
-  const auto breaks = [](const Subject&, Level, const Asked& run) -> Tally {
+  const auto breaks = [](const Subject&, Level, const LawRun& run) -> Tally {
     return sweep(run, 1000, 10, [](Chunk, Tally&) { throw SubjectBroken("it hung at k=5"); });
   };
   const Law law = law_judged_by(breaks);
@@ -365,7 +366,7 @@ TEST_F(Runner, MutantsAreKilledAtTheirLowestLevelOrReportedAsSurvivors) {
 TEST_F(Runner, MutantsRunOnTheDefaultSample) {
   std::mutex lock;
   std::vector<std::pair<std::uint64_t, Tier>> asked;
-  Law law = law_judged_by([&](const Subject& s, Level n, const Asked& run) {
+  Law law = law_judged_by([&](const Subject& s, Level n, const LawRun& run) {
     if (s.name() == "mutant") {
       const std::lock_guard hold(lock);
       asked.emplace_back(run.seed, run.tier);
@@ -397,7 +398,7 @@ TEST_F(Runner, ALawsMutantsRunOnceHoweverManyJobsItHas) {
 /// it.
 Judge raising(int signal) {
   return
-      [=, raised = std::make_shared<std::atomic<bool>>(false)](const Subject& s, Level n, const Asked& run) {
+      [=, raised = std::make_shared<std::atomic<bool>>(false)](const Subject& s, Level n, const LawRun& run) {
         return sweep(run, 1000, 10, [&](Chunk chunk, Tally& tally) {
           if (n == 1 && chunk.begin >= 200 && s.name() == "s") {
             if (!raised->exchange(true)) std::raise(signal);
@@ -435,7 +436,7 @@ INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values(SIGINT, SIGTERM),
 
 // A failure that was seen stays one.
 TEST_F(Runner, AnInterruptedFailureIsRefuted) {
-  const Law law = law_judged_by([](const Subject&, Level, const Asked& run) {
+  const Law law = law_judged_by([](const Subject&, Level, const LawRun& run) {
     std::raise(SIGINT);
     Tally tally = counting(run, 1000);
     fail(tally, Kind::edge, {0, 0, 0}, "k=0");

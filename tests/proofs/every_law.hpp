@@ -17,10 +17,10 @@
 namespace mmverify::tests {
 
 using namespace proofs;
-using Asked = Run;  // inside a test, Run is a member function of GoogleTest's
+using LawRun = Run;  // inside a test, Run is a member function of GoogleTest's
 
-inline Asked keeping(std::size_t errors) {
-  Asked run;
+inline LawRun keeping(std::size_t errors) {
+  LawRun run;
   run.errors = errors;
   return run;
 }
@@ -55,12 +55,12 @@ inline bool too_long_under_sanitizers(const Law& law) {
   if (!sanitized) return false;
   if (law.topic == "vq" || law.topic == "bake")
     return law.id == "vq.vectors" || law.method == Method::sample ||
-           law.cases(law.tiers.fast.last, Asked{}) > 5'000;
+           law.cases(law.tiers.fast.last, LawRun{}) > 5'000;
   return law.id == "tree.all_levels" || law.id == "dag.all_levels" || law.id == "index.wide_is_vulkan" ||
          law.id == "index.floats" || law.id == "index.row_floats" ||
          law.id == "index.published_differs_where" ||
          (law.topic == "attribute" && law.method == Method::induction) ||
-         (law.method == Method::sample && law.cases(law.tiers.fast.first, Asked{}) > 50'000);
+         (law.method == Method::sample && law.cases(law.tiers.fast.first, LawRun{}) > 50'000);
 }
 #define SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law) \
   if (too_long_under_sanitizers(law)) GTEST_SKIP() << "too long; the release build runs it"

@@ -18,7 +18,7 @@
 namespace {
 
 using namespace mmverify::proofs;
-using Asked = Run;  // inside a test, Run is a member function of GoogleTest's
+using LawRun = Run;  // inside a test, Run is a member function of GoogleTest's
 
 /// Whoever adds an entry point that takes floats comes by here: it needs a line in `Entries`, below.  Those of
 /// attribute maps and of graphs are asked by samples of floats alone, so that no proof over cells has to bring one along.
@@ -152,7 +152,7 @@ Verdict overall(const char* law, const char* subject, Levels levels) {
 }
 
 TEST(FloatLaws, FigureFourInBinary32IsNotProved) {
-  EXPECT_EQ(run_level(*find_law("index.row_order"), *find_subject("w-minor-f32"), 1, Asked{}).verdict,
+  EXPECT_EQ(run_level(*find_law("index.row_order"), *find_subject("w-minor-f32"), 1, LawRun{}).verdict,
             Verdict::proved);
   EXPECT_EQ(overall("index.row_order", "w-minor-f32", {1, 1}), Verdict::refuted);
   EXPECT_EQ(overall("index.row_order", "w-minor-f64", {12, 12}), Verdict::refuted);

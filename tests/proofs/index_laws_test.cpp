@@ -36,14 +36,14 @@ TEST_P(ExhaustiveIndexLaw, CountsTheCasesThatItsDomainPromises) {
   for (const std::string& name : law.subjects)
     for (Level n = law.tiers.fast.first;
          n <= std::max(law.tiers.fast.first, std::min(law.tiers.fast.last, 4u)); ++n) {
-      const Result r = run_level(law, *find_subject(name), n, Asked{});
+      const Result r = run_level(law, *find_subject(name), n, LawRun{});
       if (r.verdict == Verdict::not_applicable) continue;
       EXPECT_EQ(r.cases_run(), promised(r.domain, n)) << name << " level " << n << ": " << r.domain;
     }
 }
 
 TEST_P(IndexLaw, CountsItsCellsByKind) {
-  const Result r = run_level(law, *find_subject(law.subjects.front()), 2, Asked{});
+  const Result r = run_level(law, *find_subject(law.subjects.front()), 2, LawRun{});
   const std::uint64_t N = r.domain.find("level n+1") != std::string::npos ? 8 : 4;
   if (r.domain.find("3N^2+3N+1") != std::string::npos) {
     EXPECT_EQ(r.by_kind[0].cases, (N + 1) * (N + 2) / 2);
@@ -56,10 +56,10 @@ TEST_P(IndexLaw, CountsItsCellsByKind) {
 
 // prove --cells interior: the same law for who promises nothing on lines.
 TEST_P(IndexLaw, LeavesTheLinesOutWhereAsked) {
-  Asked inside;
+  LawRun inside;
   inside.options = {&index::interiors_only};
   const SubjectPtr subject = find_subject(law.subjects.front());
-  const Result all = run_level(law, *subject, 2, Asked{}), r = run_level(law, *subject, 2, inside);
+  const Result all = run_level(law, *subject, 2, LawRun{}), r = run_level(law, *subject, 2, inside);
   EXPECT_EQ(r.verdict, all.verdict);
   if (!has(law.heeds, index::interiors_only) || !law.general) {
     EXPECT_EQ(r.by_kind, all.by_kind);

@@ -36,7 +36,7 @@ using mmverify::proofs::induction::Effort;
 using mmverify::proofs::induction::every_path;
 using mmverify::proofs::induction::Statement;
 using mmverify::proofs::induction::Term;
-using Asked = mmverify::proofs::Run;
+using LawRun = mmverify::proofs::Run;
 
 /// A statement's line in the lock.
 struct Locked {
@@ -173,9 +173,9 @@ TEST(Discharge, UnknownIsNeverProved) {
   const auto statements = index::induction::shipped_all_levels();
   Effort little;
   little.steps = 1;
-  EXPECT_THROW(discharge(statements, subject("step"), 2, Asked{}, little), NotProved);
+  EXPECT_THROW(discharge(statements, subject("step"), 2, LawRun{}, little), NotProved);
   try {
-    discharge(statements, subject("step"), 2, Asked{}, little);
+    discharge(statements, subject("step"), 2, LawRun{}, little);
   } catch (const NotProved& gap) {
     EXPECT_NE(std::string(gap.what()).find("unknown"), std::string::npos) << gap.what();
   }
@@ -185,7 +185,7 @@ TEST(Discharge, AVacuousStatementAndAModelWithoutACounterexampleAreNotProved) {
   for (const Statement& s : {Statement{"vacuous", Answer::sat, "(assert false)"},
                              Statement{"wrong", Answer::unsat, "(declare-const k Int)(assert (= k 3))"}})
     try {
-      discharge({s}, subject("step"), 2, Asked{});
+      discharge({s}, subject("step"), 2, LawRun{});
       ADD_FAILURE() << s.name;
     } catch (const NotProved& gap) {
       EXPECT_NE(std::string(gap.what()).find("statement " + s.name), std::string::npos) << gap.what();
@@ -198,15 +198,15 @@ TEST(Discharge, CutShortItHasProvedNothing) {
   } afterwards;
   const InterruptGuard guard;
   std::raise(SIGINT);
-  EXPECT_THROW(discharge(index::induction::shipped_all_levels(), subject("step"), 2, Asked{}), Interrupted);
+  EXPECT_THROW(discharge(index::induction::shipped_all_levels(), subject("step"), 2, LawRun{}), Interrupted);
 }
 
 TEST(Discharge, NotProvedIsIncompleteInARun) {
   Law law = *find_law("index.all_levels");
-  law.judge = [](const Subject&, Level, const Asked&) -> Tally {
+  law.judge = [](const Subject&, Level, const LawRun&) -> Tally {
     throw NotProved("statement opening: unknown");
   };
-  const Result r = run_level(law, *find_subject("step"), 0, Asked{});
+  const Result r = run_level(law, *find_subject("step"), 0, LawRun{});
   EXPECT_EQ(r.verdict, Verdict::incomplete);
   EXPECT_EQ(r.reason, "statement opening: unknown");
 }
@@ -276,8 +276,8 @@ TEST(Mutants, TheAppendixsReadingsFailInTheTransitionsThatTheyChange) {
 TEST(Mutants, TheAppendixsReadingsAreRefutedWithTheSimplestPoint) {
   const Law& law = *find_law("index.all_levels");
   for (const char* name : {"step-appendix-middle", "step-appendix-ties", "step-appendix-names"}) {
-    const Result r = run_level(law, *find_subject(name), 0, Asked{}),
-                 sweep = run_level(*find_law("index.equals_reference"), *find_subject(name), 2, Asked{});
+    const Result r = run_level(law, *find_subject(name), 0, LawRun{}),
+                 sweep = run_level(*find_law("index.equals_reference"), *find_subject(name), 2, LawRun{});
     EXPECT_EQ(r.verdict, Verdict::refuted) << name;
     ASSERT_FALSE(r.counterexamples.empty());
     EXPECT_EQ(r.counterexamples.front().level, 2u);
@@ -288,10 +288,10 @@ TEST(Mutants, TheAppendixsReadingsAreRefutedWithTheSimplestPoint) {
 
 TEST(Laws, ApplyToWhoTheyHaveStatementsAbout) {
   const Law& all = *find_law("index.all_levels");
-  EXPECT_EQ(run_level(all, *find_subject("step"), 0, Asked{}).verdict, Verdict::proved);
-  EXPECT_EQ(run_level(all, *find_subject("step"), 0, Asked{}).proof, "induction");
+  EXPECT_EQ(run_level(all, *find_subject("step"), 0, LawRun{}).verdict, Verdict::proved);
+  EXPECT_EQ(run_level(all, *find_subject("step"), 0, LawRun{}).proof, "induction");
   for (const char* name : {"impl", "reference", "step-f32"})
-    EXPECT_EQ(run_level(all, *find_subject(name), 0, Asked{}).verdict, Verdict::not_applicable) << name;
+    EXPECT_EQ(run_level(all, *find_subject(name), 0, LawRun{}).verdict, Verdict::not_applicable) << name;
 }
 
 TEST(Paths, ComeInEveryCombinationAndOnlyOnce) {

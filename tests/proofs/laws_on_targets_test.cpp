@@ -36,7 +36,7 @@ bool is_run(const Law& law) {
 std::vector<Level> levels_of(const Law& law) {
   std::vector<Level> levels;
   for (Level n = law.tiers.fast.last + 1; n-- > law.tiers.fast.first && levels.size() < 2;)
-    if (law.cases(n, Asked{}) <= few) levels.push_back(n);
+    if (law.cases(n, LawRun{}) <= few) levels.push_back(n);
   if (levels.empty()) levels.push_back(law.tiers.fast.first);
   return levels;
 }

@@ -115,8 +115,8 @@ TEST_P(FastLaw, HoldsOfItsOwnSubject) {
   const std::string& name = law.subjects.front();
   std::uint64_t applied = 0;
   for (Level n = 0; n <= last; n += stride) {
-    if (applied > 0 && law.cases(n, Asked{}) > few) break;
-    Asked run;
+    if (applied > 0 && law.cases(n, LawRun{}) > few) break;
+    LawRun run;
     // Each case walks the same code, and the release build judges them all.
     Division part{last_eighth, nullptr, {}, {}, 0, false};
     if (law.divisible) run.division = &part;
@@ -131,7 +131,7 @@ TEST_P(FastLaw, HoldsOfItsOwnSubject) {
     EXPECT_EQ(r.verdict, whole ? passed : Verdict::checked)
         << "level " << n << (r.counterexamples.empty() ? "" : " " + r.counterexamples.front().at);
     if (whole) {
-      EXPECT_EQ(r.cases_run(), law.cases(n, Asked{}));
+      EXPECT_EQ(r.cases_run(), law.cases(n, LawRun{}));
       EXPECT_EQ(r.cases_expected, r.cases_run());
     }
     EXPECT_GT(r.cases_run(), 0u);
@@ -145,7 +145,7 @@ TEST_P(FastLaw, RefutesNothingThatAnInterruptCutShort) {
   SKIP_WHAT_TAKES_TOO_LONG_UNDER_SANITIZERS(law);
   std::raise(SIGINT);
   for (const std::string& name : law.subjects) {
-    const Result r = run_level(law, *find_subject(name), law.tiers.fast.last, Asked{});
+    const Result r = run_level(law, *find_subject(name), law.tiers.fast.last, LawRun{});
     EXPECT_NE(r.verdict, Verdict::refuted) << name;
     if (r.verdict != Verdict::incomplete) {
       EXPECT_EQ(r.cases_run(), r.cases_expected) << name;
@@ -196,7 +196,7 @@ TEST_P(FastLaw, CountsAndDigestAreTheSameForOneThreadAndTwo) {
   // An eighth has chunks enough: hundreds of chunks of 16 for thousands of optima, and many for a million cells.
   const std::uint64_t enough = law.topic == "vq" ? 4'000 : 500'000;
   const std::optional<Shard> part =
-      law.divisible && law.cases(n, Asked{}) > enough ? std::optional(last_eighth) : std::nullopt;
+      law.divisible && law.cases(n, LawRun{}) > enough ? std::optional(last_eighth) : std::nullopt;
   const Report one = run_alone(law, subject, n, 1, 1, part), two = run_alone(law, subject, n, 2, 1, part);
   EXPECT_EQ(outcome(one), outcome(two));
   EXPECT_NE(one.results.front().digest, 0u);

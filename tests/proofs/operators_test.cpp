@@ -32,7 +32,7 @@ class Claims {
   }
   Answer asked() const {
     Script script("operators", Answer::unsat, "an operator on numbers");
-    const Found found = ask_z3(script.denying(all_));
+    const ProverAnswer found = ask_z3(script.denying(all_));
     if (found.answer == Answer::unknown) ADD_FAILURE() << found.detail;
     return found.answer;
   }

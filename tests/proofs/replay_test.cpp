@@ -21,8 +21,8 @@ INSTANTIATE_TEST_SUITE_P(All, Replay, testing::ValuesIn(ids_of_laws([](const Law
                          test_name);
 
 /// A sweep ends with the first chunk that has a counterexample: a domain's other thousands are replayed the same way.
-Asked until_refuted(std::size_t errors) {
-  Asked run = keeping(errors);
+LawRun until_refuted(std::size_t errors) {
+  LawRun run = keeping(errors);
   run.until_refuted = true;
   return run;
 }
@@ -87,7 +87,7 @@ TEST_P(Replay, KillsItsMutantsShowsTheirCounterexamplesAndAcquitsTheRightSubject
 TEST_P(Replay, ShowsTheCounterexamplesOfEverySubject) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   // Representatives of level n have n+2 bits, binary16 holds 11; nested runs on those of level n+1.
-  const Level rounded_by_binary16 = law.cases(9, Asked{}) > cell_count(9) ? 9 : 10;
+  const Level rounded_by_binary16 = law.cases(9, LawRun{}) > cell_count(9) ? 9 : 10;
   for (const SubjectPtr& s : subjects()) {
     // Long samples run only the subjects that they are sure to refute.
     if (s->topic() != law.topic) continue;

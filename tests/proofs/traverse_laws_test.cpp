@@ -12,7 +12,7 @@ namespace traverse_laws_test {
 
 using namespace mmverify::proofs;
 using namespace mmverify::proofs::traverse;
-using Asked = mmverify::proofs::Run;
+using LawRun = mmverify::proofs::Run;
 
 TEST(TraverseCombinations, AreAllThereOnce) {
   EXPECT_EQ(all_combinations, 123'904u);
@@ -41,7 +41,7 @@ TEST(TraverseCombinations, OtherTextsAreNone) {
 
 // Worked out in the comments of each.
 TEST(TraverseLaws, HaveAsManyCasesAsTheirDomainsSay) {
-  const auto cases = [](const char* id) { return find_law(id)->cases(0, Asked{}); };
+  const auto cases = [](const char* id) { return find_law(id)->cases(0, LawRun{}); };
   // 6 ways, 2 geometries; 3 x 5 flags that exclude each other, 2 x 2 of force-2-state.  T is held in 3 forms, UT in 2.
   EXPECT_EQ(cases("traverse.ignored_is_final"), 6u * 2 * 15 * (3 * 4 + 2 * 3));
   EXPECT_EQ(cases("traverse.two_state_never_calls_a_shader"), 6u * 2 * 15 * 2 * (3 * 4 + 2 * 3));

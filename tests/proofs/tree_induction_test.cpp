@@ -22,7 +22,7 @@ using namespace mmverify::proofs::tree::induction;
 using mmverify::proofs::induction::Answer;
 using mmverify::proofs::induction::ask_z3;
 using mmverify::proofs::induction::Script;
-using Asked = mmverify::proofs::Run;
+using LawRun = mmverify::proofs::Run;
 
 const Law& law() { return *find_law("tree.all_levels"); }
 
@@ -76,7 +76,7 @@ TEST(TreeMutants, AreRefutedWithTheSmallestMap) {
       {"nothing merges", 1},
   };
   for (const Mutant& m : law().mutants) {
-    const Result r = run_level(law(), *m.subject, 0, Asked{});
+    const Result r = run_level(law(), *m.subject, 0, LawRun{});
     EXPECT_EQ(r.verdict, Verdict::refuted) << m.name;
     ASSERT_EQ(r.counterexamples.size(), 1u) << m.name;
     const Counterexample& c = r.counterexamples.front();
@@ -105,23 +105,23 @@ TEST(TreeDischarge, WhatFailsWithoutACounterexampleIsNotProved) {
   for (const Statement& s : {Statement{"vacuous", Answer::sat, "(assert false)"},
                              Statement{"wrong", Answer::unsat, "(declare-const k Int)(assert (= k 3))"}})
     try {
-      discharge({s}, spec, Asked{});
+      discharge({s}, spec, LawRun{});
       ADD_FAILURE() << s.name;
     } catch (const NotProved& gap) {
       EXPECT_NE(std::string(gap.what()).find("statement " + s.name), std::string::npos) << gap.what();
     }
   Effort little;
   little.steps = 1;
-  EXPECT_THROW(discharge(shipped_all_levels(), spec, Asked{}, little), NotProved);
+  EXPECT_THROW(discharge(shipped_all_levels(), spec, LawRun{}, little), NotProved);
 }
 
 TEST(TreeLaw, IsAboutTheSpecification) {
-  const Result r = run_level(law(), *find_subject("tree-spec"), 0, Asked{});
+  const Result r = run_level(law(), *find_subject("tree-spec"), 0, LawRun{});
   EXPECT_EQ(r.verdict, Verdict::proved);
   EXPECT_EQ(r.proof, "induction");
   EXPECT_EQ(r.cases_run(), shipped_all_levels().size());
   for (const char* name : {"tree-stream", "tree-ranked", "step"})
-    EXPECT_EQ(run_level(law(), *find_subject(name), 0, Asked{}).verdict, Verdict::not_applicable) << name;
+    EXPECT_EQ(run_level(law(), *find_subject(name), 0, LawRun{}).verdict, Verdict::not_applicable) << name;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -34,7 +34,7 @@ TEST(Readings, AreRefutedWhereTheHandTraceSays) {
                          Known{"step-appendix-middle", 3, "v:u=1/4,v=1/4", "20", "23"},
                          Known{"step-appendix-ties", 2, "e:u=3/8,v=3/8", "6", "5"},
                          Known{"step-appendix-names", 2, "v:u=0,v=1/2", "14", "15"}}) {
-    const Result r = run_level(law, *find_subject(k.subject), k.level, Asked{});
+    const Result r = run_level(law, *find_subject(k.subject), k.level, LawRun{});
     EXPECT_EQ(r.verdict, Verdict::refuted);
     ASSERT_FALSE(r.counterexamples.empty()) << k.subject;
     EXPECT_EQ(r.counterexamples.front().at, k.at) << k.subject;
@@ -59,7 +59,7 @@ TEST(Readings, CountsAndCounterexamplesAreTheSameForOneThreadAndTwo) {
 constexpr std::uint64_t first_samples = 14'000;
 
 std::uint64_t wrong_on_floats(const char* name, Level n, std::uint64_t samples) {
-  const Tally tally = index::exact_on_floats(*index::built_in(name), n, Asked{}, samples);
+  const Tally tally = index::exact_on_floats(*index::built_in(name), n, LawRun{}, samples);
   EXPECT_EQ(tally.cases(), samples);
   std::uint64_t wrong = 0;
   for (const Count& c : tally.by_kind()) wrong += c.mismatches;
@@ -121,7 +121,7 @@ TEST(Bijective, AnInterruptedRefutationStillNamesItsCase) {
 
 TEST(Bijective, NamesTheFirstTriangleWhoseIndexWasTaken) {
   const InterruptGuard forgets_the_test_before;
-  const Result r = run_level(*find_law("index.bijective"), *zero(0), 1, Asked{});
+  const Result r = run_level(*find_law("index.bijective"), *zero(0), 1, LawRun{});
   ASSERT_EQ(r.verdict, Verdict::refuted);
   EXPECT_EQ(r.mismatches(), 3u);  // four triangles, one index
   // Strips go from v = 0, upright before inverted: (1/8, 1/8) has 0 first, (5/8, 1/8) comes second.

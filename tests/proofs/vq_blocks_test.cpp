@@ -156,7 +156,7 @@ std::array<std::uint32_t, 2> bits_of_entry(std::size_t q, std::uint32_t index, s
   const std::uint32_t vector = (q % 2 == 0 ? 0u : 4u) + (q < 2 ? 32u : 0u);
   fields.indices[vector] = static_cast<std::uint8_t>(index);
   std::array<std::uint32_t, 2> found{};
-  const Place place = places<Format>[field_of<Format>(q, index)];
+  const BitField place = places<Format>[field_of<Format>(q, index)];
   for (std::uint32_t bit = 0; bit < place.bits; ++bit) {
     auto& code = code_of(fields, q, index);
     code = static_cast<std::remove_reference_t<decltype(code)>>(1u << bit);

@@ -29,8 +29,8 @@ struct Own {
     static const Own own;
     return own;
   }
-  std::vector<Seen> path(std::uint64_t seed, std::uint64_t cameras) const {
-    std::vector<Seen> all;
+  std::vector<CameraView> path(std::uint64_t seed, std::uint64_t cameras) const {
+    std::vector<CameraView> all;
     for (std::uint64_t number = 1; number <= cameras; ++number)
       all.push_back(seen_on_path(world.world, tracer, trace, seed, number));
     return all;
@@ -40,7 +40,7 @@ struct Own {
 TEST(Path, EveryCameraMeetsAMap) {
   NEEDS_EMBREE;
   std::set<Point> from;
-  for (const Seen& seen : Own::get().path(7, 12)) {
+  for (const CameraView& seen : Own::get().path(7, 12)) {
     from.insert(seen.camera.from);
     const Counts& counts = seen.frame.counts;
     EXPECT_GT(counts.met, 0u) << seen.number;
@@ -67,7 +67,7 @@ TEST(Path, SeesTheSameByAllForms) {
   ASSERT_EQ(path.rows.size(), 2u + 4 * 5);
   EXPECT_FALSE(path.left_out.first);
   std::uint64_t met = 0;
-  for (const Seen& seen : path.cameras) met += seen.frame.counts.met;
+  for (const CameraView& seen : path.cameras) met += seen.frame.counts.met;
   for (const PathRow& row : path.rows) {
     EXPECT_EQ(row.differing, 0u) << name_of(row.method);
     EXPECT_FALSE(row.first);
@@ -106,7 +106,7 @@ class Wrong : public Opacity {
 TEST(Path, SeesWhatIsWrong) {
   NEEDS_EMBREE;
   const Own& own = Own::get();
-  const std::vector<Seen> path = own.path(3, 3);
+  const std::vector<CameraView> path = own.path(3, 3);
   const FormsOptions forms{.first = 3, .last = 3, .wanted = {Method::flat}};
   each_forms(own.scene, own.plan, own.world, forms, [&](const FormsOfMaps& maps) {
     using Thing = Wrong::Thing;
@@ -117,7 +117,7 @@ TEST(Path, SeesWhatIsWrong) {
       EXPECT_EQ(row.differing != 0, thing != Thing::nothing) << static_cast<int>(thing);
       ASSERT_EQ(row.first.has_value(), thing != Thing::nothing);
       if (!row.first) continue;
-      const Seen& seen = path[row.first->camera - 1];
+      const CameraView& seen = path[row.first->camera - 1];
       const Pixel alone = own.tracer.pixel(seen.camera, nullptr, own.trace, row.first->x, row.first->y),
                   wrong = own.tracer.pixel(seen.camera,
                                            std::make_unique<Wrong>(*maps.forms.front().opacity, thing).get(),

@@ -330,6 +330,16 @@ TEST(SceneIssues, GoodFilesOfEveryKind) {
   }
 }
 
+TEST(SceneIssues, OneGeometryMayHaveMapsThatDifferInExtrasAlone) {
+  const MadeFile file = gltf([](micromap_file::Subject& s) {
+    Json& primitives = s.file.json["meshes"][0]["primitives"];
+    Json other = primitives[0];
+    other["extensions"].begin().value()["extras"]["note"] = "another";
+    primitives.push_back(other);
+  });
+  EXPECT_EQ(lines(file.judged()), "");
+}
+
 // The files lie on disk, as a user has them.
 TEST(SceneIssues, EachCodeHasAFileThatGivesItAlone) {
   std::set<std::string_view> given;

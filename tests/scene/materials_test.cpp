@@ -148,6 +148,23 @@ TEST(Materials, APictureMovesMapsByWholeRepeats) {
   EXPECT_EQ(here.rgb, there.rgb);
 }
 
+// An odd number of repeats away, a mirrored texture is drawn upside down.
+TEST(Materials, APictureKeepsOddRepeatsOfAMirroredTexture) {
+  Drawn drawn;
+  drawn.surface.sampler.wrap_v = Wrap::mirrored_repeat;
+  drawn.uvs[2][1] = 0.875f;  // no pixel's centre lies on an edge
+  auto& texels = std::get<0>(drawn.image.alpha);
+  for (std::size_t k = 0; k < texels.size(); ++k) texels[k] = static_cast<std::uint8_t>(32 * (k / 8));
+  Image flipped = drawn.image;
+  auto& alpha = std::get<0>(flipped.alpha);
+  for (std::size_t y = 0; y < flipped.height; ++y)
+    std::copy_n(&texels[y * flipped.width], flipped.width, &alpha[(flipped.height - 1 - y) * flipped.width]);
+  const RgbPicture expected = opacity_picture(flipped, drawn.surface, {{drawn.uvs, drawn.map}}, 64);
+  for (Uv& uv : drawn.uvs) uv[1] += 1001;
+  const RgbPicture picture = opacity_picture(drawn.image, drawn.surface, {{drawn.uvs, drawn.map}}, 64);
+  EXPECT_EQ(picture.rgb, expected.rgb);
+}
+
 TEST(Materials, EachMaterialOfThePlanHasAPicture) {
   const Sample sample;
   const Baked baked = sample.baked(2);

@@ -15,7 +15,7 @@ namespace at = mmverify::spec::attribute;
 using at::Filter;
 using mmverify::spec::Integer;
 using mmverify::spec::Rational;
-using Place = at::Place<Rational>;
+using TexturePoint = at::TexturePoint<Rational>;
 using Polygon = at::Polygon<Rational>;
 using Texture = at::TextureOf<std::uint8_t>;
 
@@ -82,7 +82,7 @@ TEST(SpecAttributeBake, ACellsMeanIsThatOfItsPlane) {
   // The mean of a plane is its value at the centroid.
   const Texture t{2, 2, {0, 51, 102, 153}};
   const Polygon corners{{q(1, 2), q(1, 2)}, {q(5, 4), q(3, 4)}, {q(1, 2), q(3, 2)}};
-  const Place centroid{q(3, 4), q(11, 12)};
+  const TexturePoint centroid{q(3, 4), q(11, 12)};
   EXPECT_EQ(at::mean(t, at::shares_on(corners, Filter::bilinear)), mmverify::spec::bake::alpha(t, centroid));
 }
 
@@ -119,7 +119,7 @@ TEST(SpecAttributeBake, ASegmentIsTheLimitOfTriangles) {
 TEST(SpecAttributeBake, APointIsItsTexel) {
   Texture t{2, 1, {255, 51}};
   t.filter = Filter::nearest;
-  const at::BaseTriangle<Rational> uv{Place{q(1, 2), q(1, 2)}, {q(1, 2), q(1, 2)}, {q(1, 2), q(1, 2)}};
+  const at::BaseTriangle<Rational> uv{TexturePoint{q(1, 2), q(1, 2)}, {q(1, 2), q(1, 2)}, {q(1, 2), q(1, 2)}};
   EXPECT_EQ(at::face_value(t, uv, 2, 7), q(1, 5));  // x = 1 belongs to texel 1
   EXPECT_EQ(at::vertex_value(t, uv, 2, {1, 2}), q(1, 5));
 }

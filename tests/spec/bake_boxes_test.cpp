@@ -14,7 +14,7 @@ using bake::Filter;
 using bake::Texture;
 using bake::Wrap;
 using Q = spec::Rational128;
-using Place = bake::Place<Q>;
+using TexturePoint = bake::TexturePoint<Q>;
 using Polygon = bake::Polygon<Q>;
 
 Q q(std::int64_t m, std::int64_t n = 1) { return bake::fraction<Q>(m, n); }

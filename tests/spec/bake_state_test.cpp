@@ -15,7 +15,7 @@ using bake::Binary32, bake::Filter, bake::Texture, bake::TextureOf, bake::Wrap;
 using mmverify::spec::Rational;
 using mmverify::spec::Rational128;
 using Micro = mmverify::spec::micromap::State;
-using Place = bake::Place<Rational>;
+using TexturePoint = bake::TexturePoint<Rational>;
 using Polygon = bake::Polygon<Rational>;
 using Base = bake::BaseTriangle<Rational>;
 using Mask = bake::Mask<Rational>;
@@ -45,14 +45,14 @@ TEST(SpecBakeTexture, StoredNumbersAreExact) {
 
 TEST(SpecBakeTexture, TheFactorMultipliesWhatIsSampledTheBorderToo) {
   Texture t{1, 1, {255}, Wrap::clamp_to_border, Wrap::clamp_to_border, 51, {0x3f000000}};
-  EXPECT_EQ(bake::alpha(t, Place{half, half}), half);
-  EXPECT_EQ(bake::alpha(t, Place{7, 7}), q(1, 10));
+  EXPECT_EQ(bake::alpha(t, TexturePoint{half, half}), half);
+  EXPECT_EQ(bake::alpha(t, TexturePoint{7, 7}), q(1, 10));
   t.vertex_factor = {0x3e800000};
-  EXPECT_EQ(bake::alpha(t, Place{7, 7}), q(1, 40));
+  EXPECT_EQ(bake::alpha(t, TexturePoint{7, 7}), q(1, 40));
   const TextureOf<std::uint16_t> words{2, 1, {0, 65535}};
-  EXPECT_EQ(bake::alpha(words, Place{1, half}), half);
+  EXPECT_EQ(bake::alpha(words, TexturePoint{1, half}), half);
   const TextureOf<Binary32> floats{2, 1, {{0x3f800000}, {0xc0000000}}};  // 1, -2
-  EXPECT_EQ(bake::alpha(floats, Place{1, half}), -half);
+  EXPECT_EQ(bake::alpha(floats, TexturePoint{1, half}), -half);
   EXPECT_EQ(bake::range(floats, Polygon{{0, 0}, {2, 0}}).least, -2);
 }
 
@@ -76,8 +76,8 @@ TEST(SpecBakeNearest, ATexelsLowSidesAreItsOwnTheHighOnesAreNot) {
   EXPECT_EQ(greatest({{2, 3}, {2, 0}}), 0);
   EXPECT_EQ(bake::range(t, Polygon{{q(5, 4), q(5, 4)}, {q(7, 4), q(5, 4)}, {q(5, 4), q(7, 4)}}).least, 1);
   EXPECT_EQ(bake::range(t, Polygon{{1, 1}, {2, 1}, {1, 2}}).least, 0);  // reaches its neighbours' low sides
-  EXPECT_EQ(bake::alpha(t, Place{1, 1}), 1);
-  EXPECT_EQ(bake::alpha(t, Place{2, 1}), 0);
+  EXPECT_EQ(bake::alpha(t, TexturePoint{1, 1}), 1);
+  EXPECT_EQ(bake::alpha(t, TexturePoint{2, 1}), 0);
   // Before wrapping: the texel at -1 is the last, and owns [-1, 0).
   Texture row{2, 1, {0, 255}};
   row.filter = Filter::nearest;
@@ -88,7 +88,7 @@ TEST(SpecBakeNearest, ATexelsLowSidesAreItsOwnTheHighOnesAreNot) {
 }
 
 /// Vertices at the corners of the texture: the micro-vertex (i/N, j/N) is at (i/N, j/N) of it.
-const Base lower{Place{0, 0}, Place{1, 0}, Place{0, 1}};
+const Base lower{TexturePoint{0, 0}, TexturePoint{1, 0}, TexturePoint{0, 1}};
 
 TEST(SpecBakeState, MicroTrianglesAreOnTheCurve) {
   EXPECT_EQ(bake::micro_triangle(lower, 0, 0, 4, 8).at(1).x, 4);
@@ -117,19 +117,19 @@ TEST(SpecBakeState, MixedLeansAsItsCentroid) {
   EXPECT_EQ(state(2), Micro::UT);  // its edge x = 2 alone is opaque; centroid at 8/3
   EXPECT_EQ(state(3), Micro::O);
   EXPECT_EQ(bake::micro_state(left_half, lower, 0, 0, at_half), Micro::UO);  // centroid at 4/3
-  const Base shifted{Place{half, 0}, Place{2, 0}, Place{half, 1}};
+  const Base shifted{TexturePoint{half, 0}, TexturePoint{2, 0}, TexturePoint{half, 1}};
   EXPECT_EQ(bake::micro_state(left_half, shifted, 0, 0, at_half), Micro::UT);
 }
 
 TEST(SpecBakeState, FlippedTrianglesHaveTheStatesOfTheirPlaces) {
-  const Base flipped{Place{1, 0}, Place{0, 0}, Place{1, 1}};
+  const Base flipped{TexturePoint{1, 0}, TexturePoint{0, 0}, TexturePoint{1, 1}};
   EXPECT_EQ(bake::micro_state(left_half, flipped, 1, 0, at_half), Micro::UT);
   EXPECT_EQ(bake::micro_state(left_half, flipped, 1, 2, at_half), Micro::O);
 }
 
 TEST(SpecBakeState, LinesAndPointsHaveAState) {
   const auto state = [](const Base& base) { return bake::micro_state(left_half, base, 0, 0, at_half); };
-  const Place left{0, 0}, middle{half, half}, right{1, 1};
+  const TexturePoint left{0, 0}, middle{half, half}, right{1, 1};
   EXPECT_EQ(state({left, left, left}), Micro::O);
   EXPECT_EQ(state({middle, middle, middle}), Micro::O);
   EXPECT_EQ(state({right, right, right}), Micro::T);
@@ -171,7 +171,7 @@ TEST(SpecBakeState, EveryMipMustAgree) {
 
 TEST(SpecBakeState, AMarginIsOfEveryMipsOwnTexels) {
   // Up to x = 3/2 of four texels; opaque up to x = 2.
-  const Base left{Place{0, 0}, Place{q(3, 8), 0}, Place{0, 1}};
+  const Base left{TexturePoint{0, 0}, TexturePoint{q(3, 8), 0}, TexturePoint{0, 1}};
   const auto state = [&](const std::vector<Texture>& mips, const Rational& margin) {
     return bake::micro_state(std::span<const Texture>(mips), left, 0, 0, at_half, margin);
   };
@@ -199,7 +199,7 @@ TEST(SpecBakeState, NoPointContradicts) {
     t.border = static_cast<std::uint8_t>(random());
     t.filter = round % 2 == 0 ? Filter::bilinear : Filter::nearest;
     Base base;
-    for (Place& p : base) {
+    for (TexturePoint& p : base) {
       const int x = static_cast<int>(random() % 17) - 8, y = static_cast<int>(random() % 17) - 8;
       p = {q(x, 6), q(y, 6)};
     }
@@ -210,8 +210,8 @@ TEST(SpecBakeState, NoPointContradicts) {
     for (int i = 0; i <= n; ++i)
       for (int j = 0; i + j <= n; ++j) {
         const Rational u = q(i, n), v = q(j, n), w = 1 - u - v;
-        const bool opaque = bake::alpha(t, Place{u * p[1].x + v * p[2].x + w * p[0].x,
-                                                 u * p[1].y + v * p[2].y + w * p[0].y}) >= half;
+        const bool opaque = bake::alpha(t, TexturePoint{u * p[1].x + v * p[2].x + w * p[0].x,
+                                                        u * p[1].y + v * p[2].y + w * p[0].y}) >= half;
         ASSERT_FALSE(state == Micro::T && opaque) << round;
         ASSERT_FALSE(state == Micro::O && !opaque) << round;
       }

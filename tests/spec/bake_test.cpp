@@ -16,14 +16,14 @@ namespace bake = mmverify::spec::bake;
 using bake::State, bake::Texture, bake::Wrap, bake::wrapped;
 using mmverify::spec::Rational;
 using mmverify::spec::Rational128;
-using Place = bake::Place<Rational>;
+using TexturePoint = bake::TexturePoint<Rational>;
 using Polygon = bake::Polygon<Rational>;
 using Range = bake::Range<Rational>;
 
 Rational q(int numerator, int denominator = 1) { return bake::fraction<Rational>(numerator, denominator); }
 
 // The templates, so that places and polygons may be written in braces.
-Rational alpha(const Texture& t, const Place& p) { return bake::alpha(t, p); }
+Rational alpha(const Texture& t, const TexturePoint& p) { return bake::alpha(t, p); }
 Range range(const Texture& t, const Polygon& p) { return bake::range(t, p); }
 State state(const Texture& t, const Polygon& p, const Rational& cutoff) { return bake::state(t, p, cutoff); }
 
@@ -79,7 +79,7 @@ const Texture saddle{2, 2, {255, 0, 0, 255}};
 
 Polygon in_cell(const Polygon& local) {
   Polygon polygon;
-  for (const Place& p : local) polygon.push_back({p.x + half, p.y + half});
+  for (const TexturePoint& p : local) polygon.push_back({p.x + half, p.y + half});
   return polygon;
 }
 
@@ -93,7 +93,7 @@ TEST(SpecBake, AnEdgesCriticalPointCounts) {
   EXPECT_EQ(state(saddle, in_cell({{0, 0}, {1, 1}}), half + q(1, 1000000)), State::C);
 
   const Polygon dips = in_cell({{0, 0}, {1, 1}, {q(1, 8), 0}});
-  for (const Place& p : dips) EXPECT_GE(alpha(saddle, p), q(7, 8));
+  for (const TexturePoint& p : dips) EXPECT_GE(alpha(saddle, p), q(7, 8));
   EXPECT_EQ(range(saddle, dips).least, q(223, 448));
   EXPECT_EQ(range(saddle, dips).greatest, 1);
   EXPECT_EQ(state(saddle, dips, q(223, 448)), State::O);
@@ -173,7 +173,7 @@ Texture random_texture(std::mt19937& random) {
   return t;
 }
 
-Place random_place(std::mt19937& random) {
+TexturePoint random_place(std::mt19937& random) {
   const auto along = [&random] { return q(static_cast<int>(random() % 91) - 30, 13); };
   const Rational x = along();
   return {x, along()};
@@ -185,14 +185,14 @@ TEST(SpecBake, NoPointIsBeyondTheExtremes) {
   std::mt19937 random(1);
   for (int round = 0; round < 60; ++round) {
     const Texture t = random_texture(random);
-    const Place a = random_place(random), b = random_place(random), c = random_place(random);
+    const TexturePoint a = random_place(random), b = random_place(random), c = random_place(random);
     const Range extremes = range(t, {a, b, c});
     Range seen(alpha(t, a));
     constexpr int n = 12;
     for (int i = 0; i <= n; ++i)
       for (int j = 0; i + j <= n; ++j) {
         const Rational u = q(i, n), v = q(j, n), w = 1 - u - v;
-        const Place p{u * a.x + v * b.x + w * c.x, u * a.y + v * b.y + w * c.y};
+        const TexturePoint p{u * a.x + v * b.x + w * c.x, u * a.y + v * b.y + w * c.y};
         seen.take(alpha(t, p));
       }
     ASSERT_LE(extremes.least, seen.least) << round;
@@ -210,12 +210,14 @@ TEST(SpecBake, PartsHaveTheExtremesOfTheWhole) {
   for (int round = 0; round < 60; ++round) {
     const Texture t = random_texture(random);
     const Polygon whole{random_place(random), random_place(random), random_place(random)};
-    const Place p = random_place(random), normal = random_place(random);
-    const auto height = [&](const Place& r) { return normal.x * (r.x - p.x) + normal.y * (r.y - p.y); };
+    const TexturePoint p = random_place(random), normal = random_place(random);
+    const auto height = [&](const TexturePoint& r) {
+      return normal.x * (r.x - p.x) + normal.y * (r.y - p.y);
+    };
     const Range all = range(t, whole);
     std::optional<Range> parts;
-    for (const Polygon& part :
-         {bake::clipped(whole, height), bake::clipped(whole, [&](const Place& r) { return -height(r); })}) {
+    for (const Polygon& part : {bake::clipped(whole, height),
+                                bake::clipped(whole, [&](const TexturePoint& r) { return -height(r); })}) {
       if (part.empty()) continue;
       const Range r = range(t, part);
       if (!parts) parts = r;
@@ -236,7 +238,7 @@ TEST(SpecBake, HullsHaveEachCornerOnce) {
   EXPECT_EQ(corners({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}, {0, 1}}), 4u);
   const Polygon square = bake::hull(Polygon{{0, 0}, {0, 1}, {1, 0}, {1, 1}});
   for (std::size_t k = 0; k < 4; ++k) {  // in order: each is beside the next
-    const Place &p = square.at(k), &q = square.at((k + 1) % 4);
+    const TexturePoint &p = square.at(k), &q = square.at((k + 1) % 4);
     EXPECT_TRUE(p.x == q.x || p.y == q.y);
   }
 }
@@ -246,7 +248,7 @@ TEST(SpecBake, DilatedByASquare) {
   std::mt19937 random(4);
   const auto farthest = [](const Polygon& p, const Rational& a, const Rational& b) {
     Rational most = a * p.at(0).x + b * p.at(0).y;
-    for (const Place& corner : p) most = std::max<Rational>(most, a * corner.x + b * corner.y);
+    for (const TexturePoint& corner : p) most = std::max<Rational>(most, a * corner.x + b * corner.y);
     return most;
   };
   for (int round = 0; round < 60; ++round) {

@@ -40,7 +40,7 @@ TEST(SpecTree, TheWorkedExampleInBytes) {
 // Index 14, digits 3 and 2: past the root (t = 1), over child 0 (t 2, d 1), child 1 (t 7, d 5) and child 2 (t
 // 8, d 6), into child 3 (t = 9), over two leaves: t = 11, d = 8.
 TEST(SpecTree, TheWorkedExampleIsLookedUp) {
-  const Found found = at_index(by_hand, 2, 14);
+  const StateAndBits found = at_index(by_hand, 2, 14);
   EXPECT_EQ(found.state, O);
   EXPECT_EQ(found.tree_bits, 12u);
   EXPECT_EQ(at_index(by_hand, 2, 0).tree_bits, 2u);

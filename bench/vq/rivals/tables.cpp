@@ -104,7 +104,7 @@ Table readings_table(const Figures& figures) {
       {{count("lost_o", same, "regions of O that became C"), "lost O"}, [](const M& m) { return m.lost_o; }},
       {{share("checked", about_less, "share of hits on C"), "hits on C", "", in_per_cent},
        [](const M& m) { return m.checked; }},
-      within<M, F>({.key = list("by", "", {5, 5}), .heading = "by", .within = Within::beside}, by,
+      within<M, F>({.key = list("by", "", {5, 5}), .heading = "by", .within = RowLayout::beside}, by,
                    [](const M& m) { return std::vector<F>(m.by.begin(), m.by.end()); }),
   };
   return table_of<M>({.key = list("readings", "maps of three states, read as two"),

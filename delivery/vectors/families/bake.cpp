@@ -26,7 +26,7 @@ struct Case {
 };
 
 /// The exact states of one micro-triangle, and their distances from another state.
-struct Found {
+struct ExactStates {
   spec::micromap::State closed, open, above;
   Rational gap;   ///< least change of all alpha that gives another of T, O and unknown
   Rational side;  ///< distance of alpha at the centroid from the line between UT and UO
@@ -46,12 +46,13 @@ struct Lines {
 };
 
 template <class Q, class Mode, class Above>
-Found found(const Case& c, const Mode& mode, const Above& above, const Lines<Q>& lines, std::uint32_t index) {
+ExactStates found(const Case& c, const Mode& mode, const Above& above, const Lines<Q>& lines,
+                  std::uint32_t index) {
   using spec::micromap::State;
   BaseTriangle<Q> uv;
   for (std::size_t k = 0; k < 3; ++k) uv[k] = place<Q>({bits_of(c.uv[2 * k])}, {bits_of(c.uv[2 * k + 1])});
   const std::span<const Texture> one(&c.texture, 1);
-  Found f{};
+  ExactStates f{};
   f.closed = micro_state(one, uv, c.level, index, mode);
   f.open = micro_state(one, uv, c.level, index, mode, Q(0), Contact::open);
   f.above = micro_state(one, uv, c.level, index, above);
@@ -67,14 +68,14 @@ Found found(const Case& c, const Mode& mode, const Above& above, const Lines<Q>&
 }
 
 template <class Q>
-Found found_in(const Case& c, std::uint32_t index) {
+ExactStates found_in(const Case& c, std::uint32_t index) {
   if (c.blend) return found<Q>(c, Blend<Q>{}, Blend<Q>{}, {Q(1), Q(0), fraction<Q>(1, 2)}, index);
   const Q cutoff = number<Q>(Binary32{c.cutoff});
   return found<Q>(c, Mask<Q>{cutoff}, MaskAbove<Q>{cutoff}, {cutoff, cutoff, cutoff}, index);
 }
 
 /// Computes in 128-bit fractions, which are faster and exact, and in big ones if those overflow.
-Found found(const Case& c, std::uint32_t index) try {
+ExactStates found(const Case& c, std::uint32_t index) try {
   return found_in<spec::Rational128>(c, index);
 } catch (const std::overflow_error&) {
   return found_in<Rational>(c, index);
@@ -84,7 +85,7 @@ void add(Builder& out, const Case& c) {
   Bytes closed, open, above;
   std::vector<std::uint32_t> gaps, sides, corners;
   for (std::uint32_t index = 0; index < 1u << 2 * c.level; ++index) {
-    const Found f = found(c, index);
+    const ExactStates f = found(c, index);
     closed.push_back(spec::micromap::code(f.closed));
     open.push_back(spec::micromap::code(f.open));
     above.push_back(spec::micromap::code(f.above));

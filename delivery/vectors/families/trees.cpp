@@ -109,7 +109,7 @@ void add_lookups(Builder& out) {
         const spec::tree::Succinct s = spec::tree::encode(map, n);
         const auto last = static_cast<std::uint32_t>(map.size() - 1);
         const auto add = [&](const char* about, std::uint32_t index) {
-          const spec::tree::Found found = spec::tree::at_index(s, n, index);
+          const spec::tree::StateAndBits found = spec::tree::at_index(s, n, index);
           out.add(
               {about, tree, index, micromap::code(found.state), static_cast<std::uint32_t>(found.tree_bits)});
         };

@@ -77,14 +77,14 @@ Camera aimed(const World& world, std::uint64_t triangles, const Box& box, Shares
 
 }  // namespace
 
-Seen seen_on_path(const World& world, const Tracer& tracer, const TraceOptions& trace, std::uint64_t seed,
-                  std::uint64_t number) {
+CameraView seen_on_path(const World& world, const Tracer& tracer, const TraceOptions& trace,
+                        std::uint64_t seed, std::uint64_t number) {
   std::uint64_t triangles = 0;
   for (const Instance& instance : world.instances) triangles += count_of(world, instance);
   if (triangles == 0) throw std::invalid_argument("seen_on_path: no triangle gets a micromap");
   const Box box = box_of(world, true);
   const float aspect = static_cast<float>(trace.width) / static_cast<float>(trace.height);
-  Seen seen;
+  CameraView seen;
   seen.number = number;
   for (unsigned k = 1; k <= most_tries; ++k) {
     seen.tries = k;
@@ -96,10 +96,10 @@ Seen seen_on_path(const World& world, const Tracer& tracer, const TraceOptions& 
   return seen;
 }
 
-PathRow held_against(const std::vector<Seen>& path, const Tracer& tracer, const TraceOptions& trace,
+PathRow held_against(const std::vector<CameraView>& path, const Tracer& tracer, const TraceOptions& trace,
                      const Opacity& opacity) {
   PathRow row;
-  for (const Seen& seen : path) {
+  for (const CameraView& seen : path) {
     const Frame frame = tracer.frame(seen.camera, &opacity, trace);
     ++row.frames;
     row.pixels += frame.pixels.size();

@@ -11,7 +11,7 @@
 namespace mmverify::render {
 
 /// A camera of the path, and its frame by the texture alone.
-struct Seen {
+struct CameraView {
   std::uint64_t number = 0;
   unsigned tries = 1;  ///< places tried until a ray met a triangle that gets a micromap
   Camera camera;
@@ -24,8 +24,8 @@ struct Seen {
 /// `most_tries`.
 /// Domain: a world with such a triangle; cameras count from 1.
 /// Errors: as of Tracer::frame.
-Seen seen_on_path(const World& world, const Tracer& tracer, const TraceOptions& trace, std::uint64_t seed,
-                  std::uint64_t number);
+CameraView seen_on_path(const World& world, const Tracer& tracer, const TraceOptions& trace,
+                        std::uint64_t seed, std::uint64_t number);
 inline constexpr unsigned most_tries = 64;
 
 /// The first pixel that differs from the texture's frame, in the order of cameras, rows and columns.
@@ -42,11 +42,11 @@ struct PathRow {
   Counts counts = {};
   std::optional<PixelOf> first = {};
 };
-PathRow held_against(const std::vector<Seen>& path, const Tracer& tracer, const TraceOptions& trace,
+PathRow held_against(const std::vector<CameraView>& path, const Tracer& tracer, const TraceOptions& trace,
                      const Opacity& opacity);
 
 struct Path {
-  std::vector<Seen> cameras;
+  std::vector<CameraView> cameras;
   std::vector<PathRow> rows;  ///< the square maps' rows, then level by level
   LeftOut left_out;
 };

@@ -77,22 +77,23 @@ Numbers face_numbers(const PackedShape& shape, TripleReader& reader, std::uint32
 }
 
 /// A vertex and its numbers.
-struct Known {
+struct VertexNumbers {
   Vertex at;
   Numbers numbers;
 };
 
 Numbers vertex_numbers(const PackedShape& shape, const detail::PackedLayout& layout, TripleReader& reader,
                        std::uint32_t level, std::uint32_t index) noexcept {
-  std::array<Known, 3> corners{Known{{0, 0}, {}}, Known{{1, 0}, {}}, Known{{0, 1}, {}}};
+  std::array<VertexNumbers, 3> corners{VertexNumbers{{0, 0}, {}}, VertexNumbers{{1, 0}, {}},
+                                       VertexNumbers{{0, 1}, {}}};
   for (std::uint32_t r = 0; r < 3; ++r)
     for (std::uint32_t c = 0; c < shape.channels; ++c) corners[r].numbers[c] = reader.root(r, c);
   if (index < 3) return corners[index].numbers;
   const Vertex goal = vertex_at(VertexOrder::bird, index, level);
   for (std::uint32_t m = 1; m <= level; ++m) {
-    for (Known& k : corners) k.at = {2 * k.at.i, 2 * k.at.j};
-    const auto middle = [&](const Known& p, const Known& q) {
-      Known half{{(p.at.i + q.at.i) / 2, (p.at.j + q.at.j) / 2}, {}};
+    for (VertexNumbers& k : corners) k.at = {2 * k.at.i, 2 * k.at.j};
+    const auto middle = [&](const VertexNumbers& p, const VertexNumbers& q) {
+      VertexNumbers half{{(p.at.i + q.at.i) / 2, (p.at.j + q.at.j) / 2}, {}};
       const std::uint32_t number = bird_index(half.at.i, half.at.j, m) - 3;
       reader.seek(m, number / 3 - layout.first_triple[m]);
       for (std::uint32_t c = 0; c < shape.channels; ++c)
@@ -100,10 +101,10 @@ Numbers vertex_numbers(const PackedShape& shape, const detail::PackedLayout& lay
       return half;
     };
     const auto& [base, along_u, along_v] = corners;
-    const std::array<Known, 3> middles{middle(base, along_u), middle(along_u, along_v),
-                                       middle(along_v, base)};
+    const std::array<VertexNumbers, 3> middles{middle(base, along_u), middle(along_u, along_v),
+                                               middle(along_v, base)};
     const std::uint32_t up = level - m;
-    for (const Known& k : middles)
+    for (const VertexNumbers& k : middles)
       if (k.at.i << up == goal.i && k.at.j << up == goal.j) return k.numbers;
     // Goes to the child that contains the goal; a and b are the goal's steps from the base's corner, at the final
     // level.

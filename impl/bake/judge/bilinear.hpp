@@ -347,7 +347,7 @@ class Bilinear {
   const TexturePropertiesOf<Texel>& sides_;
   BilinearFilter<Texel> filter_;
   const ExactBase& exact_;
-  Within inner_;
+  InnerMarks inner_;
   Lines lines_;
   /// The shapes by height: p0 at either end of the base triangle's edge p0 p1, each not turned, then turned.
   std::array<std::array<SixteenShape, 4>, max_bake_level + 1> shapes_;

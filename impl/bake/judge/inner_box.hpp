@@ -45,11 +45,11 @@ inline InnerBox inner_box(const Triangle& p) noexcept {
 }
 
 /// The inner box of micro-triangles, which are one triangle moved or turned by half a circle, and its texels' marks.
-class Within {
+class InnerMarks {
  public:
   /// `inner` is that of a micro-triangle that is not turned.  It is shrunk by 4 delta, so that it is within the true
   /// triangle, whose centroid may be 2 delta off, and grown by the margin, as the triangle is.
-  Within(const TextureProperties& sides, const InnerBox& inner, double margin, double delta) noexcept
+  InnerMarks(const TextureProperties& sides, const InnerBox& inner, double margin, double delta) noexcept
       : sides_(sides) {
     const InnerBox box = inner.left > inner.right ? InnerBox{0, 0, 0, 0} : inner;
     const double d = 4 * delta - margin;

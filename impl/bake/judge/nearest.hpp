@@ -138,7 +138,7 @@ class Nearest {
 
   const TexturePropertiesOf<Texel>& sides_;
   const ExactBase& exact_;
-  Within inner_;
+  InnerMarks inner_;
   double delta_, margin_;
   bool usable_;
 };

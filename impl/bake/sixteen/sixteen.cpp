@@ -18,11 +18,11 @@ namespace HWY_NAMESPACE {
 
 /// The places of bits [k, k + lanes) in cells that are not mixed, and their marks.  With one limit, and if marks are
 /// clear, alpha there is beyond all bounds on that side.  Bits are in cache, texels may not be.
-struct Known {
+struct KnownBits {
   std::uint32_t places = 0, opaque = 0;
 };
-HWY_INLINE Known known_by_cells(const SixteenInput& in, const Words& words, const Located& at,
-                                std::size_t k) {
+HWY_INLINE KnownBits known_by_cells(const SixteenInput& in, const Words& words, const Located& at,
+                                    std::size_t k) {
   if (!in.shape->clear || in.shape->gap != 0 || words.is_small) return {};
   const Int word = words.origin(at.i), bit = hn::Sub(at.i, hn::ShiftLeft<3>(word)), one = set(1);
   RowByRow row(in, words, word, at.j);
@@ -70,7 +70,7 @@ MMVERIFY_LARGE CornerMarks ask_corners(const SixteenInput& in, const Words& word
     const Float i = hn::LoadU(f, sixteen_lanes.vertex_i.data() + k),
                 j = hn::LoadU(f, sixteen_lanes.vertex_j.data() + k);
     const Located at(place(in, 0, i, j), place(in, 1, i, j));
-    const Known known = known_by_cells(in, words, at, k);
+    const KnownBits known = known_by_cells(in, words, at, k);
     const Mask is_known = mask_of(known.places, k),
                wanted =
                    hn::AndNot(is_known, have_any(hn::LoadU(I(), sixteen_lanes.at_vertex.data() + k), asked));
@@ -100,7 +100,7 @@ MMVERIFY_LARGE void ask_centroids(const SixteenInput& in, const Words& words, st
                 j = hn::LoadU(f, sixteen_lanes.centroid_j.data() + k);
     const Located at(place(in, 0, i, j), place(in, 1, i, j));
     std::uint32_t asked = unknowns;
-    const Known known = known_by_cells(in, words, at, k);
+    const KnownBits known = known_by_cells(in, words, at, k);
     marks.leans |= known.places & unknowns;
     marks.leans_to_opaque |= known.opaque & unknowns;
     asked &= ~known.places;

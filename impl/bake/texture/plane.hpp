@@ -70,11 +70,11 @@ class Plane {
   std::size_t strip() const noexcept { return strip_; }
   static constexpr std::size_t rows_beyond = 32;
 
-  struct Found {
+  struct BoxMarks {
     bool some, some_not;
   };
   /// Looks at the texels [left, right] x [top, bottom], ends included.  Domain: all of them are in the texture.
-  Found in(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
+  BoxMarks in(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
     const auto l = static_cast<std::size_t>(left), r = static_cast<std::size_t>(right),
                t = static_cast<std::size_t>(top), b = static_cast<std::size_t>(bottom);
     const std::size_t first = l / 8, last = r / 8, last_row = b / 8;

@@ -66,7 +66,7 @@ class TextureProperties {
 
  private:
   Marks within(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
-    const Plane::Found found = opaque_.in(left, right, top, bottom);
+    const Plane::BoxMarks found = opaque_.in(left, right, top, bottom);
     const bool seen = limits.blend ? visible_.in(left, right, top, bottom).some : found.some;
     return static_cast<Marks>((seen ? opaque : 0) | (found.some_not ? below : 0));
   }

@@ -39,8 +39,9 @@ class Search {
   Proved4 prove() {
     run(Effort::thorough);
     // The best choices come first: their results make the bounds of the others easier.
-    std::stable_sort(found_.begin(), found_.end(),
-                     [](const Found& a, const Found& b) { return a.codebook.kept > b.codebook.kept; });
+    std::stable_sort(found_.begin(), found_.end(), [](const CodebookChoice& a, const CodebookChoice& b) {
+      return a.codebook.kept > b.codebook.kept;
+    });
     std::uint32_t most = 0;
     Bounded4 bounded;
     for (std::size_t k = 0; k < found_.size() && best_.substitutions != 0; ++k) {
@@ -70,7 +71,7 @@ class Search {
     std::uint32_t quadrant;
     std::array<Set4, 8> stored, codable;  ///< by transform
   };
-  struct Found {
+  struct CodebookChoice {
     Codebook4 codebook;
     std::uint32_t number;  ///< number of the choice of transforms
   };
@@ -95,10 +96,11 @@ class Search {
 
   /// Exchanges entries under the choices of transforms that keep most so far.
   void exchange_best(std::size_t most) {
-    std::vector<Found*> best;
-    for (Found& found : found_) best.push_back(&found);
-    std::stable_sort(best.begin(), best.end(),
-                     [](const Found* a, const Found* b) { return a->codebook.kept > b->codebook.kept; });
+    std::vector<CodebookChoice*> best;
+    for (CodebookChoice& found : found_) best.push_back(&found);
+    std::stable_sort(best.begin(), best.end(), [](const CodebookChoice* a, const CodebookChoice* b) {
+      return a->codebook.kept > b->codebook.kept;
+    });
     for (std::size_t k = 0; k < std::min(most, best.size()) && best_.substitutions != 0; ++k) {
       exchange(sources(best[k]->number), best[k]->codebook);
       take(*best[k]);
@@ -125,7 +127,7 @@ class Search {
     return order;
   }
 
-  void take(const Found& found) {
+  void take(const CodebookChoice& found) {
     if (found.codebook.kept <= all_ - best_.substitutions) return;
     std::vector<Set4> entries = found.codebook.entries;
     const Sources4 from = sources(found.number);
@@ -137,7 +139,7 @@ class Search {
   Vectors4 vectors_;
   std::vector<Source> sources_;  ///< vectors that are not uniform
   std::vector<std::pair<std::size_t, std::uint32_t>> order_;
-  std::vector<Found> found_;  ///< results for the first choices in that order
+  std::vector<CodebookChoice> found_;  ///< results for the first choices in that order
   Encoded4 best_;
   std::uint32_t all_ = 0;  ///< regions O and T of the sources
 };

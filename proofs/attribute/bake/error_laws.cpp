@@ -23,12 +23,13 @@ template <class Q>
 Q difference_in(const BakeCase& one, Level n, MapForm form, const std::vector<Rgba>& map, std::size_t c,
                 const Q& u, const Q& v) {
   const auto uv = base_triangle<Q>(one.uv);
-  const auto along = [&](Q slow::Place<Q>::*axis, std::uint32_t size) {
+  const auto along = [&](Q slow::TexturePoint<Q>::*axis, std::uint32_t size) {
     return Q((uv[0].*axis + u * (uv[1].*axis - uv[0].*axis) + v * (uv[2].*axis - uv[0].*axis)) * Q(size));
   };
-  const auto shares = slow::shares_at(slow::Place<Q>{along(&slow::Place<Q>::x, one.picture.width),
-                                                     along(&slow::Place<Q>::y, one.picture.height)},
-                                      Filter::bilinear);
+  const auto shares =
+      slow::shares_at(slow::TexturePoint<Q>{along(&slow::TexturePoint<Q>::x, one.picture.width),
+                                            along(&slow::TexturePoint<Q>::y, one.picture.height)},
+                      Filter::bilinear);
   const Q texture = one.picture.meaning == Meaning::srgb && c < 3
                         ? slow::mean(channel_of<slow::Srgb8>(one.picture, c, Filter::bilinear), shares)
                         : slow::mean(channel_of<std::uint8_t>(one.picture, c, Filter::bilinear), shares);

@@ -105,7 +105,7 @@ auto each_face(OfFace of_face) {
   };
 }
 
-slow::Shares<Rational128> even(const std::vector<slow::Place<Rational128>>& at) {
+slow::Shares<Rational128> even(const std::vector<slow::TexturePoint<Rational128>>& at) {
   slow::Shares<Rational128> shares;
   const auto each = slow::fraction<Rational128>(1, static_cast<std::int64_t>(at.size()));
   for (const auto& p : at) shares.push_back({spec::bake::floored(p.x), spec::bake::floored(p.y), each});
@@ -185,12 +185,12 @@ std::function<void(Functions&)> rounds_near_halves_up() {
 
 std::function<void(Functions&)> averages_centres() {
   return of_faces([](const slow::Polygon<Rational128>& corners) {
-    std::vector<slow::Place<Rational128>> centres;
+    std::vector<slow::TexturePoint<Rational128>> centres;
     const auto half = slow::fraction<Rational128>(1, 2);
     slow::for_each_part(
         slow::Image<Rational128>(corners), Rational128(0), [&](std::int64_t i, std::int64_t j, const auto&) {
-          const slow::Place<Rational128> centre{slow::fraction<Rational128>(i, 1) + half,
-                                                slow::fraction<Rational128>(j, 1) + half};
+          const slow::TexturePoint<Rational128> centre{slow::fraction<Rational128>(i, 1) + half,
+                                                       slow::fraction<Rational128>(j, 1) + half};
           bool left = true, right = true;
           for (std::size_t k = 0; k < 3; ++k) {
             const auto &p = corners[k], &q = corners[(k + 1) % 3];
@@ -216,7 +216,7 @@ std::function<void(Functions&)> spreads_evenly() {
     std::sort(ends.begin(), ends.end(),
               [](const auto& p, const auto& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
     const std::size_t pieces = 64;
-    std::vector<slow::Place<Rational128>> at;
+    std::vector<slow::TexturePoint<Rational128>> at;
     for (std::size_t k = 0; k < pieces; ++k) {
       const auto f = slow::fraction<Rational128>(static_cast<std::int64_t>(2 * k + 1), 2 * pieces);
       at.push_back({ends[0].x + f * (ends[2].x - ends[0].x), ends[0].y + f * (ends[2].y - ends[0].y)});
@@ -240,9 +240,9 @@ std::function<void(Functions&)> places_in_floats() {
           const float p = one.uv[axis], q = one.uv[axis + 2], r = one.uv[axis + 4];
           return exact((p + (q - p) * s + (r - p) * t) * static_cast<float>(size));
         };
-        const auto shares =
-            slow::shares_at(slow::Place<Rational>{along(0, one.picture.width), along(1, one.picture.height)},
-                            one.picture.filter);
+        const auto shares = slow::shares_at(
+            slow::TexturePoint<Rational>{along(0, one.picture.width), along(1, one.picture.height)},
+            one.picture.filter);
         map.push_back(true_codes(one.picture, one.picture.filter,
                                  [&](const auto& texture) { return slow::mean(texture, shares); }));
       }

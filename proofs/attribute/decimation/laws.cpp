@@ -53,7 +53,7 @@ Law on_edge_flags(Law law, std::function<Finding(const AttributeSubject&, Level,
   return on_cases(std::move(law), needing({snapped_entry}), std::move(cases));
 }
 
-template <Asked asked>
+template <VertexChoice asked>
 std::function<Finding(const AttributeSubject&, Level, EdgeFlags)> of_mesh(
     Finding (*holds)(const DecimatedMesh&)) {
   return [holds](const AttributeSubject& s, Level n, EdgeFlags flags) {
@@ -77,7 +77,7 @@ Law decimation_watertight_law() {
        .tiers = {.fast = {0, 12}, .long_run = {0, 14}, .seconds = 0.6},
        .domain = domain_of_all,
        .mutants = {wrong_rule("one vertex of level 9 stays", {9, 9}, only_at(9, 5, {0, 101}, {0, 101}))}},
-      of_mesh<Asked::all>(watertight));
+      of_mesh<VertexChoice::all>(watertight));
 }
 
 Law decimation_areas_law() {
@@ -89,7 +89,7 @@ Law decimation_areas_law() {
        .domain = domain_at_edges,
        .mutants = {wrong_rule("one vertex of level 11 goes inwards", {11, 11},
                               only_at(11, 4, {0, 301}, {1, 301}), "attribute")}},
-      of_mesh<Asked::at_edges>(areas_kept));
+      of_mesh<VertexChoice::at_edges>(areas_kept));
 }
 
 Law decimation_counts_law() {
@@ -101,7 +101,7 @@ Law decimation_counts_law() {
                         .domain = domain_at_edges,
                         .mutants = {wrong_rule("one vertex of level 11 stays", {11, 11},
                                                only_at(11, 7, {2047, 1}, {2047, 1}), "attribute")}},
-                       of_mesh<Asked::at_edges>(counted));
+                       of_mesh<VertexChoice::at_edges>(counted));
 }
 
 /// The expected lost area, in quarters of a micro-triangle.  From level 2 on, p flags make p N/2 micro-triangles
@@ -131,7 +131,7 @@ Law lookup_fails_law() {
                               [](Level, EdgeFlags, const Vertex& x, const Vertex&) { return x; })},
        .general = false},
       [](const AttributeSubject& s, Level n, EdgeFlags flags) {
-        const DecimatedMesh mesh(s, n, flags, Asked::at_edges);
+        const DecimatedMesh mesh(s, n, flags, VertexChoice::at_edges);
         if (mesh.complaint()) return wrong(mesh.complaint()->expected, mesh.complaint()->got);
         const std::uint64_t expected = expected_lost_quarters(n, flags), got = lost_quarters(mesh);
         const auto share = [n](std::uint64_t quarters) {

@@ -132,11 +132,11 @@ Number lost(const Shape& shape) {
 
 // ---- The mesh
 
-DecimatedMesh::DecimatedMesh(const AttributeSubject& subject, Level n, EdgeFlags flags, Asked asked)
+DecimatedMesh::DecimatedMesh(const AttributeSubject& subject, Level n, EdgeFlags flags, VertexChoice asked)
     : n_(n), flags_(flags) {
   constexpr std::uint64_t at_once = 4096;
   std::vector<Vertex> at;
-  if (asked == Asked::all) {
+  if (asked == VertexChoice::all) {
     const std::uint64_t all = spec::attribute::vertex_count(n);
     for (std::uint64_t first = 0; first < all; first += at_once) {
       at.resize(static_cast<std::size_t>(std::min(at_once, all - first)));

@@ -18,13 +18,13 @@ struct Changed {
 };
 
 /// The vertices that a subject is asked for: all of a level, or those at most one step from a base edge.
-enum class Asked { all, at_edges };
+enum class VertexChoice { all, at_edges };
 
 /// Asks a subject for the vertices of a level, and finds the micro-triangles that changed.
 class DecimatedMesh {
  public:
   /// Throws nothing of its own; what is wrong with the answers is complaint().
-  DecimatedMesh(const AttributeSubject& subject, Level n, EdgeFlags flags, Asked asked);
+  DecimatedMesh(const AttributeSubject& subject, Level n, EdgeFlags flags, VertexChoice asked);
 
   /// A failure that ends every check: a vertex moved that is no odd one of a flagged edge, or left the triangle.
   const std::optional<Words>& complaint() const { return complaint_; }

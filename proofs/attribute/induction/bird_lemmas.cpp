@@ -55,21 +55,21 @@ struct ChildFound {
 };
 ChildFound child_found(const Parts<Counted>& by, Script& script, const std::string& prefix, const Counted& k,
                        const Counted& m, const Term& upright) {
-  struct Found {
+  struct ChildStep {
     std::uint64_t digit;
     Counted number;
   };
   const auto paths = every_path([&] {
     Counted left = k;
     const std::uint64_t digit = by.upright_child(left, m, decided(upright));
-    return Found{digit, left};
+    return ChildStep{digit, left};
   });
-  return {
-      Counted(script.define(
-          prefix + "_digit",
-          as_formula(paths, [](const Found& f) { return whole_number(static_cast<long long>(f.digit)); }))),
-      Counted(script.define(prefix + "_number",
-                            as_formula(paths, [](const Found& f) { return f.number.term; })))};
+  return {Counted(script.define(
+              prefix + "_digit",
+              as_formula(paths,
+                         [](const ChildStep& f) { return whole_number(static_cast<long long>(f.digit)); }))),
+          Counted(script.define(prefix + "_number",
+                                as_formula(paths, [](const ChildStep& f) { return f.number.term; })))};
 }
 
 void add_upright_digit(std::vector<Statement>& all, const Parts<Counted>& by) {

@@ -12,9 +12,9 @@ namespace {
 const std::vector<std::string> all_subjects{"attribute-spec", "attribute", "attribute-single"};
 
 /// One bit for each index of the three orders.
-class Seen {
+class MarkedIndices {
  public:
-  explicit Seen(std::uint64_t count)
+  explicit MarkedIndices(std::uint64_t count)
       : count_(count), words_(static_cast<std::size_t>((3 * count + 63) / 64)) {}
   /// Marks the index; returns whether it is new and belongs to the level.
   bool mark(std::size_t order, std::uint64_t index) {
@@ -54,7 +54,8 @@ Words not_its_own(const AttributeSubject& s, Level n, VertexOrder order, const V
 
 /// Calls report(order, number, vertex) for each index of [begin, end) that was seen before or lies outside the level.
 template <class Report>
-void each_repeat(const AttributeSubject& s, Level n, Chunk chunk, Seen& seen, Tally& tally, Report report) {
+void each_repeat(const AttributeSubject& s, Level n, Chunk chunk, MarkedIndices& seen, Tally& tally,
+                 Report report) {
   const std::uint64_t count = vertex_count(n);
   std::vector<Vertex> at;
   each_setting(chunk, count, [&](std::size_t order, std::uint64_t first, std::size_t size) {
@@ -72,14 +73,14 @@ void each_repeat(const AttributeSubject& s, Level n, Chunk chunk, Seen& seen, Ta
 Tally bijective(const AttributeSubject& s, Level n, const Run& run) {
   // The number of repeated indices does not depend on the threads; the vertex that repeats one does.
   const std::uint64_t count = vertex_count(n);
-  Seen seen(count);
+  MarkedIndices seen(count);
   Tally tally = sweep(run, 3 * count, 16 * elements_per_chunk, [&](Chunk chunk, Tally& part) {
     each_repeat(s, n, chunk, seen, part, [&](std::size_t, std::uint64_t, const Vertex&) {
       part.mismatch(Kind::vertex, {}, [] { return Counterexample{}; });
     });
   });
   if (tally.mismatches() == 0 || interrupted()) return tally;
-  Seen again(count);
+  MarkedIndices again(count);
   Tally named(run.errors), uncounted;
   std::size_t found = 0;
   for (std::uint64_t k = 0; k < 3 * count && found < run.errors; k += elements_per_chunk)

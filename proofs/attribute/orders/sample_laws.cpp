@@ -22,9 +22,9 @@ std::uint32_t specified(Order order, const Element& at, Level n) {
 }
 
 /// A subject's answers for each element of a batch, as numbers, beside the right ones.
-class Found {
+class AnswerTable {
  public:
-  explicit Found(std::size_t elements) : of_each_(elements) {}
+  explicit AnswerTable(std::size_t elements) : of_each_(elements) {}
   /// Adds the numbers `what` of each element k: right(k) is expected, got(k) is the subject's.
   template <class Right, class Got>
   void add(std::string what, Right right, Got got) {
@@ -59,7 +59,7 @@ class Found {
 template <class Element>
 Batches<Element> drawn_cases(
     std::vector<std::string> settings, Kind kind, Element (*draw)(Level, std::uint64_t, std::uint64_t),
-    std::function<Found(const AttributeSubject&, Level, std::size_t setting, std::span<const Element>)>
+    std::function<AnswerTable(const AttributeSubject&, Level, std::size_t setting, std::span<const Element>)>
         found) {
   Batches<Element> cases;
   cases.settings = std::move(settings);
@@ -70,7 +70,7 @@ Batches<Element> drawn_cases(
   };
   cases.check = [found](const AttributeSubject& s, Level n, std::size_t setting, std::span<const Element> at,
                         std::span<Outcome> out) {
-    const Found all = found(s, n, setting, at);
+    const AnswerTable all = found(s, n, setting, at);
     for (std::size_t k = 0; k < at.size(); ++k) out[k] = all.outcome(k);
   };
   cases.words = [found](const AttributeSubject& s, Level n, std::size_t setting, const Element& at) {
@@ -79,10 +79,11 @@ Batches<Element> drawn_cases(
   return cases;
 }
 
-Found found_of_vertices(const AttributeSubject& s, Level n, std::size_t setting, std::span<const Vertex> at) {
+AnswerTable found_of_vertices(const AttributeSubject& s, Level n, std::size_t setting,
+                              std::span<const Vertex> at) {
   const VertexOrder order = vertex_orders[setting];
   const Orders& f = s.functions.orders;
-  Found all(at.size());
+  AnswerTable all(at.size());
   std::vector<std::uint32_t> right;
   for (const Vertex& v : at) right.push_back(specified(order, v, n));
   const auto index = indices_of(s, order, n, at);
@@ -132,11 +133,11 @@ Law sampled_vertices_law() {
       drawn_cases<Vertex>(settings_of(vertex_orders), Kind::vertex, drawn_vertex, found_of_vertices));
 }
 
-Found found_of_faces(const AttributeSubject& s, Level n, const Pair<FaceOrder, VertexOrder>& orders,
-                     std::span<const MicroTriangle> at) {
+AnswerTable found_of_faces(const AttributeSubject& s, Level n, const Pair<FaceOrder, VertexOrder>& orders,
+                           std::span<const MicroTriangle> at) {
   const auto& [faces, vertices] = orders;
   const Orders& f = s.functions.orders;
-  Found all(at.size());
+  AnswerTable all(at.size());
   std::vector<std::uint32_t> right;
   std::vector<Triplet> corners;
   for (const MicroTriangle& t : at) {

@@ -14,7 +14,7 @@ using spec::micromap::force2;
 using spec::micromap::unknown;
 
 /// Whether any judged state of a case is wrong, and whether one is wrong on an area.
-struct Wrong {
+struct CaseFaults {
   bool any = false, on_an_area = false;
 };
 
@@ -84,12 +84,13 @@ class Guesses {
 };
 
 /// The faults of a case; nothing if the subject declined it.
-std::optional<Wrong> judged(const BakeSubject& s, Fault fault, const Case& one, Level n, Guesses& guesses) {
+std::optional<CaseFaults> judged(const BakeSubject& s, Fault fault, const Case& one, Level n,
+                                 Guesses& guesses) {
   const std::optional<Baked> baked = s.functions.bake(one, n, Format::four_state);
   if (!baked) return std::nullopt;
   const std::vector<std::uint32_t> at = judged_at(one, n);
   const Truth truth = true_states(one, n);
-  Wrong wrong;
+  CaseFaults wrong;
   for (std::size_t k = 0; k < at.size() && !wrong.on_an_area; ++k) {
     const State got = baked->states.at(at[k]);
     if (!is_wrong(s, fault, got, truth.lower[k], truth.upper[k])) continue;
@@ -125,7 +126,7 @@ std::vector<std::string> found(const BakeSubject& s, Fault fault) {
   Guesses guesses(fault);
   const auto take = [&](Case drawn, Level n, std::uint64_t salt) {
     const Case one = fitted(s.functions.support, std::move(drawn), salt);
-    const std::optional<Wrong> wrong = interrupted() ? std::nullopt : judged(s, fault, one, n, guesses);
+    const std::optional<CaseFaults> wrong = interrupted() ? std::nullopt : judged(s, fault, one, n, guesses);
     if (!wrong) return;
     ++cases;
     proper += wrong->on_an_area ? 1 : 0;

@@ -26,16 +26,16 @@ const char* full_name(State s) {
 
 /// A square of the texture, which maps texels to pixels.
 struct View {
-  Place origin;
+  TexturePoint origin;
   Rational span;
 
   /// The origin is subtracted before rounding, so that places far from texel 0 stay exact.
-  Pixel operator()(const Place& p) const {
+  Pixel operator()(const TexturePoint& p) const {
     return {left + size * nearest((p.x - origin.x) / span), top + size * nearest((p.y - origin.y) / span)};
   }
   std::vector<Pixel> operator()(const Polygon& polygon) const {
     std::vector<Pixel> pixels;
-    for (const Place& p : polygon) pixels.push_back((*this)(p));
+    for (const TexturePoint& p : polygon) pixels.push_back((*this)(p));
     return pixels;
   }
 };
@@ -44,9 +44,9 @@ struct View {
 /// 8 times its size.
 View around(const Polygon& polygon) {
   const auto [left_most, right_most] = std::minmax_element(
-      polygon.begin(), polygon.end(), [](const Place& p, const Place& q) { return p.x < q.x; });
+      polygon.begin(), polygon.end(), [](const TexturePoint& p, const TexturePoint& q) { return p.x < q.x; });
   const auto [highest, lowest] = std::minmax_element(
-      polygon.begin(), polygon.end(), [](const Place& p, const Place& q) { return p.y < q.y; });
+      polygon.begin(), polygon.end(), [](const TexturePoint& p, const TexturePoint& q) { return p.y < q.y; });
   const Rational wide = right_most->x - left_most->x, high = lowest->y - highest->y;
   Rational span = std::max(wide, high);
   const Rational some_texels(5, 2);
@@ -74,7 +74,7 @@ void draw_opaque(Canvas& canvas, const View& view, const Texture& t, const Case&
         const Rational exact = origin + span * bake::fraction<Rational>(2 * k + 1, 2 * samples);
         return Q(typename Q::int_type(exact.numerator()), typename Q::int_type(exact.denominator()));
       };
-      const bake::Place<Q> p{at(view.origin.x, view.span, column), at(view.origin.y, view.span, row)};
+      const bake::TexturePoint<Q> p{at(view.origin.x, view.span, column), at(view.origin.y, view.span, row)};
       return with_mode<Q>(one, [&](const auto& mode) { return mode.opaque(bake::alpha(t, p)); });
     });
   };
@@ -136,7 +136,7 @@ std::string where_in(const Extreme& e) {
 }
 
 /// The place in texels of mip 0, which the picture shows.
-Place in_first(const Case& one, const Extreme& e) {
+TexturePoint in_first(const Case& one, const Extreme& e) {
   const auto scale = [&](std::uint32_t size) {
     return bake::fraction<Rational>(size, std::max(1u, size >> e.mip));
   };

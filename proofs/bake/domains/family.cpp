@@ -43,7 +43,7 @@ using Micros = std::vector<Micro>;
 }  // namespace
 
 /// The true states of a level, a byte each, kept for later laws and their mutants.
-struct Enumerated::Kept {
+struct Enumerated::CaseCache {
   static constexpr Level levels = 4;
   static constexpr std::uint64_t most = 100'000;  ///< the most cases that are kept: some 5 MB a family
   struct OfLevel {
@@ -152,7 +152,7 @@ Enumerated::Enumerated(Family family)
       spots_(family_.all_spots()),
       textures_(power(family_.alphabet.size(), family_.varied() * family_.varied())),
       geometry_(std::make_unique<Geometry>(family_.triangles.size())),
-      kept_{std::make_unique<Kept>(), std::make_unique<Kept>(), std::make_unique<Kept>()} {}
+      kept_{std::make_unique<CaseCache>(), std::make_unique<CaseCache>(), std::make_unique<CaseCache>()} {}
 Enumerated::~Enumerated() = default;
 Enumerated::Enumerated(Enumerated&&) noexcept = default;
 
@@ -195,7 +195,7 @@ Case Enumerated::at(std::uint64_t k) const {
 
 std::vector<State> Enumerated::truth(Level n, std::uint64_t k, Threshold threshold) const {
   if (family_.rules.slack == 0) threshold = Threshold::exact;
-  Kept::OfLevel* const kept = kept_[static_cast<std::size_t>(threshold)]->of(n, count());
+  CaseCache::OfLevel* const kept = kept_[static_cast<std::size_t>(threshold)]->of(n, count());
   if (kept == nullptr) return found(n, k, threshold);
   const std::size_t size = std::size_t{1} << 2 * n;
   std::uint8_t* const states = kept->states.data() + k * size;

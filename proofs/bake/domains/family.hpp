@@ -54,7 +54,7 @@ class Enumerated {
 
  private:
   struct Geometry;
-  struct Kept;
+  struct CaseCache;
   std::vector<State> found(Level n, std::uint64_t k, Threshold threshold) const;
   std::vector<std::uint8_t> values(
       std::uint64_t texture) const;  ///< of its texels, as places in the alphabet
@@ -63,7 +63,7 @@ class Enumerated {
   std::vector<Spot> spots_;
   std::uint64_t textures_;
   std::unique_ptr<Geometry> geometry_;
-  std::array<std::unique_ptr<Kept>, 3> kept_;  ///< by threshold
+  std::array<std::unique_ptr<CaseCache>, 3> kept_;  ///< by threshold
 };
 
 /// Several families, one after the other.

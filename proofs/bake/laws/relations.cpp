@@ -132,12 +132,12 @@ bool same_first_mip(const Case& a, const Case& b) {
 /// The last texture is kept, and taken for each that is as good as it.
 std::function<void(Functions&)> keeping(bool (*same)(const Case&, const Case&)) {
   return [same](Functions& functions) {
-    struct Kept {
+    struct LastTexture {
       std::mutex lock;
       std::optional<Case> last;
     };
-    functions.bake = [same, kept = std::make_shared<Kept>(), real = functions.bake](const Case& one, Level n,
-                                                                                    Format format) {
+    functions.bake = [same, kept = std::make_shared<LastTexture>(), real = functions.bake](
+                         const Case& one, Level n, Format format) {
       Case now = one;
       {
         const std::lock_guard hold(kept->lock);

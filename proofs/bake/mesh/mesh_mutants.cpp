@@ -30,6 +30,9 @@ std::size_t taken_for(const MeshCase& mesh, std::size_t triangle, Likens likens)
   return triangle;
 }
 
+/// Whether a triangle's level is 4 or more, which a test of low levels misses.
+bool is_fine(const MeshCase& mesh, std::size_t triangle) { return mesh.level_of(triangle) >= 4; }
+
 /// This project's maps, in which `states` of a triangle, given its own ones, take its map's place.
 using States =
     std::function<std::vector<State>(const StatesOfTriangle& own, const MeshCase&, std::size_t triangle)>;
@@ -116,7 +119,10 @@ std::vector<Mutant> conservative_mesh_mutants() {
       sharing("a triangle shares the map of the one that it is turned from", {1, 4}, alike_but_turned),
       sharing("a triangle shares the map of the one that it is rewound from", {1, 4}, alike_but_rewound),
       sharing("whole repeats away is the same, however it is addressed", all, alike_in_repeats),
-      sharing("u alone is compared", all, alike_in_u),
+      with_states("from level 4 on u alone is compared", {4, 4},
+                  [](const StatesOfTriangle& own, const MeshCase& mesh, std::size_t t) {
+                    return own(mesh, is_fine(mesh, t) ? taken_for(mesh, t, alike_in_u) : t).value();
+                  }),
       with_states("a sharer has the special index of a map that was never baked", all,
                   [](const StatesOfTriangle& own, const MeshCase& mesh, std::size_t t) {
                     auto states = own(mesh, t).value();
@@ -143,9 +149,9 @@ std::vector<Mutant> tight_mesh_mutants() {
             return own(mesh, t).value();
           },
           joining),
-      with_states("from level 2 on maps are baked a level lower", {2, 4},
+      with_states("from level 4 on maps are baked a level lower", {4, 4},
                   [](const StatesOfTriangle& own, const MeshCase& mesh, std::size_t t) {
-                    if (mesh.level_of(t) < 2) return own(mesh, t).value();
+                    if (!is_fine(mesh, t)) return own(mesh, t).value();
                     MeshCase lower = mesh;
                     lower.level = mesh.level_of(t) - 1;
                     lower.levels.clear();
@@ -174,9 +180,10 @@ std::vector<Mutant> shared_mesh_mutants() {
       sharing("coordinates that are equal but for a hair share a map", all, alike_in_half_precision),
       sharing("coordinates that are equal in quarters of a texel share a map", all, alike_in_quarters),
       sharing("a triangle shares the map of the one that it is rewound from", {1, 4}, alike_but_rewound),
-      with_states("the sixth triangle has the fifth one's map", all,
+      with_states("from level 4 on the sixth triangle has the fifth one's map", {4, 4},
                   [](const StatesOfTriangle& own, const MeshCase& mesh, std::size_t t) {
-                    return own(mesh, t == 5 && mesh.level_of(4) == mesh.level_of(5) ? 4 : t).value();
+                    const bool is_sixth = t == 5 && is_fine(mesh, t) && mesh.level_of(4) == mesh.level_of(5);
+                    return own(mesh, is_sixth ? 4 : t).value();
                   }),
   };
 }
@@ -195,9 +202,10 @@ std::vector<Mutant> two_state_mesh_mutants() {
                       if (unknown(known[k])) states[k] = State::T;
                     return states;
                   }),
-      with_states("in 2-state coordinates in quarters of a texel share a map", {0, 4},
+      with_states("from level 4 on, in 2-state, coordinates in quarters of a texel share a map", {4, 4},
                   [in_two](const StatesOfTriangle& own, const MeshCase& mesh, std::size_t t) {
-                    return own(mesh, in_two(mesh) ? taken_for(mesh, t, alike_in_quarters) : t).value();
+                    const bool shares = in_two(mesh) && is_fine(mesh, t);
+                    return own(mesh, shares ? taken_for(mesh, t, alike_in_quarters) : t).value();
                   }),
       with_states("in 2-state a sharer has a special index", {0, 4},
                   [in_two](const StatesOfTriangle& own, const MeshCase& mesh, std::size_t t) {
@@ -220,9 +228,9 @@ std::vector<Mutant> record_mesh_mutants() {
                       if (bits < 8) a.data[record.offset] |= static_cast<std::uint8_t>(0xff << bits);
                     }
                   }),
-      with_answer("the data lacks its last byte", all,
-                  [](const MeshCase&, array::Answer& a) {
-                    if (!a.data.empty()) a.data.pop_back();
+      with_answer("from level 4 on the data lacks its last byte", {4, 4},
+                  [](const MeshCase& mesh, array::Answer& a) {
+                    if (!a.data.empty() && is_fine(mesh, mesh.triangles.size() - 1)) a.data.pop_back();
                   }),
       with_answer("the second record begins a byte early", {2, 4},
                   [](const MeshCase&, array::Answer& a) {
@@ -274,10 +282,10 @@ std::vector<Mutant> count_mesh_mutants() {
                   [](const MeshCase& mesh, array::Answer& a) {
                     if (mesh.api == array::Api::DXR) a.geometry_counts = a.array_counts;
                   }),
-      with_answer("all records count for the first one's level", {1, 4},
+      with_answer("all records of level 4 count for the first one's level", {4, 4},
                   [](const MeshCase&, array::Answer& a) {
-                    for (std::size_t k = 1; k < a.array_counts.size(); ++k)
-                      a.array_counts[k].level = a.array_counts[0].level;
+                    for (auto& one : a.array_counts)
+                      if (one.level == 4) one.level = a.array_counts[0].level;
                   }),
   };
 }

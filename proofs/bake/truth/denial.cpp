@@ -28,7 +28,7 @@ std::optional<Offender> offender_of(const Case& one, Level n, std::vector<State>
 
 namespace {
 
-std::string place_text(const Place& p) { return fmt::format("({}, {})", text_of(p.x), text_of(p.y)); }
+std::string place_text(const TexturePoint& p) { return fmt::format("({}, {})", text_of(p.x), text_of(p.y)); }
 
 /// The extent of a wrong O or T as words: a tie, or by how much alpha misses the cutoff and on which share of the
 /// area.

@@ -114,14 +114,14 @@ void candidates(const bake::TextureOf<Stored>& t, std::int64_t i, std::int64_t j
                 const bake::Polygon<Rational>& part, Take take) {
   const bake::Cell<Rational> cell(t, i, j);
   for (std::size_t corner = 0; corner < part.size(); ++corner) {
-    const Place &from = part[corner], &to = part[(corner + 1) % part.size()];
+    const TexturePoint &from = part[corner], &to = part[(corner + 1) % part.size()];
     take(from);
-    const Place p = cell.local(from);
+    const TexturePoint p = cell.local(from);
     const Rational x = to.x - from.x, y = to.y - from.y, k = cell.d * x * y,
                    l = cell.b * x + cell.c * y + cell.d * (p.x * y + p.y * x);
     if (k == 0) continue;
     const Rational along = -l / (k + k);
-    if (along > 0 && along < 1) take(Place{from.x + along * x, from.y + along * y});
+    if (along > 0 && along < 1) take(TexturePoint{from.x + along * x, from.y + along * y});
   }
 }
 
@@ -209,7 +209,7 @@ namespace {
 
 /// The place of a texel that is an extreme of a box in a polygon: its centre.
 template <class Stored>
-Place centre_of(const bake::Box& box, const bake::TexelAt<Stored>& at, std::int64_t next) {
+TexturePoint centre_of(const bake::Box& box, const bake::TexelAt<Stored>& at, std::int64_t next) {
   // The texel's index is the box's own, or that of the end that the box is clamped to.
   const auto i = std::clamp(at.i, box.columns.first, box.columns.last + next),
              j = std::clamp(at.j, box.rows.first, box.rows.last + next);
@@ -225,7 +225,7 @@ void extreme_places(const bake::TextureOf<Stored>& t, const bake::Polygon<Ration
   const auto all = bake::range(t, polygon);
   std::optional<bake::Range<Rational>> found;
   int boxes = 0;
-  const auto taken = [&](const Place& p) {
+  const auto taken = [&](const TexturePoint& p) {
     const Rational alpha = bake::alpha(t, p);
     if (!found) found = bake::Range<Rational>(alpha);
     found->take(alpha);
@@ -238,7 +238,7 @@ void extreme_places(const bake::TextureOf<Stored>& t, const bake::Polygon<Ration
           return found && found->least <= some.least && some.greatest <= found->greatest;
         };
         if (knows(all) || knows(bake::range<Rational>(t, texels)) || ++boxes > most_boxes) return true;
-        const Place middle = bake::centroid(one.part);
+        const TexturePoint middle = bake::centroid(one.part);
         for (const auto& at : {texels.least, texels.greatest})
           if (whole)
             taken(centre_of(one.box, at, next));
@@ -266,7 +266,7 @@ Extremes extremes(const Case& one, Level n, std::uint32_t index) {
       const auto& t = mips[mip];
       const bake::Polygon<Rational> polygon = bake::dilated(
           bake::micro_triangle(base_triangle<Rational>(one), n, index, t.width, t.height), margin);
-      extreme_places(t, polygon, [&](const Place& p, const Rational& alpha) {
+      extreme_places(t, polygon, [&](const TexturePoint& p, const Rational& alpha) {
         const Extreme here{p, alpha, mip};
         if (!found) found = Extremes{here, here};
         if (here.alpha < found->least.alpha) found->least = here;

@@ -7,7 +7,7 @@ namespace mmverify::proofs::bake {
 
 using spec::Rational;
 using spec::micromap::State;
-using Place = spec::bake::Place<Rational>;
+using TexturePoint = spec::bake::TexturePoint<Rational>;
 
 /// The state of micro-triangle `index` by spec/bake/state.hpp.
 State true_state(const Case& one, Level n, std::uint32_t index);
@@ -31,7 +31,7 @@ Truth true_states(const Case& one, Level n, const std::vector<std::uint32_t>& at
 
 /// A place with the least or the greatest alpha on a closed micro-triangle, and that alpha.
 struct Extreme {
-  Place at;  ///< in texels of its mip
+  TexturePoint at;  ///< in texels of its mip
   Rational alpha;
   std::uint32_t mip = 0;
 };

@@ -54,9 +54,9 @@ Counterexample at_triangle(const MicroTriangle& m, Level n, std::string expected
 }
 
 /// One bit for each index: 4^n / 8 bytes, 512 MiB at level 16.
-class Seen {
+class MarkedIndices {
  public:
-  explicit Seen(Level n) : words_(static_cast<std::size_t>((triangle_count(n) + 63) / 64)) {}
+  explicit MarkedIndices(Level n) : words_(static_cast<std::size_t>((triangle_count(n) + 63) / 64)) {}
   /// Marks the index; returns whether it was marked before.
   bool mark(std::uint32_t index) {
     const std::uint64_t bit = std::uint64_t{1} << (index % 64);
@@ -196,7 +196,7 @@ std::string adjacency(const Gap& gap) {
 
 Tally bijective(const IndexSubject& s, Level n, const Run& run) {
   // First all together: the numbers of answers out of range and of repeated ones do not depend on the order.
-  Seen seen(n);
+  MarkedIndices seen(n);
   Tally tally = sweep(
       run, side(n), strips_per_chunk(n),
       [&](Chunk chunk, Tally& part) {
@@ -217,7 +217,7 @@ Tally bijective(const IndexSubject& s, Level n, const Run& run) {
   if (tally.found().empty() || interrupted()) return tally;
 
   // Then in order, to find the first ones.
-  Seen again(n);
+  MarkedIndices again(n);
   Tally named(run.errors);
   std::vector<std::pair<MicroTriangle, std::uint32_t>> repeats;
   for (std::uint32_t j = 0; j < side(n) && repeats.size() < run.errors; ++j)

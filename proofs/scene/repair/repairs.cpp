@@ -150,14 +150,14 @@ class RepairSearch {
     return true;
   }
 
-  struct Place {
+  struct RecordPlace {
     std::size_t array;
     std::uint64_t record;
   };
   using Key = std::array<std::uint64_t, 4>;  ///< level, T, O, unknown
 
   /// The file's records by level and states.
-  const std::map<Key, std::vector<Place>>& records() {
+  const std::map<Key, std::vector<RecordPlace>>& records() {
     if (records_.empty())
       for (std::size_t a = 0; a < maps_.arrays.size(); ++a)
         for (std::uint64_t r = 0; r < maps_.arrays[a]->records.size(); ++r) {
@@ -186,12 +186,12 @@ class RepairSearch {
     if (found == records().end()) return false;
     for (const bool turns : {false, true})
       for (const bool is_own : {true, false})
-        for (const Place& place : found->second)
+        for (const RecordPlace& place : found->second)
           if ((place.array == own) == is_own && try_record(k, place, is_own, turns)) return true;
     return false;
   }
 
-  bool try_record(std::size_t k, const Place& place, bool is_own, bool turns) {
+  bool try_record(std::size_t k, const RecordPlace& place, bool is_own, bool turns) {
     return try_map(k, fitting_.map(place.array, place.record), {},
                    is_own
                        ? fmt::format("given the map of record {}", place.record)
@@ -242,7 +242,7 @@ class RepairSearch {
   const std::set<std::size_t>& unlinked_;
   Fitting fitting_;
   std::vector<MapRepair> all_;
-  std::map<Key, std::vector<Place>> records_;
+  std::map<Key, std::vector<RecordPlace>> records_;
   std::array<bool, 13> levels_{};
   std::map<std::size_t, Sides> found_;  ///< of triangles whose map is right, stored or found
 };

@@ -7,14 +7,14 @@
 #include <string>
 
 #include "subjects/dock/desk/caller.hpp"
-#include "subjects/dock/desk/kept.hpp"
+#include "subjects/dock/desk/worker_memory.hpp"
 
 namespace mmverify::dock {
 
 class Batch {
  public:
   /// At most `one_by_one` elements are worth a call each.
-  Batch(const Caller& caller, Kept& kept, std::size_t slot, std::size_t one_by_one = batch_size)
+  Batch(const Caller& caller, WorkerMemory& kept, std::size_t slot, std::size_t one_by_one = batch_size)
       : caller(caller), kept(kept), slot(slot), one_by_one(one_by_one) {}
 
   std::size_t count() const { return in_slot(caller.mailbox().count, slot); }
@@ -41,7 +41,7 @@ class Batch {
   void ask_element(std::size_t k, const std::string& how) const;
 
   const Caller& caller;
-  Kept& kept;
+  WorkerMemory& kept;
   const std::size_t slot, one_by_one;
 };
 

@@ -9,7 +9,7 @@ constexpr std::uint32_t first_thorough = 64, later_one_in = 64;
 
 }  // namespace
 
-Blob::Blob(const Caller& caller, Kept& kept)
+Blob::Blob(const Caller& caller, WorkerMemory& kept)
     : caller(caller), kept(kept), bytes(original()), elsewhere(copied_elsewhere()) {
   // The order alternates: a question's first call has the address of the previous question's second call to
   // that entry point.

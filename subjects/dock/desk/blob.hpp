@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "subjects/dock/desk/caller.hpp"
-#include "subjects/dock/desk/kept.hpp"
+#include "subjects/dock/desk/worker_memory.hpp"
 
 namespace mmverify::dock {
 
 class Blob {
  public:
-  Blob(const Caller& caller, Kept& kept);
+  Blob(const Caller& caller, WorkerMemory& kept);
 
   const Signature& signature() const { return caller.entry().signature; }
   /// Earlier questions to the entry point at this level and in this format.
@@ -47,7 +47,7 @@ class Blob {
   void ask_after(const Arguments& before, Fenced& out, const std::string& how) const;
 
   const Caller& caller;
-  Kept& kept;
+  WorkerMemory& kept;
   const std::uint8_t *bytes, *elsewhere;  ///< the places of the blob for the first call and the second one
   std::vector<std::byte> answer;          ///< of the first call
   std::uint64_t size = 0;                 ///< the result of that call

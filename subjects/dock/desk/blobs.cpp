@@ -120,7 +120,7 @@ void answer(Blob& blob) {
 
 }  // namespace
 
-void run_on_blob(const Caller& caller, Kept& kept) {
+void run_on_blob(const Caller& caller, WorkerMemory& kept) {
   Blob blob(caller, kept);
   const TwoAnswers early = first_from_threads(blob);
   if (blob.signature().sizes_answer)

@@ -30,7 +30,8 @@ constexpr Circumstance circumstances[] = {
 constexpr std::uint32_t first_in_all = 4;
 
 /// Repeats the question with copies of its inputs, and its output, in memory that is taken back afterwards.
-void ask_in(const Circumstance& circumstance, const Question& question, const Caller& caller, Kept& kept) {
+void ask_in(const Circumstance& circumstance, const Question& question, const Caller& caller,
+            WorkerMemory& kept) {
   const Signature& signature = caller.entry().signature;
   Arguments a = question.arguments;
   a.manner = circumstance.manner;

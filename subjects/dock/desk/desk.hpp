@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "subjects/dock/desk/caller.hpp"
-#include "subjects/dock/desk/kept.hpp"
+#include "subjects/dock/desk/worker_memory.hpp"
 
 namespace mmverify::dock {
 
@@ -23,7 +23,7 @@ class Desk {
   void run(std::uint64_t number);
 
   const Caller& caller_;
-  Kept kept_;
+  WorkerMemory kept_;
   const pid_t self_ = getpid();
 };
 

@@ -114,7 +114,8 @@ void after_kept_formats(const Batch& batch) {
   const Arguments whole = batch.piece(0, batch.count());
   Places places;
   for (std::uint32_t other = 0; other < formats; ++other) {
-    const std::optional<Kept::Batch>& kept = batch.kept.level_before[batch.caller.entry_number()][other];
+    const std::optional<WorkerMemory::Batch>& kept =
+        batch.kept.level_before[batch.caller.entry_number()][other];
     if (other == mailbox.format % formats || !kept || kept->level != mailbox.level) continue;
     for (std::size_t k = 0; places.empty() && k < batch.count(); ++k)
       places.emplace(numbers_of(whole, arrays, bytes, k), k);
@@ -165,7 +166,7 @@ void after_the_level_before(const Batch& batch) {
   const Mailbox& mailbox = batch.caller.mailbox();
   if (signature.arrays < 2 || signature.of_points || mailbox.this_level_alone != 0) return;
   const std::size_t bytes = signature.number_bytes;
-  std::optional<Kept::Batch>& kept =
+  std::optional<WorkerMemory::Batch>& kept =
       batch.kept.level_before[batch.caller.entry_number()][mailbox.format % formats];
   std::unordered_map<std::uint32_t, std::size_t> places;
   for (std::size_t k = 0; kept && kept->level != mailbox.level && k * bytes < kept->arrays[0].size(); ++k)
@@ -185,7 +186,7 @@ void after_the_level_before(const Batch& batch) {
     batch.ask_element(
         k, "asked after one of level " + std::to_string(kept->level) + " with the same first number");
   }
-  kept = Kept::Batch{mailbox.level, {}};
+  kept = WorkerMemory::Batch{mailbox.level, {}};
   const Arguments whole = batch.piece(0, batch.count());
   for (std::size_t array = 0; array < signature.arrays; ++array)
     kept->arrays[array].assign(whole.arrays[array], whole.arrays[array] + batch.count() * bytes);

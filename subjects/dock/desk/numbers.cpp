@@ -86,7 +86,7 @@ Fenced answers_at_once(const Caller& caller, std::size_t first, std::size_t coun
 
 /// Asks the whole command in large batches, over bytes of `filling`, and visits the answers of each slot.
 template <class Visit>
-void in_large_batches(const Caller& caller, Kept& kept, unsigned char filling, Visit visit) {
+void in_large_batches(const Caller& caller, WorkerMemory& kept, unsigned char filling, Visit visit) {
   const auto all = static_cast<std::size_t>(caller.mailbox().count);
   for (std::size_t first = 0; first < all; first += large_batch_size) {
     const std::size_t count = std::min(large_batch_size, all - first);
@@ -96,7 +96,7 @@ void in_large_batches(const Caller& caller, Kept& kept, unsigned char filling, V
   }
 }
 
-void answer_in_large_batches(const Caller& caller, Kept& kept, bool again) {
+void answer_in_large_batches(const Caller& caller, WorkerMemory& kept, bool again) {
   in_large_batches(caller, kept, blank, [](const Batch& batch, const std::byte* answers) {
     std::memcpy(batch.answers(), answers, batch.whole().bytes);
   });
@@ -107,7 +107,7 @@ void answer_in_large_batches(const Caller& caller, Kept& kept, bool again) {
 }
 
 /// Repeats the first command of a level in every way.
-void provoke(const Caller& caller, Kept& kept, std::size_t batches, bool large) {
+void provoke(const Caller& caller, WorkerMemory& kept, std::size_t batches, bool large) {
   for (std::size_t slot = 0; slot < (large ? 1 : batches); ++slot)
     for (const BatchProvocation& provocation : batch_provocations)
       if ((!large || provocation.large == Large::yes) && (slot == 0 || provocation.batches == Batches::each))
@@ -130,7 +130,7 @@ void in_pieces(const Batch& batch, std::size_t size, std::size_t most) {
                        size == batch_size ? "asked again" : "asked in batches of " + std::to_string(size));
 }
 
-void run_on_numbers(const Caller& caller, Kept& kept, std::uint64_t number) {
+void run_on_numbers(const Caller& caller, WorkerMemory& kept, std::uint64_t number) {
   const Mailbox& mailbox = caller.mailbox();
   const bool one_by_one = mailbox.one_by_one != 0,
              large = (caller.subject().flags & MMVERIFY_LARGE_BATCHES) != 0 && !one_by_one;

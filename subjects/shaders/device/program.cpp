@@ -173,7 +173,7 @@ void Program::bind() {
   vkUpdateDescriptorSets(device_.handle(), bindings, writes.data(), 0, nullptr);
 }
 
-const std::uint32_t* Program::run(const Asked& asked) {
+const std::uint32_t* Program::run(const ShaderInputs& asked) {
   bool moved = false;
   const auto fill = [&](std::uint32_t binding, const void* from, std::size_t bytes, std::size_t room) {
     moved = buffers_[binding]->reserve(room) || moved;
@@ -202,7 +202,7 @@ const std::uint32_t* Program::run(const Asked& asked) {
   return static_cast<const std::uint32_t*>(buffers_[answer_binding]->data());
 }
 
-void Program::dispatch(const Asked& asked) {
+void Program::dispatch(const ShaderInputs& asked) {
   const std::size_t groups = (asked.count + module_.group_size - 1) / module_.group_size;
   if (groups > device_.properties().limits.maxComputeWorkGroupCount[0])
     throw std::runtime_error("more workgroups than the device takes: make them larger than " +

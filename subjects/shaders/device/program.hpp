@@ -35,7 +35,7 @@ class Buffer {
 };
 
 /// The inputs of one call to a shader.
-struct Asked {
+struct ShaderInputs {
   std::uint32_t level = 0, first = 0, second = 0;
   std::vector<const void*> arrays = {};  ///< each of `count` 32-bit numbers
   const void* bytes = nullptr;           ///< the code, block or map
@@ -57,13 +57,13 @@ class Program {
 
   /// The words of the answers, valid until the next call. Throws std::runtime_error if the device is lost or
   /// the validation layer reports something.
-  const std::uint32_t* run(const Asked& asked);
+  const std::uint32_t* run(const ShaderInputs& asked);
 
  private:
   void make_layout();
   void make_pipeline(const std::vector<std::uint32_t>& words);
   void bind();
-  void dispatch(const Asked& asked);
+  void dispatch(const ShaderInputs& asked);
 
   const Device& device_;
   const Module module_;

@@ -25,19 +25,19 @@ struct Running {
 Running* running = nullptr;
 std::string why_not_here;
 
-const std::uint32_t* run(const char* entry_point, const Asked& asked) {
+const std::uint32_t* run(const char* entry_point, const ShaderInputs& asked) {
   return running->programs.at(entry_point)->run(asked);
 }
 
 template <class T>
-void to_words(const char* entry_point, Asked asked, T* out) {
+void to_words(const char* entry_point, ShaderInputs asked, T* out) {
   static_assert(sizeof(T) == sizeof(std::uint32_t));
   asked.before = out;
   std::memcpy(out, run(entry_point, asked), asked.count * asked.values * sizeof(T));
 }
 
 /// Narrows the answers to bytes, states for example; a value above 255 becomes 255, a wrong answer.
-void to_bytes(const char* entry_point, const Asked& asked, std::uint8_t* out) {
+void to_bytes(const char* entry_point, const ShaderInputs& asked, std::uint8_t* out) {
   const std::uint32_t* words = run(entry_point, asked);
   for (std::size_t k = 0; k < asked.count; ++k)
     out[k] = static_cast<std::uint8_t>(words[k] > 0xff ? 0xff : words[k]);

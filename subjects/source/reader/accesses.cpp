@@ -124,7 +124,7 @@ class Guards {
     if (holders_ ? !all_holders(reach) : shown(reach)) return;
     llvm::IRBuilder<> build(&at);
     if (!reach.known || some_shown(reach)) return refuse(build, Refusal::pointer);
-    const Place& place = pointers_.place(pointer);
+    const PointerExtent& place = pointers_.place(pointer);
     const bool moves = llvm::isa<llvm::MemIntrinsic>(at);
     bytes = build.CreateZExtOrTrunc(bytes, build.getInt64Ty());
     llvm::Value* outside = Pointers::beyond(build, moves ? place.in_whole : place.offset, bytes,
@@ -136,7 +136,7 @@ class Guards {
   }
 
   /// Whether the lifetime of the variable that a pointer leads to has ended, or not begun.
-  llvm::Value* ended(llvm::IRBuilder<>& build, const Reach& reach, const Place& place) {
+  llvm::Value* ended(llvm::IRBuilder<>& build, const Reach& reach, const PointerExtent& place) {
     llvm::Value* any = build.getFalse();
     for (llvm::Value* base : reach.bases) {
       const auto* call = llvm::dyn_cast<llvm::CallInst>(base);
@@ -166,7 +166,7 @@ class Guards {
     call.eraseFromParent();
   }
 
-  void required(llvm::IRBuilder<>& build, const Reach& reach, const Place& place, Required what,
+  void required(llvm::IRBuilder<>& build, const Reach& reach, const PointerExtent& place, Required what,
                 std::uint64_t number) {
     switch (what) {
       case Required::set:

@@ -17,8 +17,8 @@ namespace {
 /// An index beyond this leaves any variable, and sums of indices up to it do not overflow.
 constexpr std::uint64_t farthest = std::uint64_t{1} << 40;
 
-constexpr std::array members{&Place::offset, &Place::size,  &Place::in_whole,
-                             &Place::whole,  &Place::wrong, &Place::base};
+constexpr std::array members{&PointerExtent::offset, &PointerExtent::size,  &PointerExtent::in_whole,
+                             &PointerExtent::whole,  &PointerExtent::wrong, &PointerExtent::base};
 
 /// The kinds of pointers: `base`, a variable or table; `nowhere`, no variable; `same`, its operand; `other`,
 /// the rest.
@@ -156,12 +156,12 @@ llvm::Value* Pointers::beyond(llvm::IRBuilder<>& build, llvm::Value* offset, llv
 
 llvm::ConstantInt* Pointers::never_set(llvm::IRBuilder<>& build) { return build.getInt32(~0u); }
 
-llvm::Value* Pointers::nowhere(llvm::IRBuilder<>& build, const Place& place) {
+llvm::Value* Pointers::nowhere(llvm::IRBuilder<>& build, const PointerExtent& place) {
   return build.CreateOr(build.CreateICmpEQ(place.base, build.getInt32(0)),
                         build.CreateICmpEQ(place.base, never_set(build)));
 }
 
-llvm::Value* Pointers::left(llvm::IRBuilder<>& build, const Place& place, bool of_whole) {
+llvm::Value* Pointers::left(llvm::IRBuilder<>& build, const PointerExtent& place, bool of_whole) {
   llvm::Value* beyond = of_whole ? build.CreateICmpUGT(place.in_whole, place.whole)
                                  : build.CreateICmpUGT(place.offset, place.size);
   llvm::Value *outside = build.CreateOr(place.wrong, beyond),
@@ -171,11 +171,11 @@ llvm::Value* Pointers::left(llvm::IRBuilder<>& build, const Place& place, bool o
   return build.CreateSelect(is_null, moved, outside);
 }
 
-const Place& Pointers::place(llvm::Value* pointer) {
+const PointerExtent& Pointers::place(llvm::Value* pointer) {
   if (const auto known = places_.find(pointer); known != places_.end()) return known->second;
   llvm::IRBuilder<> build(function_.getContext());
   llvm::Value *zero = build.getInt64(0), *no = build.getFalse();
-  const auto keep = [&](const Place& at) -> const Place& {
+  const auto keep = [&](const PointerExtent& at) -> const PointerExtent& {
     return places_.emplace(pointer, at).first->second;
   };
   switch (kind_of(pointer)) {
@@ -187,7 +187,7 @@ const Place& Pointers::place(llvm::Value* pointer) {
       return keep({zero, zero, zero, zero, no,
                    llvm::isa<llvm::CallInst>(pointer) ? never_set(build) : build.getInt32(0)});
     case Kind::same: {
-      Place at = place(llvm::cast<llvm::User>(pointer)->getOperand(0));
+      PointerExtent at = place(llvm::cast<llvm::User>(pointer)->getOperand(0));
       // A cast may turn a pointer to the first member into one to the struct, or to bytes.
       if (llvm::isa<llvm::BitCastOperator>(pointer)) at.offset = at.in_whole, at.size = at.whole;
       return keep(at);
@@ -200,8 +200,8 @@ const Place& Pointers::place(llvm::Value* pointer) {
   return merged(llvm::cast<llvm::PHINode>(*pointer));
 }
 
-Place Pointers::moved(llvm::GEPOperator& step) {
-  Place at = place(step.getPointerOperand());
+PointerExtent Pointers::moved(llvm::GEPOperator& step) {
+  PointerExtent at = place(step.getPointerOperand());
   auto* here = llvm::dyn_cast<llvm::Instruction>(&step);
   llvm::IRBuilder<> build(here != nullptr ? here : function_.getEntryBlock().getTerminator());
   const auto add = [&](llvm::Value*& to, llvm::Value* bytes) { to = build.CreateAdd(to, bytes); };
@@ -239,28 +239,28 @@ Place Pointers::moved(llvm::GEPOperator& step) {
   return at;
 }
 
-Place Pointers::chosen(llvm::SelectInst& choice) {
-  const Place a = place(choice.getTrueValue()), b = place(choice.getFalseValue());
+PointerExtent Pointers::chosen(llvm::SelectInst& choice) {
+  const PointerExtent a = place(choice.getTrueValue()), b = place(choice.getFalseValue());
   llvm::IRBuilder<> build(&choice);
-  Place at{};
+  PointerExtent at{};
   for (const auto member : members)
     at.*member =
         a.*member == b.*member ? a.*member : build.CreateSelect(choice.getCondition(), a.*member, b.*member);
   return at;
 }
 
-const Place& Pointers::merged(llvm::PHINode& phi) {
+const PointerExtent& Pointers::merged(llvm::PHINode& phi) {
   llvm::IRBuilder<> build(&phi);
-  Place at{};
+  PointerExtent at{};
   for (const auto member : members) {
-    llvm::Type* type = member == &Place::wrong  ? build.getInt1Ty()
-                       : member == &Place::base ? build.getInt32Ty()
-                                                : build.getInt64Ty();
+    llvm::Type* type = member == &PointerExtent::wrong  ? build.getInt1Ty()
+                       : member == &PointerExtent::base ? build.getInt32Ty()
+                                                        : build.getInt64Ty();
     at.*member = build.CreatePHI(type, phi.getNumIncomingValues());
   }
-  const Place& kept = places_.emplace(&phi, at).first->second;
+  const PointerExtent& kept = places_.emplace(&phi, at).first->second;
   for (unsigned k = 0; k < phi.getNumIncomingValues(); ++k) {
-    const Place one = place(phi.getIncomingValue(k));
+    const PointerExtent one = place(phi.getIncomingValue(k));
     for (const auto member : members)
       llvm::cast<llvm::PHINode>(at.*member)->addIncoming(one.*member, phi.getIncomingBlock(k));
   }

@@ -27,7 +27,7 @@ bool holds_pointers(const llvm::Type* type);
 bool overlap(const Reach& a, std::uint64_t bytes_of_a, const Reach& b, std::uint64_t bytes_of_b);
 
 /// A pointer's place as values, computed where the pointer is computed.
-struct Place {
+struct PointerExtent {
   llvm::Value *offset, *size;     ///< in the part that it was made for: a row, a member, or the whole
   llvm::Value *in_whole, *whole;  ///< in the variable
   llvm::Value* wrong;             ///< whether it was made from a pointer outside its part
@@ -40,27 +40,27 @@ class Pointers {
 
   Reach reach(llvm::Value* pointer) const;
   /// Domain: reach() is known.
-  const Place& place(llvm::Value* pointer);
+  const PointerExtent& place(llvm::Value* pointer);
   llvm::ConstantInt* number(llvm::Value* base);
   /// Whether some of the `bytes` bytes at `offset` lie outside a part of `size` bytes.
   static llvm::Value* beyond(llvm::IRBuilder<>& build, llvm::Value* offset, llvm::Value* bytes,
                              llvm::Value* size);
   static llvm::ConstantInt* never_set(llvm::IRBuilder<>& build);
   /// Whether the pointer is null or was never set.
-  static llvm::Value* nowhere(llvm::IRBuilder<>& build, const Place& place);
+  static llvm::Value* nowhere(llvm::IRBuilder<>& build, const PointerExtent& place);
   /// Whether the pointer lies outside of its part or variable, and not behind its last byte; a null pointer
   /// has no bytes.
-  static llvm::Value* left(llvm::IRBuilder<>& build, const Place& place, bool of_whole);
+  static llvm::Value* left(llvm::IRBuilder<>& build, const PointerExtent& place, bool of_whole);
 
  private:
-  Place moved(llvm::GEPOperator& step);
-  Place chosen(llvm::SelectInst& choice);
-  const Place& merged(llvm::PHINode& phi);
+  PointerExtent moved(llvm::GEPOperator& step);
+  PointerExtent chosen(llvm::SelectInst& choice);
+  const PointerExtent& merged(llvm::PHINode& phi);
 
   llvm::Function& function_;
   const llvm::DataLayout& layout_;
   std::map<llvm::Value*, Reach> reaches_;
-  std::map<llvm::Value*, Place> places_;
+  std::map<llvm::Value*, PointerExtent> places_;
   std::map<llvm::Value*, std::uint32_t> numbers_;
 };
 
