@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/bc.hpp"
 #include "scene/read/bc7.hpp"
 #include "scene/read/image.hpp"
 
@@ -151,39 +152,8 @@ std::size_t block_bytes(DdsFormat format) {
 
 std::size_t data_bytes(const DdsHeader& header) {
   if (const std::size_t block = block_bytes(header.format); block != 0)
-    return (std::size_t{header.width} + 3) / 4 * ((std::size_t{header.height} + 3) / 4) * block;
+    return count_blocks(header.width, header.height) * block;
   return std::size_t{header.width} * header.height * (header.format == DdsFormat::no_alpha_24 ? 3 : 4);
-}
-
-std::array<std::uint8_t, 16> alpha_of_bc1(DdsBytes block) {
-  constexpr std::uint32_t transparent = 3;
-  const bool punches = dds_word(block, 0) << 16 >> 16 <= dds_word(block, 0) >> 16;
-  std::array<std::uint8_t, 16> alpha;
-  for (std::size_t k = 0; k < 16; ++k)
-    alpha[k] = punches && (dds_word(block, 4) >> (2 * k) & 3) == transparent ? 0 : 255;
-  return alpha;
-}
-
-std::array<std::uint8_t, 16> alpha_of_bc2(DdsBytes block) {
-  std::array<std::uint8_t, 16> alpha;
-  for (std::size_t k = 0; k < 16; ++k)
-    alpha[k] = static_cast<std::uint8_t>((block[k / 2] >> (4 * (k % 2)) & 15) * 17);
-  return alpha;
-}
-
-/// Writes the texels of all blocks that lie within the picture.
-template <class Texel, class OfBlock>
-std::vector<Texel> of_blocks(const DdsHeader& header, DdsBytes data, OfBlock of_block) {
-  std::vector<Texel> alpha(std::size_t{header.width} * header.height);
-  const std::size_t size = block_bytes(header.format), across = (std::size_t{header.width} + 3) / 4;
-  for (std::size_t k = 0; k < data.size() / size; ++k) {
-    const auto texels = of_block(data.subspan(k * size, size));
-    const std::size_t left = k % across * 4, top = k / across * 4;
-    for (std::size_t y = top; y < std::min<std::size_t>(top + 4, header.height); ++y)
-      for (std::size_t x = left; x < std::min<std::size_t>(left + 4, header.width); ++x)
-        alpha[x + header.width * y] = texels[(y - top) * 4 + x - left];
-  }
-  return alpha;
 }
 
 }  // namespace
@@ -192,31 +162,6 @@ std::optional<std::string> why_unread_dds(DdsBytes bytes) {
   const auto header = header_of(bytes);
   if (!header || header->format != DdsFormat::unread) return std::nullopt;
   return header->why;
-}
-
-std::array<std::uint16_t, 16> alpha_of_bc3(DdsBytes block) {
-  const std::uint32_t a0 = block[0], a1 = block[1], steps = a0 > a1 ? 7 : 5;
-  std::array<std::uint16_t, 8> values{};
-  for (std::uint32_t code = 0; code < 8; ++code) {
-    // The last two codes of a block of fifths are 0 and 1.
-    const bool between = steps == 7 || code < 6;
-    const std::uint32_t i = code == 0 ? 0 : code == 1 ? steps : code - 1;
-    // 65535 = 257 * 255, so that the ends are exact.
-    if (between)
-      values[code] =
-          static_cast<std::uint16_t>((2 * 257 * ((steps - i) * a0 + i * a1) + steps) / (2 * steps));
-  }
-  if (steps == 5) values[7] = 65535;
-  std::array<std::uint16_t, 16> alpha;
-  for (std::size_t k = 0; k < 16; ++k) {
-    std::size_t code = 0;
-    for (std::size_t bit = 0; bit < 3; ++bit) {
-      const std::size_t at = 16 + 3 * k + bit;
-      code |= (block[at / 8] >> (at % 8) & std::size_t{1}) << bit;
-    }
-    alpha[k] = values[code];
-  }
-  return alpha;
 }
 
 void decode_dds_alpha(DdsBytes bytes, Image& image, const std::string& file, const std::string& place) {
@@ -236,16 +181,16 @@ void decode_dds_alpha(DdsBytes bytes, Image& image, const std::string& file, con
   const std::size_t texels = std::size_t{header->width} * header->height;
   switch (header->format) {
     case DdsFormat::bc1:
-      image.alpha = of_blocks<std::uint8_t>(*header, data, alpha_of_bc1);
+      image.alpha = alpha_of_blocks(image.width, image.height, data, 8, alpha_of_bc1);
       return;
     case DdsFormat::bc2:
-      image.alpha = of_blocks<std::uint8_t>(*header, data, alpha_of_bc2);
+      image.alpha = alpha_of_blocks(image.width, image.height, data, 16, alpha_of_bc2);
       return;
     case DdsFormat::bc3:
-      image.alpha = of_blocks<std::uint16_t>(*header, data, alpha_of_bc3);
+      image.alpha = alpha_of_blocks(image.width, image.height, data, 16, alpha_of_bc3);
       return;
     case DdsFormat::bc7:
-      image.alpha = of_blocks<std::uint8_t>(*header, data, alpha_of_bc7);
+      image.alpha = alpha_of_blocks(image.width, image.height, data, 16, alpha_of_bc7);
       return;
     case DdsFormat::alpha_byte: {
       std::vector<std::uint8_t> alpha(texels);
