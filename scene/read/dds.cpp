@@ -7,6 +7,7 @@
 #include "scene/read/bc.hpp"
 #include "scene/read/bc7.hpp"
 #include "scene/read/image.hpp"
+#include "scene/read/word.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -34,11 +35,6 @@ struct DdsHeader {
 };
 
 constexpr std::size_t header_end = 128, dx10_end = 148;
-
-std::uint32_t dds_word(DdsBytes bytes, std::size_t at) {
-  return bytes[at] | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16 |
-         std::uint32_t{bytes[at + 3]} << 24;
-}
 
 /// DXGI_FORMAT's numbers.
 DdsFormat of_dxgi(std::uint32_t number) {
@@ -100,33 +96,33 @@ DdsFormat of_masks(DdsBytes bytes, std::uint32_t flags) {
   constexpr std::uint32_t alpha_pixels = 0x1, rgb = 0x40;
   constexpr std::size_t bits_at = 88, alpha_mask_at = 104;
   if ((flags & rgb) == 0) return DdsFormat::unread;
-  const std::uint32_t bits = dds_word(bytes, bits_at);
+  const std::uint32_t bits = word_at(bytes, bits_at);
   if (bits == 24) return DdsFormat::no_alpha_24;
   if (bits != 32) return DdsFormat::unread;
   if ((flags & alpha_pixels) == 0) return DdsFormat::no_alpha_32;
-  return dds_word(bytes, alpha_mask_at) == 0xff000000 ? DdsFormat::alpha_byte : DdsFormat::unread;
+  return word_at(bytes, alpha_mask_at) == 0xff000000 ? DdsFormat::alpha_byte : DdsFormat::unread;
 }
 
 /// None if the header is cut off or is none.
 std::optional<DdsHeader> header_of(DdsBytes bytes) {
   constexpr std::size_t height_at = 12, width_at = 16, flags_at = 80, code_at = 84, caps2_at = 112,
                         misc_at = 136;
-  if (bytes.size() < header_end || dds_word(bytes, 4) != 124) return {};
+  if (bytes.size() < header_end || word_at(bytes, 4) != 124) return {};
   DdsHeader header;
-  header.width = dds_word(bytes, width_at);
-  header.height = dds_word(bytes, height_at);
+  header.width = word_at(bytes, width_at);
+  header.height = word_at(bytes, height_at);
   header.data = header_end;
-  const std::uint32_t flags = dds_word(bytes, flags_at);
+  const std::uint32_t flags = word_at(bytes, flags_at);
   const std::string code(reinterpret_cast<const char*>(bytes.data()) + code_at, 4);
   constexpr std::uint32_t has_code = 0x4, cube_or_volume = 0x200 | 0x200000, cube = 0x4;
-  bool other_shape = (dds_word(bytes, caps2_at) & cube_or_volume) != 0;
+  bool other_shape = (word_at(bytes, caps2_at) & cube_or_volume) != 0;
   if ((flags & has_code) != 0 && code == "DX10") {
     if (bytes.size() < dx10_end) return {};
     header.data = dx10_end;
-    const std::uint32_t number = dds_word(bytes, header_end);
+    const std::uint32_t number = word_at(bytes, header_end);
     header.format = of_dxgi(number);
     header.why = "a DDS of DXGI format " + std::to_string(number);
-    other_shape |= (dds_word(bytes, misc_at) & cube) != 0;
+    other_shape |= (word_at(bytes, misc_at) & cube) != 0;
   } else if ((flags & has_code) != 0) {
     header.format = of_four_cc(code);
     header.why = "a DDS of format '" + shown(code) + "'";

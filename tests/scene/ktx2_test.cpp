@@ -394,6 +394,11 @@ TEST(SceneKtx2, ZstandardIsUndone) {
   const std::string packed = zstd(level),
                     file = ktx2(64, 64, rgba8, packed, {.scheme = 2, .uncompressed = size});
   EXPECT_EQ(colour_of(file).rgba, colour_of(ktx2(64, 64, rgba8, level)).rgba);
+  const std::string block = uastc_block(10, 0, 0x0123456789abcdef, 0x1122334455667788);
+  EXPECT_EQ(
+      colour_of(ktx2(4, 4, 0, zstd(block), {.scheme = 2, .uncompressed = 16, .model = 166, .channel = 3}))
+          .rgba,
+      colour_of(uastc(4, 4, block)).rgba);
   // Two frames, and one that is skipped.
   const std::string skipped = "\x50\x2a\x4d\x18" + little_endian(3) + "any",
                     two = zstd(level.substr(0, 100)) + skipped + zstd(level.substr(100));

@@ -7,19 +7,15 @@
 
 #include "scene/read/bc.hpp"
 #include "scene/read/damaged_picture.hpp"
+#include "scene/read/word.hpp"
 
 namespace mmverify::scene {
 namespace {
 
 constexpr std::size_t index_at = 48, levels_at = 80, bytes_of_level = 24;
 
-std::uint32_t ktx2_word(Ktx2Bytes bytes, std::size_t at) {
-  return bytes[at] | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16 |
-         std::uint32_t{bytes[at + 3]} << 24;
-}
-
 std::uint64_t ktx2_long(Ktx2Bytes bytes, std::size_t at) {
-  return ktx2_word(bytes, at) | std::uint64_t{ktx2_word(bytes, at + 4)} << 32;
+  return word_at(bytes, at) | std::uint64_t{word_at(bytes, at + 4)} << 32;
 }
 
 /// A range of the file that the index names.
@@ -49,7 +45,7 @@ void check_apart(std::vector<Ktx2Part> parts) {
 /// Vulkan's formats: the numbers of VkFormat.
 void set_format(Ktx2& ktx2, std::uint32_t number) {
   struct Format {
-    std::uint32_t unorm, srgb;  ///< srgb is 0 where a format has no such variant
+    std::uint32_t number, variant;  ///< the variant is sRGB, or signed
     Ktx2Coding coding;
     unsigned channels;
     bool blue_first;
@@ -62,7 +58,7 @@ void set_format(Ktx2& ktx2, std::uint32_t number) {
       {135, 136, bc2, 0, {}},       {137, 138, bc3, 0, {}},       {139, 140, opaque_8, 0, {}},
       {141, 142, opaque_16, 0, {}}, {143, 144, opaque_16, 0, {}}, {145, 146, bc7, 0, {}}};
   for (const Format& format : formats)
-    if (number == format.unorm || number == format.srgb) {
+    if (number == format.number || number == format.variant) {
       ktx2.coding = format.coding;
       ktx2.channels = format.channels;
       ktx2.blue_first = format.blue_first;
@@ -93,11 +89,11 @@ void read_descriptor(Ktx2& ktx2, Ktx2Bytes descriptor, bool has_format) {
   constexpr std::size_t block_at = 4, block_head = 24, bytes_of_sample = 16;
   constexpr std::uint32_t transfer_srgb = 2, flag_premultiplied = 1;
   if (descriptor.size() < block_at + block_head) throw DamagedPicture("no whole data format descriptor");
-  const std::size_t size = ktx2_word(descriptor, block_at + 4) >> 16;
+  const std::size_t size = word_at(descriptor, block_at + 4) >> 16;
   if (size < block_head || size > descriptor.size() - block_at)
     throw DamagedPicture("its data format descriptor has " + std::to_string(descriptor.size()) +
                          " bytes, and a block of " + std::to_string(size));
-  const std::uint32_t colour = ktx2_word(descriptor, block_at + 8);
+  const std::uint32_t colour = word_at(descriptor, block_at + 8);
   ktx2.srgb = (colour >> 16 & 0xff) == transfer_srgb;
   ktx2.premultiplied = (colour >> 24 & flag_premultiplied) != 0;
   if (has_format) return;
@@ -114,7 +110,7 @@ void check_keys(Ktx2& ktx2, Ktx2Bytes data) {
   };
   constexpr Key keys[] = {{"KTXswizzle", "rgba"}, {"KTXorientation", "rd"}};
   while (!data.empty()) {
-    const std::size_t length = data.size() < 4 ? 0 : ktx2_word(data, 0);
+    const std::size_t length = data.size() < 4 ? 0 : word_at(data, 0);
     if (data.size() < 4 || length > data.size() - 4)
       throw DamagedPicture("its key/value data end within an entry");
     const std::string_view entry(reinterpret_cast<const char*>(data.data()) + 4, length);
@@ -130,9 +126,9 @@ void check_keys(Ktx2& ktx2, Ktx2Bytes data) {
 
 void check_shape(Ktx2& ktx2, Ktx2Bytes bytes) {
   constexpr std::size_t depth_at = 28, layers_at = 32, faces_at = 36;
-  if (ktx2_word(bytes, depth_at) != 0) ktx2.why = "a KTX2 of a volume";
-  if (ktx2_word(bytes, layers_at) != 0) ktx2.why = "a KTX2 of an array";
-  if (ktx2_word(bytes, faces_at) != 1) ktx2.why = "a KTX2 of a cube";
+  if (word_at(bytes, depth_at) != 0) ktx2.why = "a KTX2 of a volume";
+  if (word_at(bytes, layers_at) != 0) ktx2.why = "a KTX2 of an array";
+  if (word_at(bytes, faces_at) != 1) ktx2.why = "a KTX2 of a cube";
 }
 
 void check_scheme(Ktx2& ktx2, std::uint32_t scheme) {
@@ -154,9 +150,9 @@ Ktx2 ktx2_of(Ktx2Bytes bytes) {
       }))
     throw DamagedPicture("no whole header; truncated file?");
   Ktx2 ktx2;
-  ktx2.width = ktx2_word(bytes, width_at);
-  ktx2.height = ktx2_word(bytes, height_at);
-  ktx2.levels = std::max<std::uint64_t>(1, ktx2_word(bytes, count_at));
+  ktx2.width = word_at(bytes, width_at);
+  ktx2.height = word_at(bytes, height_at);
+  ktx2.levels = std::max<std::uint64_t>(1, word_at(bytes, count_at));
   // Level k has sides of 2^-k, down to 1.
   if (ktx2.levels > static_cast<unsigned>(std::bit_width(std::max({ktx2.width, ktx2.height, 1u}))))
     throw DamagedPicture(std::to_string(ktx2.levels) + " levels of " + std::to_string(ktx2.width) + " x " +
@@ -164,8 +160,8 @@ Ktx2 ktx2_of(Ktx2Bytes bytes) {
   const std::uint64_t index_end = levels_at + ktx2.levels * bytes_of_level;
   std::vector<Ktx2Part> parts{
       {"the index", 0, index_end},
-      {"the data format descriptor", ktx2_word(bytes, index_at), ktx2_word(bytes, index_at + 4)},
-      {"the key/value data", ktx2_word(bytes, index_at + 8), ktx2_word(bytes, index_at + 12)},
+      {"the data format descriptor", word_at(bytes, index_at), word_at(bytes, index_at + 4)},
+      {"the key/value data", word_at(bytes, index_at + 8), word_at(bytes, index_at + 12)},
       {"the supercompression global data", ktx2_long(bytes, index_at + 16), ktx2_long(bytes, index_at + 24)}};
   bytes_of(bytes, parts[0]);
   for (std::size_t k = 0; k < ktx2.levels; ++k) {
@@ -177,10 +173,10 @@ Ktx2 ktx2_of(Ktx2Bytes bytes) {
   ktx2.global = bytes_of(bytes, parts[3]);
   ktx2.level = bytes_of(bytes, parts[4]);
   ktx2.uncompressed = ktx2_long(bytes, levels_at + 16);
-  const std::uint32_t format = ktx2_word(bytes, format_at);
+  const std::uint32_t format = word_at(bytes, format_at);
   if (format != 0) set_format(ktx2, format);
   read_descriptor(ktx2, bytes_of(bytes, parts[1]), format != 0);
-  check_scheme(ktx2, ktx2_word(bytes, scheme_at));
+  check_scheme(ktx2, word_at(bytes, scheme_at));
   check_keys(ktx2, bytes_of(bytes, parts[2]));
   check_shape(ktx2, bytes);
   if (!ktx2.why.empty()) ktx2.why += " is not read here";

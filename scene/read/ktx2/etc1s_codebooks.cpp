@@ -1,15 +1,11 @@
 #include "scene/read/damaged_picture.hpp"
 #include "scene/read/ktx2/etc1s.hpp"
+#include "scene/read/word.hpp"
 
 namespace mmverify::scene {
 namespace {
 
 constexpr std::size_t global_head = 20, bytes_of_image = 20;
-
-std::uint32_t basis_word(Ktx2Bytes bytes, std::size_t at) {
-  return bytes[at] | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16 |
-         std::uint32_t{bytes[at + 3]} << 24;
-}
 
 std::vector<Etc1sEnd> take_ends(LowBits bits, std::size_t count) {
   const PrefixCode steps[] = {take_prefix_code(bits), take_prefix_code(bits), take_prefix_code(bits)};
@@ -69,9 +65,9 @@ void check_global_head(const Ktx2& ktx2) {
 Etc1sCodebooks etc1s_codebooks(const Ktx2& ktx2) {
   check_global_head(ktx2);
   const Ktx2Bytes global = ktx2.global;
-  const std::uint32_t counts = basis_word(global, 0);
-  const std::uint64_t ends = basis_word(global, 4), selectors = basis_word(global, 8),
-                      tables = basis_word(global, 12), extended = basis_word(global, 16);
+  const std::uint32_t counts = word_at(global, 0);
+  const std::uint64_t ends = word_at(global, 4), selectors = word_at(global, 8), tables = word_at(global, 12),
+                      extended = word_at(global, 16);
   const std::uint64_t start = global_head + bytes_of_image * ktx2.levels;
   if (start + ends + selectors + tables + extended != global.size())
     throw DamagedPicture("the parts of the supercompression global data have " +
@@ -96,7 +92,7 @@ Etc1sCodebooks etc1s_codebooks(const Ktx2& ktx2) {
 
 Etc1sSlices etc1s_slices(const Ktx2& ktx2) {
   check_global_head(ktx2);
-  const auto image_word = [&](std::size_t k) { return basis_word(ktx2.global, global_head + 4 * k); };
+  const auto image_word = [&](std::size_t k) { return word_at(ktx2.global, global_head + 4 * k); };
   constexpr std::uint32_t depends_on_another = 2;
   if ((image_word(0) & depends_on_another) != 0) throw DamagedPicture("level 0 is a P-frame of no video");
   if (image_word(2) == 0) throw DamagedPicture("the slice of colours has no bytes");
