@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "scene/plan/plan.hpp"
+#include "scene/read/folder.hpp"
 #include "scene/read/image.hpp"
 #include "scene/read/ktx2/prefix_code.hpp"
 #include "scene/read/ktx2/uastc.hpp"
@@ -575,6 +576,15 @@ TEST(SceneKtx2, TheTextureOfAGltfIsJudged) {
   const Scene alone = load_glb(file);
   EXPECT_TRUE(alone.images[1].decoded());
   EXPECT_TRUE(plan(alone).left_out.empty());
+}
+
+TEST(SceneKtx2, AFolderMayHoldSome) {
+  const Folder folder;
+  GltfFile::write(folder / "a.KTX2", made("etc1s_noise"));
+  const Scene scene = load_textures(folder.path().string());
+  ASSERT_EQ(scene.images.size(), 1u);
+  EXPECT_EQ(alpha8(scene.images[0]), alpha8(alpha_of(made("etc1s_noise"))));
+  EXPECT_TRUE(scene.notes.empty());
 }
 
 // Pictures and texels that scripts/ktx2/pictures.mjs wrote into a folder.
