@@ -6,6 +6,7 @@ See scene_input.hpp for what an input is.
 import base64
 import copy
 import json
+import pathlib
 import struct
 import zlib
 
@@ -46,6 +47,21 @@ def jpeg():
         + segment(0xDA, b"\1\1\0\0\x3f\0")
         + b"\x3f\xff\xd9"
     )
+
+
+def ktx2(width, height, form, level, model=1, channel=0, keys=b""):
+    """One level without supercompression."""
+    mark, begin = b"\xabKTX 20\xbb\r\n\x1a\n", 104 + 44
+    header = struct.pack("<17I3Q", form, 1, width, height, 0, 0, 1, 1, 0, 104, 44, begin if keys else 0, len(keys), 0, 0, 0, 0,
+                         begin + len(keys), len(level), len(level))  # fmt: skip
+    descriptor = struct.pack("<3I4B12xHBB8xI", 44, 0, 2 | 40 << 16, model, 1, 1, 0, 0, 127, channel, 2**32 - 1)
+    return mark + header + descriptor + keys + level
+
+
+# A block of each mode of UASTC, by the bits that begin it.
+UASTC = b"".join(bytes([code]) + bytes(range(7 * code & 127, (7 * code & 127) + 15)) for code in (
+    0x01, 0x35, 0x1D, 0x03, 0x13, 0x0B, 0x1B, 0x07, 0x17, 0x0F, 0x02, 0x00, 0x06, 0x1F, 0x0D, 0x05, 0x15, 0x25, 0x09, 0x45))  # fmt: skip
+MADE = pathlib.Path(__file__).resolve().parent.parent / "tests/scene/files"
 
 
 class File:
@@ -275,6 +291,15 @@ LOAD = {
     "jpeg": File(jpeg()).parts(),
     "cut_jpeg": File(jpeg()[:-20]).parts(),
     "webp": changed(lambda file: file.json["materials"][0].update(alphaMode="OPAQUE"), b"RIFF....WEBPVP8 "),
+    "ktx2_plain": File(ktx2(2, 1, 37, b"abcdefgh")).parts(),
+    "ktx2_blue_first": File(ktx2(1, 2, 30, b"abcdef")).parts(),
+    "ktx2_uastc": File(ktx2(16, 20, 0, UASTC, 166, 3)).parts(),
+    "ktx2_keys": File(ktx2(1, 1, 9, b"a", keys=struct.pack("<I", 16) + b"KTXswizzle\0rrr1\0")).parts(),
+    "ktx2_format": File(ktx2(1, 1, 97, bytes(8))).parts(),
+} | {
+    f"ktx2_{form}": File(ktx2(4, 4, form, bytes(range(8 if form in (131, 133, 139) else 16)))).parts()
+    for form in (131, 133, 135, 137, 139, 141, 145)
+} | {path.stem: File(path.read_bytes()).parts() for path in sorted(MADE.glob("etc1s_*.ktx2"))} | {
     "strip": strip(5, True),
     "strip_without_indices": strip(5, False),
     "fan": strip(6, True),

@@ -4,8 +4,10 @@
 #include <string_view>
 
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/bc.hpp"
 #include "scene/read/bc7.hpp"
 #include "scene/read/image.hpp"
+#include "scene/read/word.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -33,11 +35,6 @@ struct DdsHeader {
 };
 
 constexpr std::size_t header_end = 128, dx10_end = 148;
-
-std::uint32_t dds_word(DdsBytes bytes, std::size_t at) {
-  return bytes[at] | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16 |
-         std::uint32_t{bytes[at + 3]} << 24;
-}
 
 /// DXGI_FORMAT's numbers.
 DdsFormat of_dxgi(std::uint32_t number) {
@@ -99,33 +96,33 @@ DdsFormat of_masks(DdsBytes bytes, std::uint32_t flags) {
   constexpr std::uint32_t alpha_pixels = 0x1, rgb = 0x40;
   constexpr std::size_t bits_at = 88, alpha_mask_at = 104;
   if ((flags & rgb) == 0) return DdsFormat::unread;
-  const std::uint32_t bits = dds_word(bytes, bits_at);
+  const std::uint32_t bits = word_at(bytes, bits_at);
   if (bits == 24) return DdsFormat::no_alpha_24;
   if (bits != 32) return DdsFormat::unread;
   if ((flags & alpha_pixels) == 0) return DdsFormat::no_alpha_32;
-  return dds_word(bytes, alpha_mask_at) == 0xff000000 ? DdsFormat::alpha_byte : DdsFormat::unread;
+  return word_at(bytes, alpha_mask_at) == 0xff000000 ? DdsFormat::alpha_byte : DdsFormat::unread;
 }
 
 /// None if the header is cut off or is none.
 std::optional<DdsHeader> header_of(DdsBytes bytes) {
   constexpr std::size_t height_at = 12, width_at = 16, flags_at = 80, code_at = 84, caps2_at = 112,
                         misc_at = 136;
-  if (bytes.size() < header_end || dds_word(bytes, 4) != 124) return {};
+  if (bytes.size() < header_end || word_at(bytes, 4) != 124) return {};
   DdsHeader header;
-  header.width = dds_word(bytes, width_at);
-  header.height = dds_word(bytes, height_at);
+  header.width = word_at(bytes, width_at);
+  header.height = word_at(bytes, height_at);
   header.data = header_end;
-  const std::uint32_t flags = dds_word(bytes, flags_at);
+  const std::uint32_t flags = word_at(bytes, flags_at);
   const std::string code(reinterpret_cast<const char*>(bytes.data()) + code_at, 4);
   constexpr std::uint32_t has_code = 0x4, cube_or_volume = 0x200 | 0x200000, cube = 0x4;
-  bool other_shape = (dds_word(bytes, caps2_at) & cube_or_volume) != 0;
+  bool other_shape = (word_at(bytes, caps2_at) & cube_or_volume) != 0;
   if ((flags & has_code) != 0 && code == "DX10") {
     if (bytes.size() < dx10_end) return {};
     header.data = dx10_end;
-    const std::uint32_t number = dds_word(bytes, header_end);
+    const std::uint32_t number = word_at(bytes, header_end);
     header.format = of_dxgi(number);
     header.why = "a DDS of DXGI format " + std::to_string(number);
-    other_shape |= (dds_word(bytes, misc_at) & cube) != 0;
+    other_shape |= (word_at(bytes, misc_at) & cube) != 0;
   } else if ((flags & has_code) != 0) {
     header.format = of_four_cc(code);
     header.why = "a DDS of format '" + shown(code) + "'";
@@ -151,39 +148,8 @@ std::size_t block_bytes(DdsFormat format) {
 
 std::size_t data_bytes(const DdsHeader& header) {
   if (const std::size_t block = block_bytes(header.format); block != 0)
-    return (std::size_t{header.width} + 3) / 4 * ((std::size_t{header.height} + 3) / 4) * block;
+    return count_blocks(header.width, header.height) * block;
   return std::size_t{header.width} * header.height * (header.format == DdsFormat::no_alpha_24 ? 3 : 4);
-}
-
-std::array<std::uint8_t, 16> alpha_of_bc1(DdsBytes block) {
-  constexpr std::uint32_t transparent = 3;
-  const bool punches = dds_word(block, 0) << 16 >> 16 <= dds_word(block, 0) >> 16;
-  std::array<std::uint8_t, 16> alpha;
-  for (std::size_t k = 0; k < 16; ++k)
-    alpha[k] = punches && (dds_word(block, 4) >> (2 * k) & 3) == transparent ? 0 : 255;
-  return alpha;
-}
-
-std::array<std::uint8_t, 16> alpha_of_bc2(DdsBytes block) {
-  std::array<std::uint8_t, 16> alpha;
-  for (std::size_t k = 0; k < 16; ++k)
-    alpha[k] = static_cast<std::uint8_t>((block[k / 2] >> (4 * (k % 2)) & 15) * 17);
-  return alpha;
-}
-
-/// Writes the texels of all blocks that lie within the picture.
-template <class Texel, class OfBlock>
-std::vector<Texel> of_blocks(const DdsHeader& header, DdsBytes data, OfBlock of_block) {
-  std::vector<Texel> alpha(std::size_t{header.width} * header.height);
-  const std::size_t size = block_bytes(header.format), across = (std::size_t{header.width} + 3) / 4;
-  for (std::size_t k = 0; k < data.size() / size; ++k) {
-    const auto texels = of_block(data.subspan(k * size, size));
-    const std::size_t left = k % across * 4, top = k / across * 4;
-    for (std::size_t y = top; y < std::min<std::size_t>(top + 4, header.height); ++y)
-      for (std::size_t x = left; x < std::min<std::size_t>(left + 4, header.width); ++x)
-        alpha[x + header.width * y] = texels[(y - top) * 4 + x - left];
-  }
-  return alpha;
 }
 
 }  // namespace
@@ -192,31 +158,6 @@ std::optional<std::string> why_unread_dds(DdsBytes bytes) {
   const auto header = header_of(bytes);
   if (!header || header->format != DdsFormat::unread) return std::nullopt;
   return header->why;
-}
-
-std::array<std::uint16_t, 16> alpha_of_bc3(DdsBytes block) {
-  const std::uint32_t a0 = block[0], a1 = block[1], steps = a0 > a1 ? 7 : 5;
-  std::array<std::uint16_t, 8> values{};
-  for (std::uint32_t code = 0; code < 8; ++code) {
-    // The last two codes of a block of fifths are 0 and 1.
-    const bool between = steps == 7 || code < 6;
-    const std::uint32_t i = code == 0 ? 0 : code == 1 ? steps : code - 1;
-    // 65535 = 257 * 255, so that the ends are exact.
-    if (between)
-      values[code] =
-          static_cast<std::uint16_t>((2 * 257 * ((steps - i) * a0 + i * a1) + steps) / (2 * steps));
-  }
-  if (steps == 5) values[7] = 65535;
-  std::array<std::uint16_t, 16> alpha;
-  for (std::size_t k = 0; k < 16; ++k) {
-    std::size_t code = 0;
-    for (std::size_t bit = 0; bit < 3; ++bit) {
-      const std::size_t at = 16 + 3 * k + bit;
-      code |= (block[at / 8] >> (at % 8) & std::size_t{1}) << bit;
-    }
-    alpha[k] = values[code];
-  }
-  return alpha;
 }
 
 void decode_dds_alpha(DdsBytes bytes, Image& image, const std::string& file, const std::string& place) {
@@ -236,16 +177,16 @@ void decode_dds_alpha(DdsBytes bytes, Image& image, const std::string& file, con
   const std::size_t texels = std::size_t{header->width} * header->height;
   switch (header->format) {
     case DdsFormat::bc1:
-      image.alpha = of_blocks<std::uint8_t>(*header, data, alpha_of_bc1);
+      image.alpha = alpha_of_blocks(image.width, image.height, data, 8, alpha_of_bc1);
       return;
     case DdsFormat::bc2:
-      image.alpha = of_blocks<std::uint8_t>(*header, data, alpha_of_bc2);
+      image.alpha = alpha_of_blocks(image.width, image.height, data, 16, alpha_of_bc2);
       return;
     case DdsFormat::bc3:
-      image.alpha = of_blocks<std::uint16_t>(*header, data, alpha_of_bc3);
+      image.alpha = alpha_of_blocks(image.width, image.height, data, 16, alpha_of_bc3);
       return;
     case DdsFormat::bc7:
-      image.alpha = of_blocks<std::uint8_t>(*header, data, alpha_of_bc7);
+      image.alpha = alpha_of_blocks(image.width, image.height, data, 16, alpha_of_bc7);
       return;
     case DdsFormat::alpha_byte: {
       std::vector<std::uint8_t> alpha(texels);

@@ -6,17 +6,12 @@
 #include <fstream>
 
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/word.hpp"
 
 namespace mmverify::scene {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A word at a byte, little-endian, as all of glTF.
-std::uint32_t word(std::span<const unsigned char> bytes, std::size_t at) {
-  return bytes[at] | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16 |
-         std::uint32_t{bytes[at + 3]} << 24;
-}
 
 int hex(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -74,17 +69,18 @@ Container split(std::span<const unsigned char> bytes, const std::string& file) {
   constexpr std::uint32_t json = 0x4E4F534A, binary = 0x004E4942;
   const auto bad = [&](const std::string& what) { throw BadScene(file, "GLB", what); };
   if (bytes.size() < header) bad("a header of 12 bytes is due, there are " + std::to_string(bytes.size()));
-  if (word(bytes, 4) != 2) bad("container version " + std::to_string(word(bytes, 4)) + "; only 2 is read");
-  if (word(bytes, 8) != bytes.size())
-    bad("its header says " + std::to_string(word(bytes, 8)) + " bytes, the file has " +
+  if (word_at(bytes, 4) != 2)
+    bad("container version " + std::to_string(word_at(bytes, 4)) + "; only 2 is read");
+  if (word_at(bytes, 8) != bytes.size())
+    bad("its header says " + std::to_string(word_at(bytes, 8)) + " bytes, the file has " +
         std::to_string(bytes.size()) + "; truncated file?");
   Container parts;
   std::size_t at = header;
   for (int chunk = 0; at < bytes.size(); ++chunk) {
     const std::string name = "chunk " + std::to_string(chunk);
     if (bytes.size() - at < chunk_header) bad(name + ": its header is cut off; truncated file?");
-    const std::size_t length = word(bytes, at);
-    const std::uint32_t type = word(bytes, at + 4);
+    const std::size_t length = word_at(bytes, at);
+    const std::uint32_t type = word_at(bytes, at + 4);
     at += chunk_header;
     if (length > bytes.size() - at)
       bad(name + ": bytes " + std::to_string(at) + ".." + std::to_string(at + length) + " of a " +

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_picture(const fs::path& path) {
-  constexpr std::string_view endings[] = {".png", ".jpg", ".jpeg", ".webp", ".avif", ".dds", ".tga"};
+  constexpr std::string_view endings[] = {".png", ".jpg", ".jpeg", ".webp", ".avif", ".dds", ".ktx2", ".tga"};
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -98,7 +98,7 @@ Scene load_textures(const std::string& folder) {
   const std::string over = passed_over.empty() ? "" : "passed over: " + passed_over.text();
   if (scene.images.empty())
     throw BadScene(folder, "the folder",
-                   "no .png, .jpg, .jpeg, .webp, .avif, .dds or .tga that is read is in it" +
+                   "no .png, .jpg, .jpeg, .webp, .avif, .dds, .ktx2 or .tga that is read is in it" +
                        (over.empty() ? "" : "; " + over));
   if (!over.empty()) scene.notes.push_back(over);
   return scene;

@@ -8,6 +8,7 @@
 
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/dds.hpp"
+#include "scene/read/ktx2/ktx2.hpp"
 #include "scene/read/picture_kind.hpp"
 #include "scene/read/png.hpp"
 #include "scene/read/rgba_image.hpp"
@@ -107,8 +108,10 @@ void decode(ImageBytes bytes, const std::string& file, const std::string& place,
       return taken(decode_webp(bytes, file, place));
     case PictureKind::avif:
       return taken(decode_avif(bytes, depth == Depth::eight, file, place));
+    case PictureKind::ktx2:
+      return taken(decode_ktx2(bytes, file, place));
     case PictureKind::unknown:
-      throw BadScene(file, place, "no picture that is read here: PNG, JPEG, WebP, AVIF, DDS or TGA");
+      throw BadScene(file, place, "no picture that is read here: PNG, JPEG, WebP, AVIF, DDS, KTX2 or TGA");
     default:
       throw UnreadExtension(
           file, place, why_unread(bytes, PictureUse::colour).value_or("a picture that is not read here"));
@@ -126,7 +129,9 @@ void check_sides(std::uint64_t width, std::uint64_t height, const char* kind, co
 }
 
 void decode_alpha(ImageBytes bytes, Image& image, const std::string& file, const std::string& place) {
-  if (picture_kind(bytes) == PictureKind::dds) return decode_dds_alpha(bytes, image, file, place);
+  const PictureKind kind = picture_kind(bytes);
+  if (kind == PictureKind::dds) return decode_dds_alpha(bytes, image, file, place);
+  if (kind == PictureKind::ktx2) return decode_ktx2_alpha(bytes, image, file, place);
   decode(bytes, file, place, Depth::own,
          [&image](const auto* rgba, std::uint32_t width, std::uint32_t height) {
            image.width = width;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "scene/read/dds.hpp"
+#include "scene/read/ktx2/ktx2.hpp"
 #include "scene/read/tga.hpp"
 
 namespace mmverify::scene {
@@ -57,7 +58,7 @@ std::optional<std::string> why_unread(std::span<const unsigned char> bytes, Pict
       if (use == PictureUse::colour) return "the colours of a DDS are not read here";
       return why_unread_dds(bytes);
     case PictureKind::ktx2:
-      return "KTX2 is not read here";
+      return why_unread_ktx2(bytes, use);
     case PictureKind::openexr:
       return "OpenEXR is not read here";
     default:

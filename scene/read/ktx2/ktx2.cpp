@@ -1,0 +1,190 @@
+#include "scene/read/ktx2/ktx2.hpp"
+
+#ifdef MMVERIFY_HAS_ZSTD
+#include <zstd.h>
+#endif
+
+#include "scene/read/bad_scene.hpp"
+#include "scene/read/bc.hpp"
+#include "scene/read/bc7.hpp"
+#include "scene/read/damaged_picture.hpp"
+#include "scene/read/image.hpp"
+#include "scene/read/ktx2/container.hpp"
+#include "scene/read/ktx2/etc1s.hpp"
+#include "scene/read/ktx2/uastc.hpp"
+
+namespace mmverify::scene {
+namespace {
+
+bool has_colours(const Ktx2& ktx2) {
+  return ktx2.coding == Ktx2Coding::plain || ktx2.coding == Ktx2Coding::uastc ||
+         ktx2.coding == Ktx2Coding::etc1s;
+}
+
+/// Level 0 without its supercompression; the bytes lie in the file or in `storage`.
+Ktx2Bytes level_of(const Ktx2& ktx2, std::vector<unsigned char>& storage) {
+  const std::uint64_t due = level_bytes(ktx2);
+  if (ktx2.uncompressed != due)
+    throw DamagedPicture("level 0 of " + std::to_string(ktx2.width) + " x " + std::to_string(ktx2.height) +
+                         " texels has " + std::to_string(due) + " bytes, the index says " +
+                         std::to_string(ktx2.uncompressed));
+  if (!ktx2.zstd) {
+    if (ktx2.level.size() != due)
+      throw DamagedPicture("level 0 has " + std::to_string(due) + " bytes, there are " +
+                           std::to_string(ktx2.level.size()) + "; truncated file?");
+    return ktx2.level;
+  }
+#ifdef MMVERIFY_HAS_ZSTD
+  // A block of Zstandard takes at least 4 bytes and gives at most 2^17.  So no small file claims gigabytes.
+  if (due / (1u << 17) > ktx2.level.size() / 4)
+    throw DamagedPicture("level 0 has " + std::to_string(due) + " bytes, which cannot be in " +
+                         std::to_string(ktx2.level.size()) + " of Zstandard; truncated file?");
+  storage.resize(static_cast<std::size_t>(due));
+  const std::size_t size =
+      ZSTD_decompress(storage.data(), storage.size(), ktx2.level.data(), ktx2.level.size());
+  if (ZSTD_isError(size))
+    throw DamagedPicture(std::string("Zstandard cannot undo level 0 (") + ZSTD_getErrorName(size) + ")");
+  if (size != due)
+    throw DamagedPicture("level 0 has " + std::to_string(due) + " bytes, Zstandard gives " +
+                         std::to_string(size));
+#endif
+  return storage;
+}
+
+/// Calls read(); a fault of the bytes becomes an error of the file and the place.
+template <class Read>
+auto named(const std::string& file, const std::string& place, Read read) {
+  try {
+    return read();
+  } catch (const DamagedPicture& damage) {
+    throw BadScene(file, place, std::string("a damaged KTX2: ") + damage.what());
+  }
+}
+
+/// Header and index of a KTX2 that is read, with sides that are read.
+Ktx2 checked_ktx2(Ktx2Bytes bytes, const std::string& file, const std::string& place) {
+  Ktx2 ktx2 = ktx2_of(bytes);
+  if (!ktx2.why.empty()) throw UnreadExtension(file, place, ktx2.why);
+  check_sides(ktx2.width, ktx2.height, "a KTX2", file, place);
+  return ktx2;
+}
+
+using RgbaTexel = std::array<std::uint8_t, 4>;
+
+RgbaTexel plain_texel(const Ktx2& ktx2, Ktx2Bytes level, std::size_t k) {
+  RgbaTexel texel{0, 0, 0, 255};
+  std::copy_n(level.begin() + static_cast<std::ptrdiff_t>(k * ktx2.channels), ktx2.channels, texel.begin());
+  if (ktx2.blue_first) std::swap(texel[0], texel[2]);
+  return texel;
+}
+
+/// The 16 texels of block k of ETC1S.
+class Etc1sPicture {
+ public:
+  explicit Etc1sPicture(const Ktx2& ktx2) : books_(etc1s_codebooks(ktx2)) {
+    const Etc1sSlices slices = etc1s_slices(ktx2);
+    const auto read = [&](const char* name, Ktx2Bytes slice) {
+      return in_part(name, [&] { return etc1s_blocks(books_, slice, ktx2.width, ktx2.height); });
+    };
+    colour_ = read("the slice of colours", slices.colour);
+    if (ktx2.has_alpha_slice) alpha_ = read("the slice of alpha", slices.alpha);
+  }
+
+  RgbaTexels operator()(std::size_t k) const {
+    RgbaTexels texels = decoded(colour_[k]);
+    if (alpha_.empty()) return texels;
+    // The KTX specification names red.  Encoder and decoder of Basis Universal take green, and a block's
+    // channels may differ.
+    const RgbaTexels alphas = decoded(alpha_[k]);
+    for (std::size_t t = 0; t < texels.size(); ++t) texels[t][3] = alphas[t][1];
+    return texels;
+  }
+
+ private:
+  RgbaTexels decoded(const Etc1sBlock& block) const {
+    return texels_of_etc1s(books_.ends[block.end], books_.selectors[block.selectors]);
+  }
+
+  Etc1sCodebooks books_;
+  std::vector<Etc1sBlock> colour_, alpha_;
+};
+
+/// Calls put(k, texel) for each texel k; precondition: has_colours().
+template <class Put>
+void each_texel(const Ktx2& ktx2, Put put) {
+  if (ktx2.coding == Ktx2Coding::etc1s)
+    return each_texel_of_blocks(ktx2.width, ktx2.height, Etc1sPicture(ktx2), put);
+  std::vector<unsigned char> storage;
+  const Ktx2Bytes level = level_of(ktx2, storage);
+  if (ktx2.coding == Ktx2Coding::uastc)
+    return each_texel_of_blocks(
+        ktx2.width, ktx2.height,
+        [&](std::size_t k) { return texels_of_uastc(level.subspan(16 * k, 16), ktx2.srgb); }, put);
+  const std::size_t texels = std::size_t{ktx2.width} * ktx2.height;
+  for (std::size_t k = 0; k < texels; ++k) put(k, plain_texel(ktx2, level, k));
+}
+
+/// The channels `first` to 3 of all texels.
+std::vector<std::uint8_t> channels_of(const Ktx2& ktx2, std::size_t first) {
+  const std::size_t count = 4 - first;
+  std::vector<std::uint8_t> samples;
+  each_texel(ktx2, [&](std::size_t k, const RgbaTexel& texel) {
+    // Here, since the bytes are known to be sound by then.
+    if (samples.empty()) samples.resize(count * ktx2.width * ktx2.height);
+    for (std::size_t channel = 0; channel < count; ++channel)
+      samples[count * k + channel] = texel[first + channel];
+  });
+  return samples;
+}
+
+/// Precondition: the coding is one of the BCs.
+decltype(Image::alpha) alpha_of_bc(const Ktx2& ktx2) {
+  std::vector<unsigned char> storage;
+  const Ktx2Bytes level = level_of(ktx2, storage);
+  switch (ktx2.coding) {
+    case Ktx2Coding::bc1:
+      return alpha_of_blocks(ktx2.width, ktx2.height, level, 8, alpha_of_bc1);
+    case Ktx2Coding::bc2:
+      return alpha_of_blocks(ktx2.width, ktx2.height, level, 16, alpha_of_bc2);
+    case Ktx2Coding::bc3:
+      return alpha_of_blocks(ktx2.width, ktx2.height, level, 16, alpha_of_bc3);
+    case Ktx2Coding::bc7:
+      return alpha_of_blocks(ktx2.width, ktx2.height, level, 16, alpha_of_bc7);
+    default:
+      return std::vector<std::uint8_t>(std::size_t{ktx2.width} * ktx2.height, 255);
+  }
+}
+
+}  // namespace
+
+std::optional<std::string> why_unread_ktx2(Ktx2Bytes bytes, PictureUse use) {
+  try {
+    const Ktx2 ktx2 = ktx2_of(bytes);
+    if (!ktx2.why.empty()) return ktx2.why;
+    if (use == PictureUse::alpha) return std::nullopt;
+    if (!has_colours(ktx2)) return "the colours of a KTX2 of BC1 to BC7 are not read here";
+    if (ktx2.premultiplied) return "the colours of a KTX2 are not read here where alpha multiplies them";
+    return std::nullopt;
+  } catch (const DamagedPicture&) {
+    return std::nullopt;
+  }
+}
+
+RgbaImage decode_ktx2(Ktx2Bytes bytes, const std::string& file, const std::string& place) {
+  return named(file, place, [&] {
+    const Ktx2 ktx2 = checked_ktx2(bytes, file, place);
+    if (const auto why = why_unread_ktx2(bytes, PictureUse::colour)) throw UnreadExtension(file, place, *why);
+    return RgbaImage{ktx2.width, ktx2.height, channels_of(ktx2, 0)};
+  });
+}
+
+void decode_ktx2_alpha(Ktx2Bytes bytes, Image& image, const std::string& file, const std::string& place) {
+  named(file, place, [&] {
+    const Ktx2 ktx2 = checked_ktx2(bytes, file, place);
+    image.width = ktx2.width;
+    image.height = ktx2.height;
+    image.alpha = has_colours(ktx2) ? channels_of(ktx2, 3) : alpha_of_bc(ktx2);
+  });
+}
+
+}  // namespace mmverify::scene
