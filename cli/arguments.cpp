@@ -225,6 +225,18 @@ std::vector<SubjectPtr> parse_subject(const std::string& name, double timeout_se
                   fmt::join(names, ", ")));
 }
 
+std::string level_ranges(const std::vector<Level>& levels) {
+  std::string text;
+  for (std::size_t from = 0; from < levels.size();) {
+    std::size_t to = from;
+    while (to + 1 < levels.size() && levels[to + 1] == levels[to] + 1) ++to;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", levels[from]);
+    if (to != from) text += fmt::format("..{}", levels[to]);
+    from = to + 1;
+  }
+  return text;
+}
+
 std::string grouped(std::uint64_t n) {
   std::string digits = fmt::format("{}", n);
   for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");

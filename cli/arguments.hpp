@@ -67,6 +67,9 @@ std::vector<proofs::SubjectPtr> parse_subject(const std::string& name, double ti
 std::vector<proofs::SubjectPtr> subjects_of(const dock::LibraryPtr& library, const std::string& kind,
                                             std::vector<RunsOn>* runs_on);
 
+/// The levels as ranges: 4, 5, 6 and 9 as "4..6, 9".
+std::string level_ranges(const std::vector<proofs::Level>& levels);
+
 /// The number with separators: 1234567 as 1,234,567.
 std::string grouped(std::uint64_t n);
 
