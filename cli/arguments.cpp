@@ -10,10 +10,13 @@
 #include <sstream>
 
 #include "cli/exit_code.hpp"
+#include "cli/nearest_word.hpp"
 #include "cli/shader.hpp"
+#include "cli/subject_advice.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/registry/plugin.hpp"
 #include "proofs/registry/registry.hpp"
+#include "proofs/registry/topics.hpp"
 
 namespace mmverify::cli {
 
@@ -132,12 +135,22 @@ std::string shell_quoted(const std::string& text) {
   return quoted.append("'");
 }
 
+std::string meant_law(const std::string& name, bool topics_too) {
+  if (std::string meant = meant_as_subject(name); !meant.empty()) return meant;
+  std::vector<std::string> known;
+  for (const Law& law : laws()) known.push_back(law.id);
+  if (topics_too)
+    for (const Topic& topic : topics()) known.emplace_back(topic.name);
+  return did_you_mean(name, known);
+}
+
 std::vector<const Law*> parse_laws(const std::vector<std::string>& names, Tier tier) {
   std::vector<const Law*> chosen;
   for (const std::string& name : names) {
     const auto found = laws_named(name);
     if (found.empty())
-      throw UsageError(fmt::format("no law or topic is called '{}'; `mmverify list` names them all", name));
+      throw UsageError(fmt::format("no law or topic is called '{}'; `mmverify list` names them all{}", name,
+                                   meant_law(name, true)));
     bool any = false;
     for (const Law* law : found) {
       if (law->long_only && tier != Tier::long_run && law->id != name) continue;
@@ -167,6 +180,17 @@ std::vector<std::pair<std::string, std::string>> keys_and_values(const std::stri
   return all;
 }
 
+/// The subject that a name was probably meant to be, as the rest of a sentence; empty if none is near.
+std::string meant_subject(const std::string& name) {
+  std::error_code none;
+  const bool is_file = std::filesystem::is_regular_file(name, none);
+  if (const std::string way = way_to_build(name); is_file && !way.empty()) return "; the file is " + way;
+  if (is_file) return fmt::format("; did you mean {}?", as_path(name));
+  std::vector<std::string> known;
+  for (const SubjectPtr& s : subjects()) known.push_back(s->name());
+  return did_you_mean(name, known);
+}
+
 /// The subjects of a library, or the one that FILE:KIND names.
 std::vector<SubjectPtr> of_library(const std::string& name, double timeout_seconds,
                                    std::vector<RunsOn>* runs_on) {
@@ -175,6 +199,8 @@ std::vector<SubjectPtr> of_library(const std::string& name, double timeout_secon
   if (!std::filesystem::exists(file, error)) throw EnvironmentError(fmt::format("{}: no such file", file));
   if (!std::filesystem::is_regular_file(file, error))
     throw EnvironmentError(fmt::format("{}: not a file; name a shared library", file));
+  if (const std::string way = way_to_build(file); !way.empty())
+    throw EnvironmentError(fmt::format("{}: {}", file, way));
   try {
     dock::Options options;
     options.timeout_seconds = timeout_seconds;
@@ -182,7 +208,7 @@ std::vector<SubjectPtr> of_library(const std::string& name, double timeout_secon
   } catch (const dock::NotHere& why) {
     return absent_subjects(name, {}, why.what());
   } catch (const dock::CannotLoad& why) {
-    throw EnvironmentError(why.what());
+    throw EnvironmentError(why.what() + advice_on_library(file, why.what()));
   }
 }
 
@@ -218,11 +244,22 @@ std::vector<SubjectPtr> parse_subject(const std::string& name, double timeout_se
   if (is_shader(name)) return of_shader(name, timeout_seconds, runs_on);
   if (name.find('/') != std::string::npos || plugin_name(name).file.ends_with(".so"))
     return of_library(name, timeout_seconds, runs_on);
-  std::vector<std::string> names;
-  for (const SubjectPtr& s : subjects()) names.push_back(s->name());
   throw UsageError(
-      fmt::format("no subject is called '{}'; there are {}, or a shared library's or a shader's path", name,
-                  fmt::join(names, ", ")));
+      fmt::format("no subject is called '{}'; `mmverify list` names the built-in ones, and a library or a "
+                  "shader has a path, as ./mine.so{}",
+                  name, meant_subject(name)));
+}
+
+std::string level_ranges(const std::vector<Level>& levels) {
+  std::string text;
+  for (std::size_t from = 0; from < levels.size();) {
+    std::size_t to = from;
+    while (to + 1 < levels.size() && levels[to + 1] == levels[to] + 1) ++to;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", levels[from]);
+    if (to != from) text += fmt::format("..{}", levels[to]);
+    from = to + 1;
+  }
+  return text;
 }
 
 std::string grouped(std::uint64_t n) {

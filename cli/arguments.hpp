@@ -46,6 +46,10 @@ std::string fits_a_size(const std::string& text);
 /// The text quoted as one word of a shell.
 std::string shell_quoted(const std::string& text);
 
+/// The law, topic or option that an unknown law's name was probably meant to be, as the rest of a sentence; empty
+/// if none is near. topics_too: whether a topic may stand in the law's place.
+std::string meant_law(const std::string& name, bool topics_too);
+
 /// The laws that the names stand for, in the registry's order, each once. UsageError for a name that stands
 /// for none.
 std::vector<const proofs::Law*> parse_laws(const std::vector<std::string>& names, proofs::Tier tier);
@@ -66,6 +70,9 @@ std::vector<proofs::SubjectPtr> parse_subject(const std::string& name, double ti
 /// The subjects of an open library, of one kind if `kind` names it.
 std::vector<proofs::SubjectPtr> subjects_of(const dock::LibraryPtr& library, const std::string& kind,
                                             std::vector<RunsOn>* runs_on);
+
+/// The levels as ranges: 4, 5, 6 and 9 as "4..6, 9".
+std::string level_ranges(const std::vector<proofs::Level>& levels);
 
 /// The number with separators: 1234567 as 1,234,567.
 std::string grouped(std::uint64_t n);

@@ -193,7 +193,10 @@ int run_gate(const GateOptions& options) {
   print(comparison, options);
   name_processors(comparison, result);
   name_faults(result);
-  if (!comparison.differences.empty())
+  if (comparison.has_fallen())
+    say(stdout, "A law that held before is refuted or broken: its counterexample is in {}\n",
+        shell_quoted(options.result));
+  else if (!comparison.differences.empty())
     say(stdout, "If that is how it should be: mmverify gate --baseline {} {} --bless\n",
         shell_quoted(options.baseline), shell_quoted(options.result));
   return comparison.red() ? ExitCode::failed : ExitCode::complete;

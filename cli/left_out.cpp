@@ -14,19 +14,6 @@ namespace {
 
 using namespace proofs;
 
-/// The levels as ranges: 4, 5, 6 and 9 as "4..6, 9".
-std::string ranges(const std::vector<Level>& levels) {
-  std::string text;
-  for (std::size_t from = 0; from < levels.size();) {
-    std::size_t to = from;
-    while (to + 1 < levels.size() && levels[to + 1] == levels[to] + 1) ++to;
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", levels[from]);
-    if (to != from) text += fmt::format("..{}", levels[to]);
-    from = to + 1;
-  }
-  return text;
-}
-
 /// Whether one of the jobs' laws covers the level on this subject. If laws were named, every level counts as
 /// requested.
 bool is_asked(const Names& names, const std::vector<Job>& jobs, const std::string& subject, Level n) {
@@ -56,7 +43,7 @@ void refuse_levels(const Names& names, const std::vector<Job>& jobs, const Repor
     });
     throw UsageError(fmt::format("--levels {}: {} {} not judged{}{}; choose levels at which the law runs",
                                  *names.levels, left.size() == 1 ? "level" : "levels",
-                                 ranges(left) + (left.size() == 1 ? " was" : " were"),
+                                 level_ranges(left) + (left.size() == 1 ? " was" : " were"),
                                  subject.empty() ? "" : " of " + subject,
                                  result == report.results.end() ? "" : ": " + result->reason));
   }

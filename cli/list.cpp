@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/json_text.hpp"
@@ -72,6 +73,22 @@ void print_law(const Law& law) {
   say(stdout, "  subjects: {}\n\n", fmt::join(law.subjects, ", "));
 }
 
+/// The laws of these names, or all of them.
+std::vector<const Law*> laws_called(const std::vector<std::string>& names) {
+  if (!names.empty()) return parse_laws(names, Tier::long_run);
+  std::vector<const Law*> all;
+  for (const Law& law : laws()) all.push_back(&law);
+  return all;
+}
+
+std::vector<SubjectPtr> subjects_of_topics(const std::vector<const Law*>& chosen) {
+  std::vector<SubjectPtr> found;
+  for (const SubjectPtr& s : subjects())
+    if (std::any_of(chosen.begin(), chosen.end(), [&](const Law* law) { return law->topic == s->topic(); }))
+      found.push_back(s);
+  return found;
+}
+
 /// Writes FOLDER/NAME.smt2 for each statement; NAME begins with the law's folder.
 ExitCode write_statements(const std::string& folder) {
   const auto all = shipped_statements();
@@ -91,6 +108,9 @@ ExitCode write_statements(const std::string& folder) {
 Action add_list(CLI::App& program) {
   auto* command =
       program.add_subcommand("list", "every law: id, statement, source, domain, method, and the subjects");
+  auto names = std::make_shared<std::vector<std::string>>();
+  command->add_option("law", *names, "only these laws or topics, with the topics' subjects")
+      ->type_name("LAW|TOPIC");
   auto json = std::make_shared<bool>(false);
   auto statements = std::make_shared<std::string>();
   CLI::Option* as_json_option = command->add_flag("--json", *json, "as JSON");
@@ -99,22 +119,24 @@ Action add_list(CLI::App& program) {
                    "write the statements that laws leave to z3 into this folder, as SMT-LIB files")
       ->type_name("DIR")
       ->excludes(as_json_option);
-  return [json, statements] {
+  return [names, json, statements] {
     end_with_the_reader();
     if (!statements->empty()) return write_statements(*statements);
+    const std::vector<const Law*> chosen = laws_called(*names);
     if (*json) {
       nlohmann::ordered_json all{{"schema", "mmverify.list/1"},
                                  {"laws", nlohmann::ordered_json::array()},
                                  {"subjects", nlohmann::ordered_json::array()}};
-      for (const Law& law : laws()) all["laws"].push_back(as_json(law));
-      for (const SubjectPtr& s : subjects())
+      for (const Law* law : chosen) all["laws"].push_back(as_json(*law));
+      for (const SubjectPtr& s : subjects_of_topics(chosen))
         all["subjects"].push_back({{"subject", s->name()}, {"about", s->about()}});
       say_text(stdout, json_text(all));
       return ExitCode::complete;
     }
-    for (const Law& law : laws()) print_law(law);
+    for (const Law* law : chosen) print_law(*law);
     say(stdout, "subjects:\n");
-    for (const SubjectPtr& s : subjects()) say(stdout, "  {:<22} {}\n", s->name(), s->about());
+    for (const SubjectPtr& s : subjects_of_topics(chosen))
+      say(stdout, "  {:<22} {}\n", s->name(), s->about());
     return ExitCode::complete;
   };
 }

@@ -16,6 +16,7 @@
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/first_word.hpp"
 #include "cli/old_spellings.hpp"
 #include "cli/streams.hpp"
 #include "cli/text.hpp"
@@ -75,13 +76,19 @@ int main(int argc, char** argv) {
   const std::vector<Action> actions = add_commands(program);
   refuse_empty_texts(program);
   try {
-    std::vector<std::string> arguments = in_todays_spelling({argv + std::min(argc, 1), argv + argc});
+    std::vector<std::string> arguments =
+        with_known_command(program, in_todays_spelling({argv + std::min(argc, 1), argv + argc}));
     std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 takes
     program.parse(std::move(arguments));
   } catch (const CLI::Success& asked_for) {
     return after_printing(program.exit(asked_for));
+  } catch (const CLI::ExtrasError& error) {
+    const std::string meant = meant_option(program);
+    return complain(ExitCode::usage, error.what() + meant, meant.empty() ? "; see `mmverify --help`" : "");
   } catch (const CLI::ParseError& error) {
     return complain(ExitCode::usage, error.what(), "; see `mmverify --help`");
+  } catch (const UsageError& error) {
+    return complain(ExitCode::usage, error.what());
   }
   try {
     const auto commands = program.get_subcommands({});

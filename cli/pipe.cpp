@@ -18,6 +18,7 @@
 #include "cli/output_file.hpp"
 #include "cli/png_file.hpp"
 #include "cli/scene/check_maps.hpp"
+#include "cli/short/run_text.hpp"
 #include "cli/streams.hpp"
 #include "cli/text.hpp"
 #include "proofs/engine/interrupt.hpp"
@@ -54,12 +55,17 @@ std::vector<std::string> topics_with(std::vector<std::string> others) {
   return others;
 }
 
+/// Takes --levels for --level, and the other way round, where only the other one is given.
+PipeOptions with_its_levels(PipeOptions options) {
+  std::string &own = asking_topic(options) != nullptr ? options.levels : options.level,
+              &other = asking_topic(options) != nullptr ? options.level : options.levels;
+  if (own.empty()) own.swap(other);
+  return options;
+}
+
 /// The level for topics that take one. Limits: the pipe's indices have 32 bits; corners are stored, 24 bytes
 /// each.
 Level one_level(const PipeOptions& options) {
-  if (options.level.empty() && !options.levels.empty())
-    throw UsageError(fmt::format("--levels {}: {} are of one level; write --level N", options.levels,
-                                 options.rays() ? "rays" : "cases of the index"));
   if (options.level.empty()) throw UsageError("--level is required; write --level N");
   if (!options.levels.empty() || !options.laws.empty() || options.cases != 0)
     throw UsageError(fmt::format(
@@ -83,8 +89,7 @@ bool on_pipe(const Law& law) {
 
 pipe::PipeRun asked(const PipeOptions& options, const Topic& topic) {
   if (!options.level.empty())
-    throw UsageError(
-        fmt::format("{}: write --levels A..B, or --levels N, in the place of --level", topic.name));
+    throw UsageError(fmt::format("{}: --level and --levels: give one of them", topic.name));
   if (options.interiors_only())
     throw UsageError(
         fmt::format("--cells interior: {} is not about points on cells; leave it out", topic.name));
@@ -149,7 +154,7 @@ Report checked_level(const PipeOptions& options) {
   return report;
 }
 
-int check(const PipeOptions& options, const std::string& junit_file, bool quiet) {
+int check(const PipeOptions& options, const std::string& junit_file, bool quiet, bool details) {
   const Topic* topic = asking_topic(options);
   std::optional<pipe::PipeRun> questions;
   if (topic != nullptr) {
@@ -169,7 +174,7 @@ int check(const PipeOptions& options, const std::string& junit_file, bool quiet)
   } catch (const pipe::BadAnswers& bad) {
     throw EnvironmentError(bad.what());
   }
-  TextReport text(json.text(), topic == nullptr);
+  RunText text(json.text(), details, topic == nullptr);
   for (const Result& result : report.results) text.add(result);
   text.finish(report, false);
   json.write([&] { return to_json(report, options.seed); });
@@ -235,7 +240,7 @@ Action add_gen(CLI::App& program) {
     if (asking_topic(*options) == nullptr && command->count("--seed") != 0)
       throw UsageError(fmt::format("gen {}: it writes all cells of a level and draws none; leave --seed out",
                                    options->topic));
-    return generate(*options);
+    return generate(with_its_levels(*options));
   };
 }
 
@@ -244,6 +249,7 @@ Action add_check(CLI::App& program) {
       "check", "judge the answers that a program on a pipe gave to `gen`'s cases, or finished maps");
   auto options = std::make_shared<PipeOptions>();
   auto maps = std::make_shared<CheckMapsOptions>();
+  auto details = std::make_shared<bool>(false);
   command
       ->add_option("topic", options->topic,
                    "index, corners, tree or bake; maps: finished ones against their textures; attributes: "
@@ -255,7 +261,8 @@ Action add_check(CLI::App& program) {
   command->add_option("--errors", options->errors, "counterexamples kept")->check(whole_within(1, 10'000));
   command->add_option("--json", options->json, "write the results as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--junit", maps->junit, "write the results as JUnit XML")->type_name("FILE");
-  return [options, maps, command] {
+  add_details(*command, *details);
+  return [options, maps, details, command] {
     if (options->topic == "attributes") {
       for (const CLI::Option* given : command->get_options())
         if (given->count() != 0 && given->get_name() != "topic" && given->get_name() != "file")
@@ -266,7 +273,7 @@ Action add_check(CLI::App& program) {
       if (!maps->file.empty())
         throw UsageError(
             fmt::format("check {}: answers come on standard input; leave the file out", options->topic));
-      return check(*options, maps->junit, maps->quiet);
+      return check(with_its_levels(*options), maps->junit, maps->quiet, *details);
     }
     if (!options->level.empty()) throw UsageError("check maps: maps have their levels; leave --level out");
     if (!options->levels.empty() || !options->laws.empty() || options->cases != 0)

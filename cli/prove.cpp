@@ -16,6 +16,7 @@
 #include "cli/output_file.hpp"
 #include "cli/run_identity.hpp"
 #include "cli/shader.hpp"
+#include "cli/short/run_text.hpp"
 #include "cli/source.hpp"
 #include "cli/streams.hpp"
 #include "cli/text.hpp"
@@ -41,7 +42,7 @@ struct ProveOptions {
   std::optional<double> timeout;
   std::vector<std::uint32_t> devices;
   std::optional<std::string> entry;
-  bool quiet = false, no_mutants = false, no_companions = false;
+  bool quiet = false, details = false, no_mutants = false, no_companions = false;
   std::string shard, journal;
   std::optional<std::string> source, function, one_case;
   std::vector<std::string> flags;
@@ -83,8 +84,23 @@ std::optional<Shard> parse_shard(const std::string& text) {
   return shard;
 }
 
+/// Prints where the subjects run, and warnings. The first line about each names its device.
+void say_where(const std::vector<RunsOn>& runs_on, RunText& text) {
+  for (const RunsOn& one : runs_on) {
+    for (std::size_t k = 0; k < one.about.size(); ++k) {
+      const std::string line =
+          fmt::format("{}: {}: {}", one.subject, one.about[k].first, one.about[k].second);
+      if (k == 0)
+        text.note(line);
+      else
+        text.detail(line);
+    }
+    for (const std::string& warning : one.warnings) text.note("warning: " + warning);
+  }
+}
+
 /// Names the laws that run in addition to the one requested.
-void announce_companions(const std::vector<Job>& jobs, TextReport& text) {
+void announce_companions(const std::vector<Job>& jobs, RunText& text) {
   std::vector<std::string> said;
   for (const Job& job : jobs) {
     if (job.brought_by == nullptr || !job.unfit.empty()) continue;
@@ -94,22 +110,21 @@ void announce_companions(const std::vector<Job>& jobs, TextReport& text) {
         job.law->id, job.brought_by->id);
     if (std::find(said.begin(), said.end(), line) == said.end()) said.push_back(line);
   }
-  for (const std::string& line : said) text.note(line);
+  for (const std::string& line : said) text.detail(line);
 }
 
 /// Names the laws that --no-companions left out: without them a verdict covers few numbers.
-void name_left_out_companions(Request request, const std::vector<Job>& jobs, TextReport& text) {
-  if (request.companions) return;
+std::vector<std::string> left_out_companions(Request request, const std::vector<Job>& jobs) {
+  if (request.companions) return {};
   request.companions = true;
   std::vector<std::string> said;
   for (const Job& job : plan(request))
     if (job.unfit.empty() && std::find(said.begin(), said.end(), job.law->id) == said.end() &&
         std::none_of(jobs.begin(), jobs.end(), [&](const Job& ran) { return ran.law == job.law; }))
       said.push_back(job.law->id);
-  if (!said.empty())
-    text.note(
-        fmt::format("left out by --no-companions: {}; the verdict then covers only a few distinct floats",
-                    fmt::join(said, ", ")));
+  if (said.empty()) return {};
+  return {fmt::format("left out by --no-companions: {}; the verdict then covers only a few distinct floats",
+                      fmt::join(said, ", "))};
 }
 
 /// The job of proving index.floats of a source, the only law for sources.
@@ -175,7 +190,8 @@ int prove(const ProveOptions& options) {
   if (!options.shard.empty()) json.remove_old();
   if (!options.junit.empty()) junit.emplace(options.junit);
 
-  TextReport text(json.text(), !options.laws.empty());
+  RunText text(json.text(), options.details, !options.laws.empty(),
+               options.source ? std::vector{jobs.front().subject} : asked.subjects);
   RunOptions run{options.threads,
                  options.errors,
                  options.seed,
@@ -190,14 +206,10 @@ int prove(const ProveOptions& options) {
   run.journal = journal.get();
   run.mutants = !options.no_mutants;
   run.change_of = change_of;
-  for (const RunsOn& one : runs_on) {
-    for (const auto& [key, value] : one.about) text.note(fmt::format("{}: {}: {}", one.subject, key, value));
-    for (const std::string& warning : one.warnings) text.note("warning: " + warning);
-  }
+  say_where(runs_on, text);
   announce_companions(jobs, text);
   const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
-  text.finish(report, !options.subjects.empty() || options.source);
-  name_left_out_companions(asked, jobs, text);
+  text.finish(report, !options.subjects.empty() || options.source, left_out_companions(asked, jobs));
   if (report.interrupted && journal)
     say(stderr, "stopped; the same command goes on from {}\n", options.journal);
   json.write([&] { return to_json(report, options.seed, run.shard, identity, {}, runs_on); });
@@ -311,6 +323,7 @@ Action add_prove(CLI::App& program) {
   add_source(*command, *options);
   command->add_flag("--no-mutants", options->no_mutants,
                     "leave out the wrong subjects by which each law shows that it can fail");
+  add_details(*command, options->details);
   command->add_flag("--quiet", options->quiet, "no progress on stderr");
   return [options] { return prove(*options); };
 }

@@ -43,7 +43,8 @@ SubjectPtr parse_one(const ReplayOptions& options, const Law& law) {
 int replay(const ReplayOptions& options) {
   const Law* law = find_law(options.law);
   if (law == nullptr)
-    throw UsageError(fmt::format("no law is called '{}'; `mmverify list` names them all", options.law));
+    throw UsageError(fmt::format("no law is called '{}'; `mmverify list` names them all{}", options.law,
+                                 meant_law(options.law, false)));
   const Level level = parse_level(options.level);
   const SubjectPtr subject = parse_one(options, *law);
   if (const std::string why = subject->absent(); !why.empty())

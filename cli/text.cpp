@@ -41,10 +41,33 @@ std::string replay_command(const Result& result, const Counterexample& c) {
                      shell_quoted(c.at), shell_quoted(result.subject));
 }
 
-std::string counterexample_line(const Result& result, const Counterexample& c) {
+std::string counterexample_line(const Result& result, const Counterexample& c, std::size_t most) {
+  const std::string at =
+      c.at.size() <= most ? c.at
+                          : fmt::format("{}... ({} characters)", c.at.substr(0, most), grouped(c.at.size()));
   return fmt::format("refuted {} level {} case {}{} expected {} got {}   replay: {}", result.law,
-                     level_of(result, c), c.at, c.hex.empty() ? "" : " " + c.hex, c.expected, c.got,
+                     level_of(result, c), at, c.hex.empty() ? "" : " " + c.hex, c.expected, c.got,
                      replay_command(result, c));
+}
+
+std::string sum_line(const Report& report) {
+  std::map<Verdict, std::size_t> verdicts;
+  double seconds = 0;
+  for (const Result& r : report.results) {
+    ++verdicts[r.verdict];
+    seconds += r.seconds;
+  }
+  std::vector<std::string> parts;
+  for (const auto& [verdict, count] : verdicts)
+    parts.push_back(fmt::format("{} {}", count, to_string(verdict)));
+  const auto killed = std::count_if(report.mutants.begin(), report.mutants.end(),
+                                    [](const MutantResult& m) { return m.killed; });
+  const std::string mutants = report.mutants.empty()
+                                  ? "no mutants run"
+                                  : fmt::format("{} of {} mutants killed", killed, report.mutants.size());
+  return fmt::format("{} results: {}; {}; {:.1f} s on {} thread{}", report.results.size(),
+                     fmt::join(parts, ", "), mutants, seconds, report.threads,
+                     report.threads == 1 ? "" : "s");
 }
 
 namespace {
@@ -144,8 +167,7 @@ void TextReport::say_breaks(const Result& r) const {
         grouped(r.breaks.size()), grouped(r.cases_run()));
 }
 
-std::size_t TextReport::print_mutants(const std::vector<MutantResult>& mutants) const {
-  std::size_t killed = 0;
+void TextReport::print_mutants(const std::vector<MutantResult>& mutants) const {
   for (auto of_law = mutants.begin(); of_law != mutants.end();) {
     const auto next =
         std::find_if(of_law, mutants.end(), [&](const MutantResult& m) { return m.law != of_law->law; });
@@ -160,14 +182,12 @@ std::size_t TextReport::print_mutants(const std::vector<MutantResult>& mutants) 
       else
         say(out_, "  {}\n", of_law->mutant);
     }
-    killed += static_cast<std::size_t>(dead);
   }
-  return killed;
 }
 
 void TextReport::finish(const Report& report, bool name_subjects) {
   flush();
-  const std::size_t killed = print_mutants(report.mutants);
+  print_mutants(report.mutants);
   for (const Diagnosis& d : report.diagnoses) {
     say(out_, "what {} does instead ({}):\n", d.subject, d.law);
     for (const std::string& line : d.lines) say(out_, "  {}\n", line);
@@ -181,20 +201,7 @@ void TextReport::finish(const Report& report, bool name_subjects) {
           to_string(weakest(report.results, r.subject)));
     }
   }
-  std::map<Verdict, std::size_t> verdicts;
-  double seconds = 0;
-  for (const Result& r : report.results) {
-    ++verdicts[r.verdict];
-    seconds += r.seconds;
-  }
-  std::vector<std::string> parts;
-  for (const auto& [verdict, count] : verdicts)
-    parts.push_back(fmt::format("{} {}", count, to_string(verdict)));
-  const std::string mutants = report.mutants.empty()
-                                  ? "no mutants run"
-                                  : fmt::format("{} of {} mutants killed", killed, report.mutants.size());
-  say(out_, "{} results: {}; {}; {:.1f} s on {} thread{}\n", report.results.size(), fmt::join(parts, ", "),
-      mutants, seconds, report.threads, report.threads == 1 ? "" : "s");
+  say(out_, "{}\n", sum_line(report));
   std::fflush(out_);
 }
 

@@ -14,8 +14,13 @@ std::string printable(const std::string& text);
 /// The command that replays a counterexample.
 std::string replay_command(const proofs::Result& result, const proofs::Counterexample& c);
 
-/// The line "refuted LAW level N case C (hex) expected E got G   replay: ...".
-std::string counterexample_line(const proofs::Result& result, const proofs::Counterexample& c);
+/// The line "refuted LAW level N case C (hex) expected E got G   replay: ...". Of a case above `most` characters,
+/// C has the beginning.
+std::string counterexample_line(const proofs::Result& result, const proofs::Counterexample& c,
+                                std::size_t most = std::string::npos);
+
+/// The last line of a run: its results by verdict, the mutants, the time.
+std::string sum_line(const proofs::Report& report);
 
 /// Prints results as they come, to `out`: a line for each level, or one for each law and subject.
 class TextReport {
@@ -32,8 +37,8 @@ class TextReport {
   void line(const std::vector<proofs::Result>& results);
   /// Prints how a broken subject failed, and on how many cases.
   void say_breaks(const proofs::Result& result) const;
-  /// Prints the mutants by law, killed or survived; returns the number of killed ones.
-  std::size_t print_mutants(const std::vector<proofs::MutantResult>& mutants) const;
+  /// Prints the mutants by law, killed or survived.
+  void print_mutants(const std::vector<proofs::MutantResult>& mutants) const;
 
   std::FILE* out_;
   bool by_level_;

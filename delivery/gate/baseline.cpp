@@ -29,10 +29,15 @@ std::string quoted(const std::string& text) {
 
 Baseline baseline_of(const Figures& figures) {
   Baseline baseline{figures.schema, figures.processor, figures.settings, {}};
-  for (const auto& [group, members] : figures.groups)
+  for (const auto& [group, members] : figures.groups) {
+    const auto verdict = members.find("verdict");
+    if (verdict != members.end() && is_not_applicable(verdict->second.value)) continue;
     for (const auto& [name, figure] : members) baseline.groups[group][name] = figure.value;
+  }
   return baseline;
 }
+
+bool is_not_applicable(const Value& verdict) { return unquoted(verdict.text) == "not_applicable"; }
 
 bool is_baseline(const Json& file) {
   return file.is_object() && file.value("schema", Json()) == Json(schema);

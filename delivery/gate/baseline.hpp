@@ -15,7 +15,10 @@ struct Baseline {
   Groups<Value> groups;
 };
 
-/// The figures without their rules.
+/// Whether a law does not apply to the subject: such a result is no part of a baseline.
+bool is_not_applicable(const Value& verdict);
+
+/// The figures without their rules, and without results whose law does not apply.
 Baseline baseline_of(const Figures& figures);
 
 /// Whether the file's schema is that of a baseline.

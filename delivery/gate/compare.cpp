@@ -103,7 +103,21 @@ void refuse_others(const char* whose, const std::string& schema, const Settings&
                                listed(settings), listed(result.settings)));
 }
 
+/// Whether the group is a result whose law does not apply. Baselines of earlier versions have such groups.
+template <class Group, class ValueOf>
+bool does_not_apply(const Group& members, ValueOf value_of) {
+  const auto verdict = members.find("verdict");
+  return verdict != members.end() && is_not_applicable(value_of(verdict->second));
+}
+
 }  // namespace
+
+bool Comparison::has_fallen() const {
+  return std::any_of(differences.begin(), differences.end(), [](const Difference& d) {
+    return d.figure == "verdict" && d.change == Change::worse &&
+           (unquoted(d.after) == "refuted" || unquoted(d.after) == "broken");
+  });
+}
 
 bool Comparison::red() const { return count(Change::faster) != differences.size(); }
 
@@ -117,14 +131,20 @@ Comparison compare(const Baseline& baseline, const Figures& result, double toler
   Comparison out;
   Comparing comparing(out, tolerance);
   for (const auto& [name, members] : baseline.groups) {
+    if (does_not_apply(members, [](const Value& verdict) { return verdict; })) continue;
     const auto now = result.groups.find(name);
     if (now == result.groups.end())
       comparing.add(Change::gone, name, "", "", "");
     else
       comparing.group(name, members, now->second);
   }
-  for (const auto& [name, members] : result.groups)
-    if (!baseline.groups.contains(name)) comparing.add(Change::added, name, "", "", "");
+  for (const auto& [name, members] : result.groups) {
+    if (does_not_apply(members, [](const Figure& verdict) { return verdict.value; })) continue;
+    const auto old = baseline.groups.find(name);
+    if (old == baseline.groups.end() ||
+        does_not_apply(old->second, [](const Value& verdict) { return verdict; }))
+      comparing.add(Change::added, name, "", "", "");
+  }
   if (out.speeds != 0 && baseline.processor != result.processor) out.other_processor = baseline.processor;
   std::stable_sort(out.differences.begin(), out.differences.end(),
                    [](const Difference& x, const Difference& y) { return x.change < y.change; });

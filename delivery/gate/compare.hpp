@@ -25,6 +25,8 @@ struct Comparison {
   /// Whether any difference is red. All are, improvements too, until the baseline is updated; only a speed
   /// that gains more than the tolerance is not.
   bool red() const;
+  /// Whether a law that held is refuted or broken: a baseline is no remedy.
+  bool has_fallen() const;
   std::size_t count(Change change) const;
 };
 

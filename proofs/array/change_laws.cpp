@@ -212,7 +212,7 @@ Finding changes(const ArraySubject& s, Level n, std::uint64_t seed, std::uint64_
   return found;
 }
 
-constexpr Entry any_change{"compact, reorder or concatenate",
+constexpr Entry any_change{"array_compact, array_reorder or array_concatenate",
                            [](const Functions& f) { return f.compact || f.reorder || f.concatenate; }};
 
 Law changes_on_samples() {

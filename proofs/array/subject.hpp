@@ -78,15 +78,17 @@ struct Functions {
 
 using Entry = EntryOf<Functions>;
 namespace entry {
-inline constexpr Entry build{"build", [](const Functions& f) { return bool{f.build}; }};
-inline constexpr Entry targets{"resolve", [](const Functions& f) { return bool{f.targets}; }};
-inline constexpr Entry compact{"compact", [](const Functions& f) { return bool{f.compact}; }};
-inline constexpr Entry reorder{"reorder", [](const Functions& f) { return bool{f.reorder}; }};
-inline constexpr Entry concatenate{"concatenate", [](const Functions& f) { return bool{f.concatenate}; }};
-inline constexpr Entry file{"save and load", [](const Functions& f) { return f.write && f.read; }};
+inline constexpr Entry build{"array_build", [](const Functions& f) { return bool{f.build}; }};
+inline constexpr Entry targets{"array_resolve", [](const Functions& f) { return bool{f.targets}; }};
+inline constexpr Entry compact{"array_compact", [](const Functions& f) { return bool{f.compact}; }};
+inline constexpr Entry reorder{"array_reorder", [](const Functions& f) { return bool{f.reorder}; }};
+inline constexpr Entry concatenate{"array_concatenate",
+                                   [](const Functions& f) { return bool{f.concatenate}; }};
+inline constexpr Entry file{"array_save with array_load",
+                            [](const Functions& f) { return f.write && f.read; }};
 inline constexpr Entry our_file{"load of docs/ARRAYS.md's files",
                                 [](const Functions& f) { return f.read && f.files_are_ours; }};
-inline constexpr Entry emulate{"emulate", [](const Functions& f) { return bool{f.emulate}; }};
+inline constexpr Entry emulate{"array_emulate", [](const Functions& f) { return bool{f.emulate}; }};
 inline constexpr Entry blocks{"blocks", [](const Functions& f) { return bool{f.blocks}; }};
 }  // namespace entry
 

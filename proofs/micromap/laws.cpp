@@ -119,7 +119,9 @@ Law on_any_part(Law law) {
     const MicromapSubject& s = subject_as<MicromapSubject>(subject);
     for (const auto& [entry, name] : map_parts)
       if (entry.there(s.functions)) return std::nullopt;
-    return s.name() + " has no entry point pack, force2, up, down or modes";
+    return s.name() +
+           " has no entry point micromap_pack, micromap_force2, micromap_up, micromap_down or "
+           "micromap_through";
   };
   return law;
 }

@@ -69,13 +69,16 @@ struct Functions {
 
 using Entry = EntryOf<Functions>;
 namespace entry {
-inline constexpr Entry pack{"pack", [](const Functions& f) { return f.pack && f.unpack; }};
-inline constexpr Entry force2{"force2", [](const Functions& f) { return f.force2 && f.widen; }};
-inline constexpr Entry up{"up", [](const Functions& f) { return bool{f.up}; }};
-inline constexpr Entry down{"down", [](const Functions& f) { return bool{f.down}; }};
-inline constexpr Entry modes{"modes", [](const Functions& f) { return bool{f.through}; }};
+inline constexpr Entry pack{"micromap_pack with micromap_unpack",
+                            [](const Functions& f) { return f.pack && f.unpack; }};
+inline constexpr Entry force2{"micromap_force2 with micromap_widen",
+                              [](const Functions& f) { return f.force2 && f.widen; }};
+inline constexpr Entry up{"micromap_up", [](const Functions& f) { return bool{f.up}; }};
+inline constexpr Entry down{"micromap_down", [](const Functions& f) { return bool{f.down}; }};
+inline constexpr Entry modes{"micromap_through", [](const Functions& f) { return bool{f.through}; }};
 inline constexpr Entry special{"special", [](const Functions& f) { return f.special_code && f.meaning; }};
-inline constexpr Entry substitute{"substitute", [](const Functions& f) { return bool{f.substitute}; }};
+inline constexpr Entry substitute{"micromap_substitute",
+                                  [](const Functions& f) { return bool{f.substitute}; }};
 inline constexpr Entry judge{"judge", [](const Functions& f) { return bool{f.judge}; }};
 inline constexpr Entry build{"build", [](const Functions& f) { return bool{f.build}; }};
 inline constexpr Entry validate{"validate", [](const Functions& f) { return bool{f.validate}; }};

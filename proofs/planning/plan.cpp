@@ -104,13 +104,17 @@ std::vector<Job> plan(const Request& request) {
   return jobs;
 }
 
+Verdict weaker(Verdict a, Verdict b) {
+  for (const Verdict v : {Verdict::broken, Verdict::refuted, Verdict::incomplete, Verdict::checked})
+    if (a == v || b == v) return v;
+  return a == Verdict::proved ? a : b;
+}
+
 Verdict weakest(const std::vector<Result>& results, const std::string& subject) {
-  constexpr Verdict order[] = {Verdict::broken, Verdict::refuted, Verdict::incomplete, Verdict::checked,
-                               Verdict::proved};
-  for (const Verdict v : order)
-    for (const Result& r : results)
-      if (r.subject == subject && r.verdict == v) return v;
-  return Verdict::not_applicable;
+  Verdict found = Verdict::not_applicable;
+  for (const Result& r : results)
+    if (r.subject == subject) found = weaker(found, r.verdict);
+  return found;
 }
 
 std::vector<Level> levels_not_judged(const std::vector<Result>& results, const std::string& subject,

@@ -19,6 +19,9 @@ struct Request {
 /// along, and that one its own.
 std::vector<Job> plan(const Request& request);
 
+/// The weaker of two verdicts, in the order of weakest().
+Verdict weaker(Verdict a, Verdict b);
+
 /// The weakest of a subject's verdicts, laws that do not apply left out: broken, refuted, incomplete,
 /// checked, proved. not_applicable where no law applied.
 Verdict weakest(const std::vector<Result>& results, const std::string& subject);

@@ -52,10 +52,10 @@ struct Functions {
 
 using Entry = EntryOf<Functions>;
 namespace entry {
-inline constexpr Entry decide{"decide", [](const Functions& f) { return bool{f.decide}; }};
+inline constexpr Entry decide{"traverse_decide", [](const Functions& f) { return bool{f.decide}; }};
 inline constexpr Entry undefined{"undefined", [](const Functions& f) { return bool{f.undefined}; }};
-inline constexpr Entry blend{"blend", [](const Functions& f) { return bool{f.blend}; }};
-inline constexpr Entry gather{"gather", [](const Functions& f) { return bool{f.gather}; }};
+inline constexpr Entry blend{"traverse_blend", [](const Functions& f) { return bool{f.blend}; }};
+inline constexpr Entry gather{"traverse_blend_hits", [](const Functions& f) { return bool{f.gather}; }};
 inline constexpr Entry look{"look", [](const Functions& f) { return bool{f.look}; }};
 }  // namespace entry
 

@@ -24,6 +24,8 @@ bool is_picture(const fs::path& path) {
   return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
 }
 
+bool is_gltf(const fs::path& path) { return path.extension() == ".gltf" || path.extension() == ".glb"; }
+
 /// A list of names for a message.
 class PassedOver {
  public:
@@ -80,10 +82,12 @@ Scene load_textures(const std::string& folder) {
   Scene scene;
   scene.file = folder;
   PassedOver passed_over;
+  std::string scene_file;
   for (const fs::path& path : entries) {
     Image image;
     image.name = path.filename().string();
     if (!is_picture(path) || fs::is_directory(path, error)) {
+      if (is_gltf(path) && scene_file.empty()) scene_file = path.string();
       passed_over.add(image.name + (fs::is_directory(path, error) ? "/" : ""));
       continue;
     }
@@ -99,8 +103,11 @@ Scene load_textures(const std::string& folder) {
   if (scene.images.empty())
     throw BadScene(folder, "the folder",
                    "no .png, .jpg, .jpeg, .webp, .avif, .dds, .ktx2 or .tga that is read is in it" +
-                       (over.empty() ? "" : "; " + over));
+                       (over.empty() ? "" : "; " + over) +
+                       (scene_file.empty() ? "" : "; a scene is named by its file: " + scene_file));
   if (!over.empty()) scene.notes.push_back(over);
+  if (!scene_file.empty())
+    scene.notes.push_back("these are the folder's pictures; its scene is named by its file: " + scene_file);
   return scene;
 }
 

@@ -108,6 +108,15 @@ void check(const std::string& spirv, const std::string& file) {
   }
 }
 
+/// The languages that clang is to take a file for, in turn; empty: the one that its name tells. clang would take a
+/// header alone for one to precompile.
+std::vector<std::string> languages_of(const std::string& file) {
+  const std::string extension = fs::path(file).extension().string();
+  if (extension == ".h") return {"c", "c++"};
+  if (extension == ".hpp") return {"c++"};
+  return {""};
+}
+
 std::string bytes_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -160,12 +169,17 @@ void Compiled::compile(const std::vector<std::string>& flags) {
       "-O1", "-g", "-Xclang", "-disable-llvm-passes", "-Xclang", "-femit-all-decls", "-I" + header_folder()};
   words.insert(words.end(), flags.begin(), flags.end());
   words.insert(words.end(), {"-fno-caret-diagnostics", "-Werror=array-bounds", "-ffp-contract=off",
-                             "-fno-math-errno", "-emit-llvm", "-c", "-o", bitcode_, "--", file_});
-  if (const ProgramEnd end = of_clang(words); !end.succeeded) {
-    folder_->check_room();
-    throw BadSource(file_ + ": clang does not compile it (" + end.how +
-                    "): " + program::one_line(end.errors));
+                             "-fno-math-errno", "-emit-llvm", "-c", "-o", bitcode_});
+  ProgramEnd end;
+  for (const std::string& language : languages_of(file_)) {
+    std::vector<std::string> all = words;
+    if (!language.empty()) all.insert(all.end(), {"-x", language});
+    all.insert(all.end(), {"--", file_});
+    end = of_clang(all);
+    if (end.succeeded) return;
   }
+  folder_->check_room();
+  throw BadSource(file_ + ": clang does not compile it (" + end.how + "): " + program::one_line(end.errors));
 }
 
 void Compiled::link(const std::string& fault) {

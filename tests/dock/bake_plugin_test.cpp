@@ -10,7 +10,8 @@ namespace bake_plugin_test {
 using testing::HasSubstr;
 
 Outcome judge_bake(const std::string& name, const std::string& what) {
-  return shell("mmverify prove " + what + " --quiet --no-mutants --timeout 1 --subject " + library(name));
+  return shell("mmverify prove " + what + " --details --quiet --no-mutants --timeout 1 --subject " +
+               library(name));
 }
 
 // It says so itself: what it calls O or T is so, and much that is it does not.

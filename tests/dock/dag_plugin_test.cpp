@@ -43,7 +43,8 @@ TEST(DagSubject, that_takes_one_of_many_maps_for_another_is_refuted) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   for (const char* name : {"dag_looks_for_257_in_the_first", "dag_numbers_of_16_bits"}) {
     const Outcome o = shell(
-        "mmverify prove dag.many_maps --levels 0 --quiet --no-mutants --timeout 20 --threads 1 --subject " +
+        "mmverify prove dag.many_maps --levels 0 --details --quiet --no-mutants --timeout 20 --threads 1 "
+        "--subject " +
         library(name));
     expect_refuted_and_replayed(o, "dag.many_maps");
     EXPECT_THAT(o.out,

@@ -10,7 +10,8 @@ using testing::HasSubstr;
 
 Outcome judge(const std::string& kind) {
   return shell(
-      "mmverify prove index.equals_reference --levels 7..8 --no-companions --quiet --no-mutants --threads 1 "
+      "mmverify prove index.equals_reference --levels 7..8 --no-companions --details --quiet --no-mutants "
+      "--threads 1 "
       "--subject " +
       library("large_batches_" + kind));
 }

@@ -18,8 +18,8 @@ inline std::string library(const std::string& name) {
 
 /// Runs `mmverify prove WHAT` on one of them, on one thread; `seconds`: what it may take for a batch.
 inline Outcome judged(const std::string& name, const std::string& what, int seconds = 20) {
-  return shell("mmverify prove " + what + " --quiet --no-mutants --timeout " + std::to_string(seconds) +
-               " --threads 1 --subject " + library(name));
+  return shell("mmverify prove " + what + " --details --quiet --no-mutants --timeout " +
+               std::to_string(seconds) + " --threads 1 --subject " + library(name));
 }
 
 using Words = std::vector<std::string>;

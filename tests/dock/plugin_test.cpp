@@ -17,8 +17,8 @@ using testing::Not;
 Outcome judge_on(const std::string& threads, const std::string& name, const std::string& more) {
   // Only what hangs is to be found to: on a busy machine a second is soon over.
   const std::string timeout = name == "hang" || name == "forks" || name == "takes_its_time" ? "1" : "30";
-  return shell("MMVERIFY_WORKER_MEMORY=200 mmverify prove --quiet --no-mutants --timeout " + timeout +
-               " --threads " + threads + " --subject " + library(name) + " " + more);
+  return shell("MMVERIFY_WORKER_MEMORY=200 mmverify prove --details --quiet --no-mutants --timeout " +
+               timeout + " --threads " + threads + " --subject " + library(name) + " " + more);
 }
 
 Outcome judge(const std::string& name,
@@ -267,15 +267,16 @@ TEST(Subject, what_it_prints_stays_out_of_the_results) {
 TEST(Subject, same_digest_for_any_number_of_threads) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto digest = [](const Outcome& o) { return o.out.substr(o.out.find("digest "), 23); };
-  const std::string at =
-      "prove index.equals_reference --quiet --no-mutants --levels 9 --subject " + library("batched");
+  const std::string at = "prove index.equals_reference --details --quiet --no-mutants --levels 9 --subject " +
+                         library("batched");
   const Outcome one = shell("mmverify " + at + " --threads 1"),
                 two = shell("mmverify " + at + " --threads 2");
   EXPECT_EQ(one.exit_code, 0);
   EXPECT_EQ(digest(one), digest(two));
   EXPECT_EQ(
       digest(one),
-      digest(shell("mmverify prove index.equals_reference --quiet --no-mutants --levels 9 --subject step")));
+      digest(shell(
+          "mmverify prove index.equals_reference --details --quiet --no-mutants --levels 9 --subject step")));
 }
 
 TEST(Subject, a_file_that_is_no_subject_is_exit_4) {
@@ -363,7 +364,7 @@ TEST(Subject, whose_mode_changes_at_load_is_broken) {
 }
 
 TEST(Subject, that_cannot_be_loaded_in_time_is_exit_4) {
-  const Outcome o = shell("mmverify prove index --quiet --timeout 0.1 --subject " +
+  const Outcome o = shell("mmverify prove index --details --quiet --timeout 0.1 --subject " +
                           library("hostile_never_describes_itself"));
   expect_complaint(o, 4, "hung: not done within 1 s while it was loaded");
 }

@@ -80,7 +80,7 @@ foreach(misbehaviour crash hang overrun underrun exits throws rounds counts_call
     fills_its_end_last fills_level_16_last keeps_parents takes_its_time crash_and_tie crash_at_5 crash_on_all)
   mmverify_add_wrong(${misbehaviour} ${misbehaviour} misbehaving)
 endforeach()
-mmverify_add_tests(hostile_test hostile_test clean_text_test LIBRARIES mmverify::dock)
+mmverify_add_tests(hostile_test hostile_test clean_text_test elf_symbols_test LIBRARIES mmverify::dock)
 target_compile_definitions(hostile_test PRIVATE MMVERIFY_SUBJECTS="${subjects_dir}"
   MMVERIFY_WORKER_PROGRAM="$<TARGET_FILE:mmverify-worker>")
 add_dependencies(hostile_test mmverify-worker subject_example subject_tie)

@@ -12,8 +12,8 @@ using testing::Not;
 
 Outcome judge_map(const std::string& name, const std::string& what) { return judged(name, what, 1); }
 Outcome judge_tree(const std::string& name, const std::string& what, const std::string& kind = {}) {
-  return shell("mmverify prove " + what + " --quiet --no-mutants --timeout 1 --threads 1 --subject " +
-               library(name) + kind);
+  return shell("mmverify prove " + what +
+               " --details --quiet --no-mutants --timeout 1 --threads 1 --subject " + library(name) + kind);
 }
 
 TEST(TreeSubject, the_example_in_c_is_proved_on_all_maps) {
@@ -182,7 +182,7 @@ TEST(Several, one_that_was_built_before_there_were_trees_is_judged_as_before) {
 TEST(Several, same_digest_for_any_number_of_threads_and_as_ours) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto digest = [](const Outcome& o) { return o.out.substr(o.out.find("digest "), 23); };
-  const std::string law = "mmverify prove tree.equals_spec --quiet --levels 1 --subject ";
+  const std::string law = "mmverify prove tree.equals_spec --details --quiet --levels 1 --subject ";
   const Outcome one = shell(law + library("tree_example") + " --threads 1");
   EXPECT_EQ(one.exit_code, 0);
   EXPECT_EQ(digest(one), digest(shell(law + library("tree_example") + " --threads 2")));

@@ -86,7 +86,7 @@ TEST(VqSubject, built_before_there_were_blocks_it_has_none) {
 TEST(VqSubject, same_digest_as_ours) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   const auto digest = [](const Outcome& o) { return o.out.substr(o.out.find("digest "), 23); };
-  const std::string law = "mmverify prove vq2.region_is_map --quiet --no-mutants --subject ";
+  const std::string law = "mmverify prove vq2.region_is_map --details --quiet --no-mutants --subject ";
   const Outcome theirs = shell(law + library("vq_example") + " --threads 2"), ours = shell(law + "vq");
   EXPECT_EQ(theirs.exit_code, 0);
   EXPECT_EQ(digest(theirs), digest(ours));

@@ -36,6 +36,41 @@ std::optional<Change> change(Rule rule, const std::string& before, const std::st
   return c.differences.front().change;
 }
 
+/// A law's result of a verdict, as the only group of a result and of a baseline.
+Figures judged(const std::string& verdict) {
+  return {"s", "", {}, {{"law", {{"verdict", {value("\"" + verdict + "\""), Rule::verdict}}}}}};
+}
+Baseline baseline_with(const std::string& verdict) {
+  return {"s", "", {}, {{"law", {{"verdict", value("\"" + verdict + "\"")}}}}};
+}
+
+// A baseline of an earlier version has laws that do not apply; a new one has none.
+TEST(Gate, LawsThatDoNotApplyAreNoPartOfABaseline) {
+  EXPECT_TRUE(baseline_of(judged("not_applicable")).groups.empty());
+  EXPECT_EQ(baseline_of(judged("checked")).groups.size(), 1u);
+  const Baseline none{"s", "", {}, {}};
+  for (const Baseline& before : {none, baseline_with("not_applicable")}) {
+    EXPECT_FALSE(compare(before, judged("not_applicable"), tolerance).red());
+    const Comparison begins = compare(before, judged("proved"), tolerance);
+    ASSERT_EQ(begins.differences.size(), 1u);
+    EXPECT_EQ(begins.differences.front().change, Change::added);
+    EXPECT_FALSE(begins.has_fallen());
+  }
+  const Comparison ends = compare(baseline_with("proved"), judged("not_applicable"), tolerance);
+  ASSERT_EQ(ends.differences.size(), 1u);
+  EXPECT_EQ(ends.differences.front().change, Change::worse);
+}
+
+TEST(Gate, ALawThatHeldAndIsRefutedOrBrokenHasFallen) {
+  for (const char* before : {"proved", "checked"}) {
+    for (const char* after : {"refuted", "broken"})
+      EXPECT_TRUE(compare(baseline_with(before), judged(after), tolerance).has_fallen()) << before << after;
+    for (const char* after : {"checked", "proved", "incomplete"})
+      EXPECT_FALSE(compare(baseline_with(before), judged(after), tolerance).has_fallen()) << before << after;
+  }
+  EXPECT_FALSE(compare(baseline_with("refuted"), judged("refuted"), tolerance).has_fallen());
+}
+
 struct Case {
   Rule rule;
   const char *before, *after;

@@ -140,9 +140,12 @@ code=$(step 1)
 sed -i 's/if (j > n - 1) j = n - 1;/if (level == 5 \&\& j == 3) i ^= 1;/' mine.c
 build
 for MMVERIFY_BASELINE in '' baseline.json; do
+  : >"$GITHUB_STEP_SUMMARY"
   code=$(step 1)
   ((code == 1)) || fail "a wrong function gives exit code $code, baseline '$MMVERIFY_BASELINE'"
   grep -q '^::error::refuted index.equals_reference level 0 case v:u=0,v=1 .* replay: ' "$folder/log" || fail "the counterexample is not shown"
+  [[ $(sed -n 2p "$GITHUB_STEP_SUMMARY") == 'subject ./mine.so: refuted '* ]] || fail "the summary does not begin with the verdict"
+  grep -q '^refuted index.equals_reference level 0 case' "$GITHUB_STEP_SUMMARY" || fail "the summary has no counterexample"
 done
 MMVERIFY_SUBJECT=missing.so
 [[ $(step 1) == 4 ]] || fail "a library that is missing"

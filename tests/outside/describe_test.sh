@@ -40,7 +40,7 @@ mapfile -t commands < <(mmverify --help | sed -n '/^Subcommands:/,$s/^  \([a-z]*
 diff <(printf '%s\n' "${commands[@]}") <(complete_words mmverify '') || fail "--help's commands (<), bash's (>)"
 options=0
 for command in "${commands[@]}"; do
-  mmverify "$command" --help | grep -oE '^  (-[a-z],)?--[a-z0-9-]+|^  -[a-z]\b' | tr -d ' ' | tr , '\n' >options
+  mmverify "$command" --help | grep -oE '^  (-[a-z],)?--[a-z0-9-]+(,--[a-z0-9-]+)?|^  -[a-z]\b' | tr -d ' ' | tr , '\n' >options
   diff <(sort options) <(complete_words mmverify "$command" - | sort) || fail "$command: --help's options (<), bash's (>)"
   page=$(sed "1,/^\.SS mmverify $command\$/d" mmverify.1 | sed '/^\.S[SH]/,$d')
   zsh=$(sed -n "/^    $command)\$/,/^      ;;/p" in.zsh)

@@ -47,6 +47,13 @@ foreach(transcript IN LISTS transcripts)
     ENVIRONMENT "SUBJECTS=${subjects_dir};SCENES=${MMVERIFY_SCENES};EXAMPLES=${PROJECT_SOURCE_DIR}/examples")
 endforeach()
 
+# The libraries of tests/subjects that are built; a brief run takes a few of them.
+if(NOT MMVERIFY_SANITIZE)
+  add_test(NAME short_answer_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/short_answer_test.sh $<TARGET_FILE:mmverify-prove>
+    ${subjects_dir} $<IF:$<BOOL:${MMVERIFY_BRIEF}>,16,1>)
+  set_tests_properties(short_answer_test PROPERTIES TIMEOUT 1800)
+endif()
+
 # The page of mmverify report, in a browser; without Node.js, npm's registry or Chromium (./run report-test installs them)
 # skipped, and so said. Its frames are timed: not beside others.
 if(NOT MMVERIFY_SANITIZE)

@@ -18,13 +18,19 @@ fail() { printf 'FAILED: %s\n' "$*"; failures=$((failures + 1)); }
 judged() {
   local wanted=$1 pattern=$2 code=0
   shift 2
-  "$mmverify" prove index.floats --quiet --flag="-I$root" "$@" >said 2>&1 || code=$?
+  "$mmverify" prove index.floats --details --quiet --flag="-I$root" "$@" >said 2>&1 || code=$?
   ((code == wanted)) || { cat said; fail "$*: exit code $code, not $wanted"; }
   grep -qE -- "$pattern" said || { cat said; fail "$*: nothing said like: $pattern"; }
 }
 
 judged 4 'no such file' --source missing.c
 grep -q 'llvm-14-dev' said && { echo "SKIPPED: $(cat said)"; exit 77; }
+
+# A header is read as C, and where that fails as C++.
+printf '%s\n' '#include <cstdint>' 'inline std::uint32_t index_of(std::uint32_t, float, float) { return 0; }' >cpp.h
+cp cpp.h cpp.hpp
+printf 'static inline unsigned index_of(unsigned level, float u, float v) { int new = 0; return new; }\n' >c.h
+for file in cpp.h cpp.hpp c.h; do judged 1 "^refuted .* subject $file:index_of expected 1 got 0" --source $file --function index_of --case 1@u=0x1p-2,v=0x1p-2; done
 
 # What is undefined, whatever LLVM's passes would make of it.
 undefined() {

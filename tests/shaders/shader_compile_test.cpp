@@ -24,7 +24,8 @@ std::string write(const Folder& folder, const std::string& name, const std::stri
 }
 
 Outcome judge(const std::string& subject, const std::string& more = "", const std::string& before = "") {
-  return shell(before + " mmverify prove index.in_range --levels 0..1 --quiet --no-mutants --subject " +
+  return shell(before +
+               " mmverify prove index.in_range --levels 0..1 --details --quiet --no-mutants --subject " +
                subject + " " + more);
 }
 

@@ -16,8 +16,8 @@ using testing::Not;
 std::string ours(const std::string& name) { return std::string(MMVERIFY_SHADER_SUBJECTS) + "/" + name; }
 
 Outcome judge(const std::string& subject, const std::string& what, const std::string& more = "") {
-  return shell("MMVERIFY_VULKAN_VALIDATION=1 mmverify prove " + what + " --quiet --no-mutants --subject " +
-               subject + " " + more);
+  return shell("MMVERIFY_VULKAN_VALIDATION=1 mmverify prove " + what +
+               " --details --quiet --no-mutants --subject " + subject + " " + more);
 }
 
 class ShaderOnDevice : public testing::Test {

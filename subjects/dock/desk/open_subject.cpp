@@ -62,7 +62,9 @@ std::string cannot_load(Description& description, const char* library, mmverify_
   if (theirs->abi != MMVERIFY_SUBJECT_ABI)
     return "it was built for version " + std::to_string(theirs->abi) + " of the interface, this is version " +
            std::to_string(MMVERIFY_SUBJECT_ABI);
-  if (theirs->size < first_size) return "its size field is smaller than mmverify_subject_t";
+  if (theirs->size < first_size)
+    return "its size field is " + std::to_string(theirs->size) +
+           ", smaller than mmverify_subject_t; write .size = sizeof(mmverify_subject_t)";
   subject = as_of_today(*theirs);
   promised = Promised(get, theirs);
   description.max_level = subject.max_level;
