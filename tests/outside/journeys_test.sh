@@ -6,7 +6,7 @@ set -euo pipefail
 
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../.."
 # shellcheck disable=SC2016  # the marks of code in Markdown
-script=$(sed -n '/^## Three journeys/,/^## Ask it/p' README.md | sed -n '/^```sh$/,/^```$/{/^```/d;p}' | sed 's/fuzz subject 60/fuzz subject 2/')
+script=$(sed -n '/^## Three journeys/,/^## Install it/p' README.md | sed -n '/^```sh$/,/^```$/{/^```/d;p}' | sed 's/fuzz subject 60/fuzz subject 2/')
 if [[ ${1-} == --brief ]]; then
   [[ $script == *codec.so\ --levels\ 0..4* ]] || { echo "FAILED: the README proves no codec at levels 0..4"; exit 1; }
   script=${script/codec.so --levels 0..4/codec.so --levels 0..1}
