@@ -15,11 +15,11 @@
 
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
-#include "cli/first_word.hpp"
-#include "cli/old_spellings.hpp"
-#include "cli/streams.hpp"
-#include "cli/text.hpp"
+#include "cli/output/exit_code.hpp"
+#include "cli/arguments/first_word.hpp"
+#include "cli/arguments/old_spellings.hpp"
+#include "cli/output/streams.hpp"
+#include "cli/prove/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
-#include "cli/streams.hpp"
+#include "cli/output/exit_code.hpp"
+#include "cli/output/streams.hpp"
 
 namespace mmverify::cli {
 

@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
-#include "cli/arguments.hpp"
-#include "cli/exit_code.hpp"
+#include "cli/arguments/arguments.hpp"
+#include "cli/output/exit_code.hpp"
 #include "cli/scene/loaded.hpp"
 #include "proofs/scene/subject_maps.hpp"
 #include "scene/pipeline.hpp"

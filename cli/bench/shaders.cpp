@@ -1,6 +1,6 @@
 #include "cli/bench/shaders.hpp"
 
-#include "cli/exit_code.hpp"
+#include "cli/output/exit_code.hpp"
 #include "subjects/shaders/compile/compile.hpp"
 #include "subjects/shaders/speed/speed.hpp"
 

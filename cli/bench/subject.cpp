@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "cli/arguments.hpp"
+#include "cli/arguments/arguments.hpp"
 #include "cli/bench/topics.hpp"
-#include "cli/exit_code.hpp"
+#include "cli/output/exit_code.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/registry/registry.hpp"
 #include "subjects/dock/cost.hpp"

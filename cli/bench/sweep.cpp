@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-#include "cli/exit_code.hpp"
+#include "cli/output/exit_code.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/index/grid/reference_sweep.hpp"
 #include "proofs/index/options.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/bench/strips.hpp"
-#include "cli/streams.hpp"
+#include "cli/output/streams.hpp"
 
 namespace mmverify::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/bench/tables.hpp"
-#include "cli/json_text.hpp"
+#include "cli/output/json_text.hpp"
 #include "cli/tool.hpp"
 
 namespace mmverify::cli {

@@ -12,8 +12,8 @@
 #include "bench/index/times.hpp"
 #include "bench/tree/tables.hpp"
 #include "bench/vq/tables.hpp"
-#include "cli/exit_code.hpp"
-#include "cli/streams.hpp"
+#include "cli/output/exit_code.hpp"
+#include "cli/output/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
 

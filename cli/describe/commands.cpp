@@ -9,13 +9,13 @@
 #include <cstdlib>
 #include <memory>
 
-#include "cli/arguments.hpp"
+#include "cli/arguments/arguments.hpp"
 #include "cli/bench/topics.hpp"
 #include "cli/build_info.hpp"
 #include "cli/describe/manual.hpp"
 #include "cli/describe/shells.hpp"
-#include "cli/exit_code.hpp"
-#include "cli/streams.hpp"
+#include "cli/output/exit_code.hpp"
+#include "cli/output/streams.hpp"
 #include "proofs/registry/registry.hpp"
 #include "proofs/registry/topics.hpp"
 

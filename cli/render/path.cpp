@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "bench/scene/path_tables.hpp"
-#include "cli/arguments.hpp"
+#include "cli/arguments/arguments.hpp"
 #include "cli/bench/tables.hpp"
-#include "cli/exit_code.hpp"
-#include "cli/streams.hpp"
+#include "cli/output/exit_code.hpp"
+#include "cli/output/streams.hpp"
 #include "display/render/scene/path.hpp"
 #include "scene/pipeline.hpp"
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "cli/json_output.hpp"
+#include "cli/output/json_output.hpp"
 #include "display/render/scene/compare.hpp"
 
 namespace mmverify::cli {

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "cli/exit_code.hpp"
+#include "cli/output/exit_code.hpp"
 #include "scene/read/resource.hpp"
 
 namespace mmverify::cli {

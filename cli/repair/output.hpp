@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/output_file.hpp"
+#include "cli/output/output_file.hpp"
 #include "scene/edit/edited_file.hpp"
 
 namespace mmverify::cli {

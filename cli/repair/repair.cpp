@@ -4,12 +4,12 @@
 
 #include <new>
 
-#include "cli/exit_code.hpp"
-#include "cli/json_output.hpp"
+#include "cli/output/exit_code.hpp"
+#include "cli/output/json_output.hpp"
 #include "cli/repair/output.hpp"
 #include "cli/scene/loaded.hpp"
-#include "cli/streams.hpp"
-#include "cli/text.hpp"
+#include "cli/output/streams.hpp"
+#include "cli/prove/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "scene/validate/micromaps.hpp"
 

@@ -1,13 +1,13 @@
-#include "cli/text.hpp"
+#include "cli/prove/text.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-#include "cli/arguments.hpp"
-#include "cli/json_text.hpp"
+#include "cli/arguments/arguments.hpp"
+#include "cli/output/json_text.hpp"
 #include "cli/repair/repair.hpp"
-#include "cli/streams.hpp"
+#include "cli/output/streams.hpp"
 #include "cli/tool.hpp"
 #include "scene/validate/issues.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/json_text.hpp"
+#include "cli/output/json_text.hpp"
 #include "cli/scene/scene.hpp"
 
 namespace mmverify::cli {

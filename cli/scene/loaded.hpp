@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/output_file.hpp"
+#include "cli/output/output_file.hpp"
 #include "scene/scene.hpp"
 
 namespace mmverify::cli {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <map>
 
-#include "cli/arguments.hpp"
+#include "cli/arguments/arguments.hpp"
 #include "cli/scene/scene.hpp"
-#include "cli/streams.hpp"
-#include "cli/text.hpp"
+#include "cli/output/streams.hpp"
+#include "cli/prove/text.hpp"
 
 namespace mmverify::cli {
 namespace {

@@ -1,13 +1,13 @@
-#include "cli/text.hpp"
+#include "cli/prove/text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
-#include "cli/arguments.hpp"
+#include "cli/arguments/arguments.hpp"
 #include "cli/scene/scene.hpp"
-#include "cli/streams.hpp"
+#include "cli/output/streams.hpp"
 
 namespace mmverify::cli {
 namespace {

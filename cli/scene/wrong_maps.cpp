@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "cli/arguments.hpp"
-#include "cli/exit_code.hpp"
-#include "cli/png_file.hpp"
-#include "cli/streams.hpp"
+#include "cli/arguments/arguments.hpp"
+#include "cli/output/exit_code.hpp"
+#include "cli/output/png_file.hpp"
+#include "cli/output/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
 #include "scene/picture/opacity_picture.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/output_file.hpp"
+#include "cli/output/output_file.hpp"
 #include "cli/scene/check_maps.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/scene/cause/cause.hpp"

@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "cli/json_text.hpp"
+#include "cli/output/json_text.hpp"
 #include "cli/tool.hpp"
 #include "cli/validate/validate.hpp"
 

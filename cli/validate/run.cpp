@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "cli/exit_code.hpp"
-#include "cli/json_output.hpp"
-#include "cli/output_file.hpp"
+#include "cli/output/exit_code.hpp"
+#include "cli/output/json_output.hpp"
+#include "cli/output/output_file.hpp"
 #include "cli/validate/validate.hpp"
 #include "scene/read/bad_scene.hpp"
 #include "scene/validate/folder.hpp"

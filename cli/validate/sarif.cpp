@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/build_info.hpp"
-#include "cli/json_text.hpp"
+#include "cli/output/json_text.hpp"
 #include "cli/validate/validate.hpp"
 
 namespace mmverify::cli {

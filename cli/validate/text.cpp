@@ -1,12 +1,12 @@
-#include "cli/text.hpp"
+#include "cli/prove/text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "cli/arguments.hpp"
-#include "cli/streams.hpp"
+#include "cli/arguments/arguments.hpp"
+#include "cli/output/streams.hpp"
 #include "cli/validate/validate.hpp"
 #include "scene/edit/rules.hpp"
 #include "scene/read/bad_scene.hpp"

@@ -81,6 +81,21 @@ std::uint64_t wrong(const CountByKind& counts, Kind kind) {
   return counts[static_cast<std::size_t>(kind)].mismatches;
 }
 
+std::string levels_text(Level first, Level last) {
+  return first == last ? fmt::format("level {}", first) : fmt::format("levels {}..{}", first, last);
+}
+
+/// Wrong points on grid lines: "1 vertex and 3 edges of level 7".
+std::string ties_text(std::uint64_t vertices, std::uint64_t edges, Level n) {
+  const auto count = [](std::uint64_t number, const char* one, const char* many) {
+    return fmt::format("{} {}", number, number == 1 ? one : many);
+  };
+  std::string text;
+  if (vertices != 0) text = count(vertices, "vertex", "vertices");
+  if (edges != 0) text += (text.empty() ? "" : " and ") + count(edges, "edge", "edges");
+  return fmt::format("{} of level {}", text, n);
+}
+
 /// The kind of wrong answers at the level of `first`, the lowest refuted level: on ties or inside.  "Ties only"
 /// covers the levels whose every case was run, and no other.
 std::string where_wrong(const std::vector<Result>& results, const Result& first,
@@ -89,8 +104,8 @@ std::string where_wrong(const std::vector<Result>& results, const Result& first,
   if (interiors != 0)
     return fmt::format("wrong inside {} of {} micro-triangles of level {}", interiors,
                        triangle_count(first.level), first.level);
-  const std::string ties = fmt::format("{} vertices and {} edges of level {}", wrong(at_first, Kind::vertex),
-                                       wrong(at_first, Kind::edge), first.level);
+  const std::string ties =
+      ties_text(wrong(at_first, Kind::vertex), wrong(at_first, Kind::edge), first.level);
   const auto inside = std::find_if(results.begin(), results.end(),
                                    [](const Result& r) { return wrong(r.by_kind, Kind::interior) != 0; });
   if (inside != results.end())
@@ -100,7 +115,7 @@ std::string where_wrong(const std::vector<Result>& results, const Result& first,
     return !r.share && r.verdict != Verdict::broken && r.verdict != Verdict::incomplete;
   });
   return fmt::format("wrong on ties only: {}; every interior {}", ties,
-                     all_ran ? "is right" : "of this level is right");
+                     all_ran ? "of the levels that ran is right" : "of this level is right");
 }
 
 }  // namespace
@@ -155,8 +170,8 @@ std::vector<std::string> diagnose(const IndexSubject& s, const std::vector<Resul
   else if (results.front().level == first_wrong)
     lines.push_back(fmt::format("wrong at level {}, the lowest that was run", first_wrong));
   else
-    lines.push_back(fmt::format("right at levels {}..{}, wrong at {}", results.front().level, first_wrong - 1,
-                                first_wrong));
+    lines.push_back(fmt::format("right at {}, first wrong at level {}",
+                                levels_text(results.front().level, first_wrong - 1), first_wrong));
   const Tally at_first = equals_reference(s, first_wrong, Run{});
   const Tally out = in_range(s, first_wrong, Run{});
   if (!out.found().empty())

@@ -68,7 +68,7 @@ std::string name_of(const testing::TestParamInfo<InsideFault>& f) {
 
 /// A law of the long tier is run on its first 64th.
 Result run(const InsideFault& f, Level n) {
-  Asked asked;
+  LawRun asked;
   asked.options = {&index::in_fixed_point_alone};
   Division first_part;
   first_part.shard = Shard{1, 64};

@@ -48,7 +48,7 @@ test("a row opens: counterexample, replay command, level by level", async () => 
   const text = (await page.textContent(".below"))!;
   assert.match(text, /mmverify replay index\.equals_reference --level 2 --case e:u=3\/8,v=1\/8 --subject step-appendix-middle/);
   assert.match(text, /expected 7, got 4/);
-  assert.match(text, /right at levels 0\.\.1, wrong at 2/);
+  assert.match(text, /right at levels 0\.\.1, first wrong at level 2/);
   assert.equal(await page.$$eval(".below tbody tr", (all) => all.length), 5);
   await page.keyboard.press("Enter");
   assert.equal(await page.$(".below"), null);

@@ -1,0 +1,33 @@
+#include "cli/output/plot_file.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/bench/plot.hpp"
+#include "cli/output/exit_code.hpp"
+#include "subjects/program/program.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+/// The output of gnuplot for a script that writes to standard output.
+std::string run_gnuplot(const std::string& script, const char* end_of_picture) {
+  try {
+    program::ProgramEnd end = program::run_program({"gnuplot"}, script);
+    if (!end.succeeded || end.out.find(end_of_picture) == std::string::npos)
+      throw EnvironmentError(fmt::format("gnuplot drew nothing: {}", end.errors));
+    return std::move(end.out);
+  } catch (const program::NoProgram&) {
+    throw EnvironmentError("--plot needs gnuplot, which is not here: install the Debian package gnuplot-nox");
+  }
+}
+
+}  // namespace
+
+PlotFile::PlotFile(const std::string& path) : file_(path), is_png_(path.ends_with(".png")) {}
+
+void PlotFile::commit(const bench::picture::Picture& picture) {
+  file_.commit(is_png_ ? run_gnuplot(plot_script(picture, PlotFormat::png), "IEND")
+                       : run_gnuplot(plot_script(picture, PlotFormat::svg), "</svg>"));
+}
+
+}  // namespace mmverify::cli

@@ -1,0 +1,25 @@
+// The file of --plot.
+#pragma once
+
+#include <string>
+
+#include "bench/picture.hpp"
+#include "cli/output/output_file.hpp"
+
+namespace mmverify::cli {
+
+class PlotFile {
+ public:
+  /// The file at `path`: PNG if the name ends in .png, else SVG. Errors: as OutputFile.
+  explicit PlotFile(const std::string& path);
+
+  /// Draws the picture with gnuplot and writes the file.
+  /// Throws EnvironmentError if gnuplot fails, or is missing; the message then names the Debian package.
+  void commit(const bench::picture::Picture& picture);
+
+ private:
+  OutputFile file_;
+  bool is_png_;
+};
+
+}  // namespace mmverify::cli
