@@ -299,8 +299,8 @@ TEST(Subject, a_replay_line_is_one_for_a_shell_whatever_the_file_is_called) {
 }
 
 TEST(Subject, an_interrupt_does_not_wait_for_a_subject_that_hangs) {
-  Process run(program_with({"prove", "index.equals_reference", "--levels", "6..7", "--timeout", "500",
-                            "--subject", library("hang")}));
+  Process run(program_with({"prove", "index.equals_reference", "--details", "--levels", "6..7", "--timeout",
+                            "500", "--subject", library("hang")}));
   ASSERT_TRUE(run.says("level 6"));
   run.send(SIGINT);
   expect_said(run.wait(), 3, {"incomplete index.equals_reference"});
@@ -397,7 +397,7 @@ const std::string python = std::string("python3 2>/dev/null ") + MMVERIFY_EXAMPL
 Outcome piped(const std::string& filter, int level = 5, const std::string& more = "") {
   const std::string n = std::to_string(level);
   return shell("mmverify gen index --level " + n + more + " | " + filter +
-               " | mmverify check index --level " + n + more);
+               " | mmverify check index --details --level " + n + more);
 }
 
 TEST(Pipe, the_example_in_python_is_proved) {

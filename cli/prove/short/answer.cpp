@@ -46,7 +46,7 @@ Lines subjects_with_faults(const Report& report, const std::vector<Row>& rows,
                            const std::vector<SubjectPtr>& subjects) {
   constexpr std::size_t most = 14;
   std::vector<std::vector<Row>> all = by_subject(rows);
-  // In a run of the laws' own subjects, only subjects with a fault are named.
+  // A run of the laws' own subjects names only subjects with a fault.
   const bool any = std::any_of(rows.begin(), rows.end(), [](const Row& row) { return !row.judged.empty(); });
   if (subjects.empty() && all.size() > 1 && any)
     std::erase_if(all, [](const auto& one) { return !has_fault(one); });
