@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
+#include "cli/arguments/first_word.hpp"
+#include "cli/arguments/old_spellings.hpp"
 #include "cli/build_info.hpp"
 #include "cli/commands.hpp"
 #include "cli/output/exit_code.hpp"
-#include "cli/arguments/first_word.hpp"
-#include "cli/arguments/old_spellings.hpp"
 #include "cli/output/streams.hpp"
-#include "cli/prove/text.hpp"
+#include "cli/output/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 
 namespace {

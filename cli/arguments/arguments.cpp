@@ -9,8 +9,8 @@
 #include <optional>
 #include <sstream>
 
-#include "cli/output/exit_code.hpp"
 #include "cli/arguments/nearest_word.hpp"
+#include "cli/output/exit_code.hpp"
 #include "cli/prove/shader.hpp"
 #include "cli/prove/subject_advice.hpp"
 #include "proofs/engine/shape.hpp"

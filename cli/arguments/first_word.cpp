@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "cli/output/exit_code.hpp"
 #include "cli/arguments/nearest_word.hpp"
+#include "cli/output/exit_code.hpp"
 #include "cli/prove/subject_advice.hpp"
 #include "proofs/registry/registry.hpp"
 

@@ -8,7 +8,7 @@
 #include "cli/arguments/arguments.hpp"
 #include "cli/output/exit_code.hpp"
 #include "cli/output/streams.hpp"
-#include "cli/prove/text.hpp"
+#include "cli/output/text.hpp"
 #include "impl/attribute/container.hpp"
 #include "scene/read/file.hpp"
 

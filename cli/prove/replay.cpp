@@ -9,8 +9,8 @@
 #include "cli/commands.hpp"
 #include "cli/output/exit_code.hpp"
 #include "cli/output/output_file.hpp"
-#include "cli/prove/shader.hpp"
 #include "cli/output/streams.hpp"
+#include "cli/prove/shader.hpp"
 #include "proofs/index/subject.hpp"
 #include "proofs/registry/registry.hpp"
 

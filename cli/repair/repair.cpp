@@ -6,10 +6,10 @@
 
 #include "cli/output/exit_code.hpp"
 #include "cli/output/json_output.hpp"
+#include "cli/output/streams.hpp"
+#include "cli/output/text.hpp"
 #include "cli/repair/output.hpp"
 #include "cli/scene/loaded.hpp"
-#include "cli/output/streams.hpp"
-#include "cli/prove/text.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "scene/validate/micromaps.hpp"
 

@@ -1,4 +1,4 @@
-#include "cli/prove/text.hpp"
+#include "cli/output/text.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 
 #include "cli/arguments/arguments.hpp"
 #include "cli/output/json_text.hpp"
-#include "cli/repair/repair.hpp"
 #include "cli/output/streams.hpp"
+#include "cli/repair/repair.hpp"
 #include "cli/tool.hpp"
 #include "scene/validate/issues.hpp"
 

@@ -10,10 +10,10 @@
 #include "cli/output/exit_code.hpp"
 #include "cli/output/json_text.hpp"
 #include "cli/output/output_file.hpp"
+#include "cli/output/streams.hpp"
 #include "cli/report/again.hpp"
 #include "cli/report/input.hpp"
 #include "cli/report/pictures.hpp"
-#include "cli/output/streams.hpp"
 #include "display/report/page.hpp"
 
 namespace mmverify::cli {

@@ -11,9 +11,9 @@
 #include "cli/commands.hpp"
 #include "cli/output/exit_code.hpp"
 #include "cli/output/output_file.hpp"
-#include "cli/results/read_json.hpp"
 #include "cli/output/streams.hpp"
-#include "cli/prove/text.hpp"
+#include "cli/output/text.hpp"
+#include "cli/results/read_json.hpp"
 #include "delivery/gate/compare.hpp"
 #include "delivery/gate/runs.hpp"
 

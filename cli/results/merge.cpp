@@ -9,11 +9,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/output/exit_code.hpp"
-#include "cli/prove/json.hpp"
+#include "cli/output/json.hpp"
 #include "cli/output/output_file.hpp"
-#include "cli/results/read_json.hpp"
+#include "cli/output/text.hpp"
 #include "cli/prove/run_identity.hpp"
-#include "cli/prove/text.hpp"
+#include "cli/results/read_json.hpp"
 #include "proofs/registry/registry.hpp"
 
 namespace mmverify::cli {

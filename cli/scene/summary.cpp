@@ -5,9 +5,9 @@
 #include <map>
 
 #include "cli/arguments/arguments.hpp"
-#include "cli/scene/scene.hpp"
 #include "cli/output/streams.hpp"
-#include "cli/prove/text.hpp"
+#include "cli/output/text.hpp"
+#include "cli/scene/scene.hpp"
 
 namespace mmverify::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/prove/text.hpp"
+#include "cli/output/text.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <map>
 
 #include "cli/arguments/arguments.hpp"
-#include "cli/scene/scene.hpp"
 #include "cli/output/streams.hpp"
+#include "cli/scene/scene.hpp"
 
 namespace mmverify::cli {
 namespace {

@@ -104,8 +104,7 @@ std::string where_wrong(const std::vector<Result>& results, const Result& first,
   if (interiors != 0)
     return fmt::format("wrong inside {} of {} micro-triangles of level {}", interiors,
                        triangle_count(first.level), first.level);
-  const std::string ties =
-      ties_text(wrong(at_first, Kind::vertex), wrong(at_first, Kind::edge), first.level);
+  const std::string ties = ties_text(wrong(at_first, Kind::vertex), wrong(at_first, Kind::edge), first.level);
   const auto inside = std::find_if(results.begin(), results.end(),
                                    [](const Result& r) { return wrong(r.by_kind, Kind::interior) != 0; });
   if (inside != results.end())

@@ -58,8 +58,9 @@ TEST(Subject, one_wrong_tie_is_found_and_replayed) {
   EXPECT_THAT(o.out,
               HasSubstr("refuted index.equals_reference level 7 case v:u=3/8,v=1/4 (0x1.8p-2,0x1p-2) "));
   EXPECT_THAT(o.out, HasSubstr("right at level 6, first wrong at level 7"));
-  EXPECT_THAT(o.out,
-              HasSubstr("wrong on ties only: 1 vertex of level 7; every interior of the levels that ran is right"));
+  EXPECT_THAT(
+      o.out,
+      HasSubstr("wrong on ties only: 1 vertex of level 7; every interior of the levels that ran is right"));
   expect_said(replayed(o), 1, {"refuted index.equals_reference level 7 case v:u=3/8,v=1/4"});
 }
 

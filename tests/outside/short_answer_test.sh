@@ -29,7 +29,8 @@ for ((k = 0; k < ${#libraries[@]}; k += stride)); do
   asked --levels 0..1 --subject "$library"
   ((code == 1)) || continue
   wrong=$((wrong + 1))
-  verdict=$(grep -v '^warning: ' said | head -n 1)
+  # Warnings, and a library's words about its machine, come before.
+  verdict=$(grep -vE '^(warning: |/[^ ]+: [a-z]+: )' said | head -n 1)
   [[ $verdict == "subject $library"*': '@(refuted|broken)' '* ]] || { cat said; fail "$library: the verdict is not first"; }
   grep -qE '^(refuted|broken) [a-z0-9]+\.[a-z0-9_]+ level [0-9]+' said || { cat said; fail "$library: no counterexample, no break"; }
   ! grep -q '^n/a' said || fail "$library: laws that do not apply are printed"

@@ -6,9 +6,9 @@
 #include <set>
 
 #include "cli/arguments/arguments.hpp"
+#include "cli/output/text.hpp"
 #include "cli/prove/short/faults.hpp"
 #include "cli/prove/short/rows.hpp"
-#include "cli/prove/text.hpp"
 #include "proofs/planning/plan.hpp"
 
 namespace mmverify::cli {

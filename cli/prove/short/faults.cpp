@@ -6,7 +6,7 @@
 #include <set>
 
 #include "cli/arguments/arguments.hpp"
-#include "cli/prove/text.hpp"
+#include "cli/output/text.hpp"
 #include "proofs/index/in_characters.hpp"
 #include "proofs/planning/plan.hpp"
 #include "proofs/registry/registry.hpp"

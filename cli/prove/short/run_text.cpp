@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/prove/short/answer.hpp"
 #include "cli/output/streams.hpp"
+#include "cli/prove/short/answer.hpp"
 
 namespace mmverify::cli {
 

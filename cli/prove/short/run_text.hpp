@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/prove/text.hpp"
+#include "cli/output/text.hpp"
 
 namespace CLI {
 class App;

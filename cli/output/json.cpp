@@ -1,4 +1,4 @@
-#include "cli/prove/json.hpp"
+#include "cli/output/json.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "cli/build_info.hpp"
 #include "cli/output/json_text.hpp"
-#include "cli/prove/text.hpp"
+#include "cli/output/text.hpp"
 #include "cli/tool.hpp"
 #include "delivery/gate/seal.hpp"
 #include "proofs/engine/kinds.hpp"

@@ -1,4 +1,4 @@
-#include "cli/prove/junit.hpp"
+#include "cli/output/junit.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "cli/output/json_text.hpp"
-#include "cli/prove/text.hpp"
+#include "cli/output/text.hpp"
 
 namespace mmverify::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/prove/text.hpp"
+#include "cli/output/text.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
