@@ -52,10 +52,10 @@ std::string counterexample_line(const Result& result, const Counterexample& c, s
 
 std::string sum_line(const Report& report) {
   std::map<Verdict, std::size_t> verdicts;
-  double seconds = 0;
+  double all = 0;
   for (const Result& r : report.results) {
     ++verdicts[r.verdict];
-    seconds += r.seconds;
+    all += r.seconds;
   }
   std::vector<std::string> parts;
   for (const auto& [verdict, count] : verdicts)
@@ -66,8 +66,8 @@ std::string sum_line(const Report& report) {
                                   ? "no mutants run"
                                   : fmt::format("{} of {} mutants killed", killed, report.mutants.size());
   return fmt::format("{} results: {}; {}; {:.1f} s on {} thread{}", report.results.size(),
-                     fmt::join(parts, ", "), mutants, seconds, report.threads,
-                     report.threads == 1 ? "" : "s");
+                     fmt::join(parts, ", "), mutants, report.seconds != 0 ? report.seconds : all,
+                     report.threads, report.threads == 1 ? "" : "s");
 }
 
 namespace {

@@ -205,6 +205,7 @@ int prove(const ProveOptions& options) {
   const std::unique_ptr<Journal> journal = open_journal(options.journal, identity, run.shard);
   run.journal = journal.get();
   run.mutants = !options.no_mutants;
+  run.side_by_side = options.subjects.empty() && !options.source;
   run.change_of = change_of;
   say_where(runs_on, text);
   announce_companions(jobs, text);

@@ -26,6 +26,9 @@ struct RunOptions {
   std::optional<Shard> shard = {};  ///< none: the whole domain, without a shard's name
   Journal* journal = nullptr;
   bool mutants = true;  ///< run the mutants, which show that each law can fail
+  /// Threads take jobs side by side, the dearest laws first; else all threads share one job after another.
+  /// Domain: subjects that this program itself implements; a worker serves one job at a time.
+  bool side_by_side = false;
   /// The change of a subject since it was opened, as a sentence; empty if it is the same.  An empty function: no
   /// subject can change.
   std::function<std::string(const Subject&)> change_of = {};
@@ -42,6 +45,7 @@ struct Report {
   std::vector<Diagnosis> diagnoses;
   std::vector<MutantResult> mutants;
   unsigned threads = 1;
+  double seconds = 0;  ///< from the first job to the last mutant; 0 of shards that were merged
   bool interrupted = false;
   std::string gave_up;  ///< the resource that the machine lacked, if that ended the run
 };
@@ -49,13 +53,20 @@ struct Report {
 /// Called for each result as it arrives.
 using OnResult = std::function<void(const Result&)>;
 
-/// Runs the jobs in order, then, if requested, the mutants of all their laws.  A shard runs its part of each
+/// Runs the jobs and reports their results in the jobs' order, whatever runs first; then, if requested, the mutants of all their laws.  A shard runs its part of each
 /// divisible law, and every `of`-th of the other laws whole; the first shard runs the mutants.  Throws BadJournal.
 Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const OnResult& on_result);
 
 /// Runs one law on one subject at one level; fills in verdict, counts and reason.  A proof whose cases do not add up
 /// to the closed form is an error of this program: std::logic_error.
 Result run_level(const Law& law, const Subject& subject, Level level, const Run& run);
+
+/// The result of a law that does not apply, `why`.
+Result not_applicable(const Law& law, const Subject& subject, Level level, const Run& run,
+                      const std::string& why);
+
+/// The result of a law that ended before its verdict, `why`.
+Result cut_short(const Law& law, const Subject& subject, Level level, const Run& run, const std::string& why);
 
 /// Notes in a result the levels that its law settles together, and its method of proof.
 void name_proof(Result& result, const Law& law);

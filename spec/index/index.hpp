@@ -161,13 +161,14 @@ constexpr std::uint64_t reference_wide(const Point<Q>& p, Level n) {
 // The step algorithm
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The readings of Succinct Opacity Micromaps: Algorithm 4 as printed, or with one change from Appendix A.
+/// The readings of Succinct Opacity Micromaps: Algorithm 4 as printed, or with one change from Appendix A or Algorithm 3.
 enum class Reading {
   printed,          ///< Algorithm 4
   appendix_middle,  ///< M's new coordinates in the order u_M, v_M, w_M of Appendix A (2)
   appendix_ties,    ///< "round u and v tie-breaks to the middle": the R test's exception is on u, Appendix A
                     ///< (3)
   appendix_names,   ///< L, R and T move to the coordinates that Appendix A (2) gives under these letters
+  restarted,        ///< each node calls step(u, v) with the point's own u and v, as Algorithm 3 does
 };
 
 /// The recursion's arguments: barycentrics on the current triangle, the digits so far, the two flips.
@@ -186,10 +187,12 @@ constexpr Step<Q, Index> first_step(const Point<Q>& p) {
 
 /// One call of `step`: the one of L, M, R, T that contains the point, its digit, and the point's barycentrics on it.
 /// Comparisons with 1/2 are made on doubled coordinates, which is exact in every binary number type.
-/// Source: Succinct Opacity Micromaps, Algorithm 4; the readings, Appendix A.
+/// Source: Succinct Opacity Micromaps, Algorithm 4; the readings, Appendix A and Algorithm 3.
 template <Reading reading, Coordinate Q, class Index>
 constexpr Step<Q, Index> next_step(const Step<Q, Index>& s) {
   const Q &u = s.u, &v = s.v, &w = s.w;
+  if constexpr (reading == Reading::restarted)
+    return {u, v, w, 4 * s.index + next_step<Reading::printed>(Step<Q, Index>{u, v, w}).index};
   const bool mid_flip = s.mid_flip, top_flip = s.top_flip;
   const std::uint32_t L = top_flip ? 2 : 0, M = 1, R = top_flip ? 0 : 2, T = 3;
   const Q one(1), u2 = times(2, u), v2 = times(2, v), w2 = times(2, w);

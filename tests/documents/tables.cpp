@@ -55,7 +55,8 @@ std::string readings() {
       "counterexample |\n"
       "|---|---|---|---|---|---|---|\n";
   const Law& law = *find_law("index.equals_reference");
-  for (const char* subject : {"step", "step-appendix-middle", "step-appendix-ties", "step-appendix-names"})
+  for (const char* subject :
+       {"step", "step-appendix-middle", "step-appendix-ties", "step-appendix-names", "step-restarted"})
     for (Level n = 0; n <= last_level; ++n) text += row(run_level(law, *find_subject(subject), n, Run{}));
   return text;
 }

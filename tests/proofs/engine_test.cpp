@@ -390,6 +390,53 @@ TEST_F(Runner, ALawsMutantsRunOnceHoweverManyJobsItHas) {
   EXPECT_EQ(report.mutants.size(), 1u);
 }
 
+// The first law ends only after the second, dearer one has begun: one after another, it would wait in vain.
+TEST_F(Runner, JobsSideBySideAreReportedInTheirOrder) {
+  std::atomic<bool> second_began = false, met = false;
+  Law first = law_judged_by([&](const Subject&, Level n, const LawRun& run) {
+    for (int k = 0; n == 0 && k < 10'000 && !second_began; ++k)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    met = met || second_began;
+    return counting(run, 1000);
+  });
+  Law second = law_judged_by([&](const Subject& s, Level n, const LawRun& run) {
+    second_began = true;
+    return wrong_from_level_2(s, n, run);
+  });
+  second.id = "test.dearer";
+  second.tiers.seconds = 1;
+  const std::vector<Job> jobs{{&first, subject("s"), {0, 1}, {}},
+                              {&first, subject("other"), {0, 0}, "about others"},
+                              {&second, subject("s"), {1, 2}, {}}};
+  RunOptions options = quiet(2);
+  options.side_by_side = true;
+  std::vector<std::string> told;
+  const auto name = [](const Result& r) { return r.law + " " + std::to_string(r.level); };
+  const Report report = run_jobs(jobs, options, [&](const Result& r) { told.push_back(name(r)); });
+  EXPECT_TRUE(met);
+  EXPECT_THAT(told, ElementsAre("test.law 0", "test.law 1", "test.law 0", "test.dearer 1", "test.dearer 2"));
+  ASSERT_EQ(report.results.size(), 5u);
+  for (std::size_t k = 0; k < told.size(); ++k) EXPECT_EQ(name(report.results[k]), told[k]);
+  EXPECT_EQ(report.results[2].verdict, Verdict::not_applicable);
+  EXPECT_EQ(report.results[4].verdict, Verdict::refuted);
+}
+
+// The machine's lack ends the run: jobs that have not begun have no result, jobs that have finished keep theirs.
+TEST_F(Runner, ALackOfResourcesEndsJobsSideBySide) {
+  Law lacks =
+      law_judged_by([](const Subject&, Level, const LawRun&) -> Tally { throw NoResources("no memory"); });
+  lacks.tiers.seconds = 1;
+  const Law law = law_judged_by(all_right);
+  RunOptions options = quiet(1);
+  options.side_by_side = true;
+  const Report report =
+      run_jobs({{&law, subject("s"), {0, 0}, {}}, {&lacks, subject("s"), {0, 3}, {}}}, options, nothing);
+  EXPECT_EQ(report.gave_up, "no memory");
+  ASSERT_EQ(report.results.size(), 1u);
+  EXPECT_EQ(report.results[0].verdict, Verdict::incomplete);
+  EXPECT_EQ(report.results[0].reason, "no memory");
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Interrupts
 // ---------------------------------------------------------------------------------------------------------------------

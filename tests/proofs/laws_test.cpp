@@ -41,8 +41,8 @@ TEST(Laws, TheDesignsOnesAreThere) {
 
 TEST(Laws, TheDesignsSubjectsAreThere) {
   for (const char* name : {"reference", "step", "step-appendix-middle", "step-appendix-ties",
-                           "step-appendix-names", "reference-f16", "reference-f32", "reference-f64",
-                           "step-f16", "step-f32", "step-f64", "reference-wide", "impl"})
+                           "step-appendix-names", "step-restarted", "reference-f16", "reference-f32",
+                           "reference-f64", "step-f16", "step-f32", "step-f64", "reference-wide", "impl"})
     EXPECT_NE(find_subject(name), nullptr) << name;
   EXPECT_EQ(find_subject("nobody"), nullptr);
 }

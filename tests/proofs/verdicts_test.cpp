@@ -33,7 +33,8 @@ TEST(Readings, AreRefutedWhereTheHandTraceSays) {
   for (const Known& k : {Known{"step-appendix-middle", 2, "e:u=3/8,v=1/8", "7", "4"},
                          Known{"step-appendix-middle", 3, "v:u=1/4,v=1/4", "20", "23"},
                          Known{"step-appendix-ties", 2, "e:u=3/8,v=3/8", "6", "5"},
-                         Known{"step-appendix-names", 2, "v:u=0,v=1/2", "14", "15"}}) {
+                         Known{"step-appendix-names", 2, "v:u=0,v=1/2", "14", "15"},
+                         Known{"step-restarted", 2, "v:u=1/2,v=0", "8", "10"}}) {
     const Result r = run_level(law, *find_subject(k.subject), k.level, LawRun{});
     EXPECT_EQ(r.verdict, Verdict::refuted);
     ASSERT_FALSE(r.counterexamples.empty()) << k.subject;

@@ -206,6 +206,26 @@ TEST(ByHand, TraceOfHalfUpTheEdge) {
   EXPECT_EQ(index::step<Reading::appendix_names>(at(0, 1, 2), 2), 15u);
 }
 
+// (1/2, 0), level 2:
+//   u v w = 1/2 0 1/2: 2w = 1, not L; not T; 2u = 1, R, digit 2; u-v-w, 2v, 2w = 0, 0, 1
+//   u v w = 0 0 1: L, digit 0; begun anew, u v w = 1/2 0 1/2 again: R, digit 2.
+// 2*4 + 0 = 8, or 2*4 + 2 = 10.
+TEST(ByHand, TraceOfHalfAlongTheEdge) {
+  EXPECT_EQ(index::reference(at(1, 0, 2), 2), 8u);
+  EXPECT_EQ(index::step<Reading::printed>(at(1, 0, 2), 2), 8u);
+  EXPECT_EQ(index::step<Reading::restarted>(at(1, 0, 2), 2), 10u);
+}
+
+// Begun anew at each node, a point has its first digit d n times: d (4^n - 1) / 3.
+TEST(ByHand, ARestartedStepRepeatsItsFirstDigit) {
+  for (Level n = 0; n <= 6; ++n)
+    for (std::int64_t i = 0; i <= 12; ++i)
+      for (std::int64_t j = 0; i + j <= 12; ++j) {
+        const auto p = at(i, j, 12);
+        EXPECT_EQ(index::step<Reading::restarted>(p, n), index::reference(p, 1) * (((1u << 2 * n) - 1) / 3));
+      }
+}
+
 TEST(ByHand, TheReferenceClampsEachCoordinate) {
   EXPECT_EQ(index::reference(at(-1, 1, 4), 2), index::reference(at(0, 1, 4), 2));
   EXPECT_EQ(index::reference(at(9, 0, 4), 2), index::reference(at(4, 0, 4), 2));

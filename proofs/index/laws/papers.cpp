@@ -135,6 +135,10 @@ std::vector<Law> paper_laws(const Law& equals_reference) {
           "paper.appendix_names_differ",
           "with the coordinates that Appendix A gives under L, R and T, Algorithm 4 is not the reference",
           succinct_a, "step-appendix-names", {{2, 0, 8, 14, 15}}),
+      differs_law(
+          "paper.restarted_step_differs",
+          "with step(u, v) called anew at each node, as Algorithm 3 prints it, every digit is the first",
+          succinct_4_2, "step-restarted", {{2, 8, 0, 8, 10}}),
       prose_law(),
       row_holds_point_law(),
       binary32_root_law()};

@@ -6,6 +6,7 @@
 namespace mmverify::proofs::index {
 
 inline constexpr char vulkan[] = "VK_EXT_opacity_micromap, appendix \"Reference Code\"";
+inline constexpr char succinct_4_2[] = "Succinct Opacity Micromaps, 4.2, Algorithm 3";
 inline constexpr char succinct_4_3[] = "Succinct Opacity Micromaps, 4.3, Algorithm 4";
 inline constexpr char succinct_a[] = "Succinct Opacity Micromaps, Appendix A";
 inline constexpr char attribute_4[] = "Color and Attribute Micromaps, 4.1, figure 4";

@@ -58,6 +58,8 @@ std::vector<IndexSubjectPtr> make_all() {
               exactly<StepAlgorithm<Reading::appendix_ties>>()),
       subject("step-appendix-names", "Algorithm 4, the coordinates that Appendix A gives under L, R and T",
               exactly<StepAlgorithm<Reading::appendix_names>>()),
+      subject("step-restarted", "Algorithm 4 begun anew for each digit, as Algorithm 3 calls it",
+              exactly<StepAlgorithm<Reading::restarted>>()),
       subject("reference-f16", "the Vulkan formula in binary16",
               roundedly<ReferenceAlgorithm, Binary16>(binary16_levels)),
       subject("reference-f32", "the Vulkan formula in binary32", roundedly<ReferenceAlgorithm, float>()),
