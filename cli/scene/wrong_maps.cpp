@@ -30,7 +30,9 @@ using proofs::scene::Judged;
 constexpr std::uint64_t most_other_texels = std::uint64_t{1} << 26;
 
 /// The cause of wrong maps, if one change explains all of them.
-std::optional<Cause> cause_of(const CheckMapsOptions& options, const Scene& scene, const StoredMaps& maps) {
+std::optional<Cause> cause_of(const CheckMapsOptions& options, const Scene& scene, const StoredMaps& all) {
+  const StoredMaps maps = without_varying_alpha(all);
+  if (maps.plan.triangles.empty()) return {};
   const Document document = open_document(options.file);
   const Buffers buffers(document);
   Scene with_images = scene;
@@ -80,8 +82,9 @@ void print_cause(std::FILE* out, const std::optional<Cause>& cause) {
 
 /// A note if most unknown states are on the other side, which breaks no law.
 std::string print_side(std::FILE* out, const CheckMapsOptions& options, const Scene& scene,
-                       const StoredMaps& maps) {
-  if (options.states == 2) return {};
+                       const StoredMaps& all) {
+  const StoredMaps maps = without_varying_alpha(all);
+  if (options.states == 2 || maps.plan.triangles.empty()) return {};
   const std::optional<Cause> cause =
       proofs::scene::side_cause_of(Judged{scene, maps, options.margin, false, {}});
   if (!cause) return {};

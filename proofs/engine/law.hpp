@@ -160,6 +160,7 @@ struct Law {
   /// that law runs as well.
   std::string companion = {};
   std::string dialect = {};  ///< as in Result
+  std::string undecided = {};  ///< as in Result
   /// Laws that replace this one on subjects that they fit, by the dialect of a run.
   std::vector<std::pair<std::string, std::string>> in_dialect = {};
   /// Whether it runs only in another law's place, or if its id is requested.
