@@ -144,7 +144,8 @@ void print_maps(std::FILE* out, const std::string& file, const Scene& scene, con
   say(out, "  by level   {}\n  states     T {}, O {}, UT {}, UO {}\n", by_level, grouped(states[0]),
       grouped(states[1]), grouped(states[2]), grouped(states[3]));
   if (const std::uint64_t varying = counts(maps.plan).varying; varying != 0)
-    say(out, "  by bounds  {} triangles, whose vertex alpha varies: T and O are judged, unknown states are not\n",
+    say(out,
+        "  by bounds  {} triangles, whose vertex alpha varies: T and O are judged, unknown states are not\n",
         grouped(varying));
   for (const NotJudged& n : maps.not_judged)
     say(out, "  not judged mesh {} primitive {}, {} triangles: {}\n", scene.primitives[n.primitive].mesh,

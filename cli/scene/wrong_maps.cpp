@@ -143,6 +143,14 @@ std::string print_why(std::FILE* out, const CheckMapsOptions& options, const Sce
     say(out, "cause: the search was interrupted\n");
     return json_of({});
   }
+  const auto wrong = first_wrong(report);
+  if (!cause && wrong && wrong->first < maps.plan.triangles.size() &&
+      maps.plan.triangles[wrong->first].varies()) {
+    say(out, "cause: not looked for where vertex alpha varies\n");
+    if (options.raw.data.empty())
+      say(out, "next: mmverify scene {} -o OUT.glb\n", shell_quoted(options.file));
+    return json_of(cause);
+  }
   print_cause(out, cause);
   print_repair(out, options, cause);
   return json_of(cause);

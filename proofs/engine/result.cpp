@@ -56,7 +56,8 @@ void settle(Result& r, bool sample) {
   } else if (2 * declined > r.cases_run()) {
     r.verdict = Verdict::not_applicable;
     r.reason =
-        !r.undecided.empty() ? fmt::format("{} of {} cases are those {}", declined, r.cases_run(), r.undecided)
+        !r.undecided.empty()
+            ? fmt::format("{} of {} cases are those {}", declined, r.cases_run(), r.undecided)
         : declined == r.cases_run()
             ? std::string("the subject supports none of the cases")
             : fmt::format(

@@ -53,18 +53,33 @@ std::string expected_text(const Data& data, const ExactSurfaces& exact, State tr
                      data.name_of ? "; " + data.name_of(p.triangle) : std::string());
 }
 
+/// The denial of a code as text.
+std::string denied_text(const Data& data, const ExactSurfaces& exact, Level n, const MicroTriangle& p,
+                        unsigned code) {
+  return fmt::format("not {} ({}{})", name_of_code(code), exact.text(p.triangle, n, p.index),
+                     data.name_of ? "; " + data.name_of(p.triangle) : std::string());
+}
+
 /// The number of no state, for the digest.
 constexpr std::uint64_t undecided = 3;
+
+/// A state that neither bounds nor a place decide, unless a place denies the code: T or O.
+void judge_undecided(const OfLevel& of, Level n, const MicroTriangle& p, unsigned code, std::uint64_t number,
+                     Tally& tally) {
+  tally.digest(number, undecided << 2 | code);
+  if (!of.exact->denies(p.triangle, n, p.index, code == 1)) return tally.decline(Kind::interior);
+  tally.count(Kind::interior, 1);
+  tally.mismatch(Kind::interior, {n, number, 0}, [&] {
+    return Counterexample{{n, number, 0},    n, text(p), {}, denied_text(of.data, *of.exact, n, p, code),
+                          name_of_code(code)};
+  });
+}
 
 void judge(const Claim& claim, const OfLevel& of, Level n, const MicroTriangle& p, std::uint64_t number,
            Tally& tally) {
   const unsigned code = state_code(of.data.baked.triangles[p.triangle], p.index);
   const std::optional<State> truly = of.exact->state(p.triangle, n, p.index);
-  if (!truly) {
-    tally.decline(Kind::interior);
-    tally.digest(number, undecided << 2 | code);
-    return;
-  }
+  if (!truly) return judge_undecided(of, n, p, code, number, tally);
   const bool leans =
       claim.what == Claim::forced && truly == State::C && of.exact->rather_opaque(p.triangle, n, p.index);
   tally.count(Kind::interior, 1);
@@ -132,9 +147,12 @@ Replayed replay(const Claim& claim, const Data& data, const ExactSurfaces& exact
   Replayed replayed;
   replayed.got = name_of_code(code);
   const std::optional<State> truly = exact.state(triangle, n, index);
-  if (!truly || claim.passes_over(data.baked.triangles[triangle])) {
-    replayed.holds = true;
-    replayed.expected = fmt::format("any state: not judged ({})", exact.text(triangle, n, index));
+  const bool passes_over = claim.passes_over(data.baked.triangles[triangle]);
+  if (!truly || passes_over) {
+    replayed.holds = passes_over || !claim.about(code) || !exact.denies(triangle, n, index, code == 1);
+    replayed.expected = replayed.holds
+                            ? fmt::format("any state: not judged ({})", exact.text(triangle, n, index))
+                            : denied_text(data, exact, n, {triangle, index}, code);
     return replayed;
   }
   const bool leans =

@@ -46,7 +46,9 @@ double stored_number(std::uint32_t texel) { return texel; }
 
 /// The stored number of alpha 1.
 template <class Texel>
-constexpr double stored_one = std::is_same_v<Texel, Binary32> ? 1 : std::is_same_v<Texel, std::uint8_t> ? 255 : 65535;
+constexpr double stored_one = std::is_same_v<Texel, Binary32>       ? 1
+                              : std::is_same_v<Texel, std::uint8_t> ? 255
+                                                                    : 65535;
 
 template <class Stored>
 TextureOf<TexelOf<Stored>> texture_of(const scene::Image& image, const std::vector<Stored>& alpha,
@@ -67,7 +69,7 @@ TextureOf<TexelOf<Stored>> texture_of(const scene::Image& image, const std::vect
   return t;
 }
 
-/// The state of a micro-triangle where alpha is the texture's times a vertex alpha, linear between its corners.
+/// Judges a micro-triangle where alpha is the texture's times a vertex alpha, linear between its corners.
 template <class Q, class Texel, class Mode>
 class VaryingState {
  public:
@@ -80,15 +82,15 @@ class VaryingState {
   VaryingState(const TextureOf<Texel>& texture, const Mode& mode, const Q& margin)
       : texture_(texture), mode_(mode), margin_(margin) {}
 
-  std::optional<State> state(const Part& whole) {
-    judge(whole, parts_within_parts);
-    if (is_mixed()) return State::C;
-    if (undecided_) return std::nullopt;
-    return not_opaque_ ? State::T : State::O;
+  Seen seen(const Part& whole) {
+    judge(whole, halvings);
+    if (is_mixed()) return {State::C, true, true};
+    if (undecided_) return {std::nullopt, not_opaque_, not_transparent_};
+    return {not_opaque_ ? State::T : State::O, not_opaque_, not_transparent_};
   }
 
  private:
-  static constexpr int parts_within_parts = 3;
+  static constexpr int halvings = 3;
 
   bool is_mixed() const { return not_opaque_ && not_transparent_; }
   void see(const TexturePoint<Q>& at, const Q& vertex_alpha) {
@@ -165,14 +167,15 @@ class ExactSurfaces::OfSurface {
   }
 
   template <class Q>
-  std::optional<State> varying_state(const scene::PlannedTriangle& planned, Level n, std::uint32_t index) const {
+  Seen seen(const scene::PlannedTriangle& planned, Level n, std::uint32_t index) const {
     return std::visit(
         [&]<class Texel>(const TextureOf<Texel>& t) {
           return in_mode<Q>([&]<class Mode>(const Mode& mode) {
             using Varying = VaryingState<Q, Texel, Mode>;
             return Varying(t, mode, number<Q>(bits(margin_)))
-                .state(typename Varying::Part{micro_triangle(base<Q>(planned.uvs), n, index, t.width, t.height),
-                                              vertex_alphas<Q>(planned, n, index)});
+                .seen(
+                    typename Varying::Part{micro_triangle(base<Q>(planned.uvs), n, index, t.width, t.height),
+                                           vertex_alphas<Q>(planned, n, index)});
           });
         },
         texture_);
@@ -295,9 +298,17 @@ const ExactSurfaces::OfSurface& ExactSurfaces::of(std::size_t triangle) const {
 
 std::optional<State> ExactSurfaces::state(std::size_t triangle, Level n, std::uint32_t index) const {
   const OfSurface& surface = of(triangle);
-  if (plan_.triangles[triangle].varies())
-    return in_few_bits([&]<class Q>() { return surface.varying_state<Q>(plan_.triangles[triangle], n, index); });
+  if (plan_.triangles[triangle].varies()) return seen(triangle, n, index).state;
   return in_few_bits([&]<class Q>() { return surface.state<Q>(plan_.triangles[triangle].uvs, n, index); });
+}
+
+Seen ExactSurfaces::seen(std::size_t triangle, Level n, std::uint32_t index) const {
+  return in_few_bits([&]<class Q>() { return of(triangle).seen<Q>(plan_.triangles[triangle], n, index); });
+}
+
+bool ExactSurfaces::denies(std::size_t triangle, Level n, std::uint32_t index, bool opaque) const {
+  const Seen places = seen(triangle, n, index);
+  return opaque ? places.not_opaque : places.not_transparent;
 }
 
 bool ExactSurfaces::rather_opaque(std::size_t triangle, Level n, std::uint32_t index) const {

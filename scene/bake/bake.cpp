@@ -41,20 +41,26 @@ void keep(BakedTriangle& baked, impl::micromap::Bytes map, bool two_state) {
   baked.map = std::move(two);
 }
 
+/// The bakers of the surfaces.  Errors: std::invalid_argument, which names the image.
+std::vector<impl::bake::TriangleBaker> bakers_of(const Scene& scene, const Plan& plan, float margin) {
+  std::vector<impl::bake::TriangleBaker> bakers;
+  for (const Surface& surface : plan.surfaces) {
+    try {
+      bakers.push_back(surface_baker(scene, surface, margin));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("bake: image " + name_of(scene, surface.image) + ": " + error.what());
+    }
+  }
+  return bakers;
+}
+
 }  // namespace
 
 Baked bake(const Scene& scene, const Plan& plan, std::span<const unsigned> levels,
            const BakeOptions& options) {
   if (levels.size() != plan.triangles.size())
     throw std::invalid_argument("bake: levels for another number of triangles");
-  std::vector<impl::bake::TriangleBaker> bakers;
-  for (const Surface& surface : plan.surfaces) {
-    try {
-      bakers.push_back(surface_baker(scene, surface, options.margin));
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("bake: image " + name_of(scene, surface.image) + ": " + error.what());
-    }
-  }
+  const std::vector<impl::bake::TriangleBaker> bakers = bakers_of(scene, plan, options.margin);
   const VaryingAlphaBakers varying(scene, plan, options.margin);
   Baked all;
   all.triangles.resize(plan.triangles.size());

@@ -17,7 +17,7 @@ class VaryingAlphaBakers {
   VaryingAlphaBakers(const Scene& scene, const Plan& plan, float margin);
   ~VaryingAlphaBakers();
 
-  /// Bakes the packed 4-state map.  With the least and greatest texel t that a micro-triangle's box meets, grown by the
+  /// Bakes the packed 4-state map.  With the least and greatest sampled number t in a micro-triangle's box, grown by the
   /// margin, the surface's factor f, and the least and greatest vertex alpha a at its corners:
   ///   O if min t f a is opaque, T if max t f a is transparent, else UO or UT as alpha at its centroid is rather
   ///   opaque or not, up to rounding

@@ -78,7 +78,7 @@ class EditedFile {
   Document document_;
   std::vector<Bytes> buffers_;
   mutable std::map<std::size_t, Bytes> decoded_;  ///< compressed views that were asked for
-  std::set<std::size_t> changed_;  ///< numbers of buffers
+  std::set<std::size_t> changed_;                 ///< numbers of buffers
 };
 
 }  // namespace mmverify::scene

@@ -156,7 +156,8 @@ std::string_view sentence(LeftOut why) {
     case LeftOut::morphed_uvs:
       return "a morph target moves its UVs or vertex colours at run time: a stored micromap would be stale";
     case LeftOut::vertex_alpha:
-      return "vertex colours of an alpha beyond 0..1 multiply the texture's: renderers differ in what they make "
+      return "vertex colours of an alpha beyond 0..1 multiply the texture's: renderers differ in what they "
+             "make "
              "of it";
     case LeftOut::two_filters:
       return "its sampler magnifies by one filter and minifies by another: one map would be wrong for either";

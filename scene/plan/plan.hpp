@@ -101,7 +101,7 @@ struct PlanCounts {
 };
 PlanCounts counts(const Plan& plan);
 
-/// What becomes of primitives whose vertex alpha varies: bounds of the product tell their states.
+/// The treatment of primitives whose vertex alpha varies: bounds of the product tell their states.
 enum class VaryingAlpha : std::uint8_t { left_out, planned };
 
 /// A plan has each primitive of the scene in one of its last two lists, in the scene's order.

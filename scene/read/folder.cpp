@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_picture(const fs::path& path) {
-  constexpr std::string_view endings[] = {".png", ".jpg", ".jpeg", ".webp", ".avif", ".dds", ".ktx2", ".tga", ".exr"};
+  constexpr std::string_view endings[] = {".png", ".jpg",  ".jpeg", ".webp", ".avif",
+                                          ".dds", ".ktx2", ".tga",  ".exr"};
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

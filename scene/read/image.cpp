@@ -112,7 +112,8 @@ void decode(ImageBytes bytes, const std::string& file, const std::string& place,
     case PictureKind::ktx2:
       return taken(decode_ktx2(bytes, file, place));
     case PictureKind::unknown:
-      throw BadScene(file, place, "no picture that is read here: PNG, JPEG, WebP, AVIF, DDS, KTX2, TGA or OpenEXR");
+      throw BadScene(file, place,
+                     "no picture that is read here: PNG, JPEG, WebP, AVIF, DDS, KTX2, TGA or OpenEXR");
     default:
       throw UnreadExtension(
           file, place, why_unread(bytes, PictureUse::colour).value_or("a picture that is not read here"));

@@ -35,7 +35,9 @@ class ExrStream : public Imf::IStream {
     return at_ < bytes_.size();
   }
   std::uint64_t tellg() override { return at_; }
-  void seekg(std::uint64_t to) override { at_ = static_cast<std::size_t>(std::min<std::uint64_t>(to, bytes_.size())); }
+  void seekg(std::uint64_t to) override {
+    at_ = static_cast<std::size_t>(std::min<std::uint64_t>(to, bytes_.size()));
+  }
 
  private:
   std::span<const unsigned char> bytes_;
@@ -44,9 +46,11 @@ class ExrStream : public Imf::IStream {
 
 /// Why a header is that of a picture that is not read; empty if it is read.
 std::string why_unread_exr(const Imf::Header& header) {
-  if (header.dataWindow() != header.displayWindow()) return "an OpenEXR whose data window is not its display window";
+  if (header.dataWindow() != header.displayWindow())
+    return "an OpenEXR whose data window is not its display window";
   const Imf::Channel* const alpha = header.channels().findChannel("A");
-  if (alpha != nullptr && (alpha->xSampling != 1 || alpha->ySampling != 1)) return "an OpenEXR with an alpha of fewer texels";
+  if (alpha != nullptr && (alpha->xSampling != 1 || alpha->ySampling != 1))
+    return "an OpenEXR with an alpha of fewer texels";
   return "";
 }
 
@@ -57,7 +61,8 @@ std::vector<float> alpha_of(Imf::InputFile& exr, std::uint32_t width, std::uint3
   // The library counts from the window's least corner, which may be any.
   const std::ptrdiff_t first = std::ptrdiff_t{window.min.x} + std::ptrdiff_t{window.min.y} * width;
   Imf::FrameBuffer to;
-  to.insert("A", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(alpha.data() - first), sizeof(float), sizeof(float) * width));
+  to.insert("A", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(alpha.data() - first), sizeof(float),
+                            sizeof(float) * width));
   exr.setFrameBuffer(to);
   exr.readPixels(window.min.y, window.max.y);
   return alpha;
@@ -76,7 +81,8 @@ void decode_openexr_alpha(std::span<const unsigned char> bytes, Image& image, co
     Imf::InputFile exr(stream, 0);
     const auto& window = exr.header().dataWindow();
     check_sides(static_cast<std::uint64_t>(std::int64_t{window.max.x} - window.min.x + 1),
-                static_cast<std::uint64_t>(std::int64_t{window.max.y} - window.min.y + 1), "an OpenEXR", file, place);
+                static_cast<std::uint64_t>(std::int64_t{window.max.y} - window.min.y + 1), "an OpenEXR", file,
+                place);
     if (const std::string why = why_unread_exr(exr.header()); !why.empty())
       throw UnreadExtension(file, place, why + " is not read here");
     image.width = static_cast<std::uint32_t>(window.max.x - window.min.x + 1);
@@ -84,14 +90,16 @@ void decode_openexr_alpha(std::span<const unsigned char> bytes, Image& image, co
     std::vector<float> alpha = alpha_of(exr, image.width, image.height);
     const auto bad = std::find_if(alpha.begin(), alpha.end(), [](float a) { return !std::isfinite(a); });
     if (bad != alpha.end())
-      throw BadScene(file, place, "the alpha of texel " + std::to_string(bad - alpha.begin()) + " is not finite");
+      throw BadScene(file, place,
+                     "the alpha of texel " + std::to_string(bad - alpha.begin()) + " is not finite");
     image.alpha = std::move(alpha);
   } catch (const BadScene&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& fault) {
-    throw BadScene(file, place, "an OpenEXR that cannot be decoded (" + shown(fault.what()) + "); truncated file?");
+    throw BadScene(file, place,
+                   "an OpenEXR that cannot be decoded (" + shown(fault.what()) + "); truncated file?");
   }
 }
 
@@ -99,7 +107,8 @@ void decode_openexr_alpha(std::span<const unsigned char> bytes, Image& image, co
 
 void decode_openexr_alpha(std::span<const unsigned char> bytes, Image&, const std::string& file,
                           const std::string& place) {
-  throw UnreadExtension(file, place, why_unread(bytes, PictureUse::alpha).value_or("OpenEXR is not read here"));
+  throw UnreadExtension(file, place,
+                        why_unread(bytes, PictureUse::alpha).value_or("OpenEXR is not read here"));
 }
 
 #endif

@@ -101,7 +101,8 @@ std::vector<Input> inputs_now(const Scene& scene, const Primitive& primitive) {
   all.push_back({"alpha", "the alpha of baseColorFactor", decimal(material.base_color_alpha)});
   all.push_back({"vertexAlpha", "the alpha of COLOR_0", decimal(vertex_alpha)});
   if (primitive.vertex_alpha && !primitive.vertex_alpha->of_vertices.empty())
-    all.push_back({"vertexAlphas", "the alphas of COLOR_0", alphas_hash(primitive.vertex_alpha->of_vertices), true});
+    all.push_back(
+        {"vertexAlphas", "the alphas of COLOR_0", alphas_hash(primitive.vertex_alpha->of_vertices), true});
   all.push_back({"sampler", "the sampler", sampler_text(texture.sampler)});
   all.push_back({"texCoord", "texCoord", texture.uv_set});
   all.push_back({"transform", "KHR_texture_transform",

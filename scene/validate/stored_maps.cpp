@@ -63,7 +63,8 @@ StoredArray array_of(const Build& in) {
 /// A collector of the stored maps of primitives.
 class Collector {
  public:
-  explicit Collector(const Scene& scene) : scene_(scene), planned_(plan(scene, finest_level, VaryingAlpha::planned)) {
+  explicit Collector(const Scene& scene)
+      : scene_(scene), planned_(plan(scene, finest_level, VaryingAlpha::planned)) {
     all_.plan.surfaces = planned_.surfaces;
   }
 

@@ -211,7 +211,8 @@ std::uint64_t old_micromap_bytes(const std::string& file) {
   for (const std::size_t k : accessors)
     if (k < all.size()) add(views, member(all[k], "bufferView"));
   for (std::size_t k = 0; k < all.size(); ++k)
-    if (!accessors.contains(k) && all[k].contains("bufferView")) views.erase(all[k]["bufferView"].get<std::size_t>());
+    if (!accessors.contains(k) && all[k].contains("bufferView"))
+      views.erase(all[k]["bufferView"].get<std::size_t>());
   std::uint64_t bytes = 0;
   for (const std::size_t view : views)
     if (view < document.model.bufferViews.size()) bytes += document.model.bufferViews[view].byteLength;

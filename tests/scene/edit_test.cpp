@@ -333,13 +333,14 @@ TEST(WrittenMaps, ALoneRecordIsOverwritten) {
 void compress_records(Subject& s) {
   const std::string records = s.file.bytes.substr(s.records_view()["byteOffset"].get<std::size_t>(), 16);
   std::string code(meshopt_encodeVertexBufferBound(2, 8), '\0');
-  code.resize(meshopt_encodeVertexBuffer(reinterpret_cast<unsigned char*>(code.data()), code.size(), records.data(), 2, 8));
+  code.resize(meshopt_encodeVertexBuffer(reinterpret_cast<unsigned char*>(code.data()), code.size(),
+                                         records.data(), 2, 8));
   compress(s.file, s.records_view(), code);
   s.records_view()["byteLength"] = 16;
   s.records_view()["extensions"]["EXT_meshopt_compression"]["byteStride"] = 8;
 }
 
-// What is changed in a compressed view is stored plain; its code, and all else, stays.
+// Changes of a compressed view are stored plain; its code, and all else, stays.
 TEST(WrittenMaps, RecordsInACompressedViewBecomePlain) {
   Subject plain, s;
   compress_records(s);
@@ -355,7 +356,11 @@ TEST(WrittenMaps, RecordsInACompressedViewBecomePlain) {
     EXPECT_TRUE(validate_micromaps("f.glb", written).empty()) << lines(validate_micromaps("f.glb", written));
     Subject after;
     after.file = taken_apart(written);
-    EXPECT_EQ(after.file.bytes.substr(0, file.bytes.size()), file.bytes);
+    // The triangle's index is another: all else is as it was.
+    const auto index = after.indices_view()["byteOffset"].get<std::size_t>();
+    EXPECT_EQ(after.file.bytes.substr(0, index), file.bytes.substr(0, index));
+    EXPECT_EQ(after.file.bytes.substr(index + 4, file.bytes.size() - index - 4),
+              file.bytes.substr(index + 4));
     return after;
   };
   Subject was = edited(plain.file), is = edited(s.file);
@@ -367,10 +372,9 @@ TEST(WrittenMaps, RecordsInACompressedViewBecomePlain) {
   EXPECT_EQ(records(is), records(was));
   const auto changed = s.micromap()["triangles"].get<std::size_t>();
   for (std::size_t view = 0; view < s.file.json["bufferViews"].size(); ++view)
-    if (view != changed && view != s.micromap()["data"].get<std::size_t>())
-      EXPECT_EQ(is.file.json["bufferViews"][view].value("byteOffset", 0),
-                s.file.json["bufferViews"][view].value("byteOffset", 0))
-          << view;
+    EXPECT_TRUE(view == changed || view == s.micromap()["data"].get<std::size_t>() ||
+                is.file.json["bufferViews"][view] == s.file.json["bufferViews"][view])
+        << view;
 }
 
 TEST(RepairedRules, CountsOfCompressedRecords) {

@@ -335,7 +335,8 @@ class ExrBytes : public Imf::OStream {
 /// An OpenEXR whose data window has these corners, with one channel of numbers, rows from the top.
 template <class Number>
 std::string openexr(const std::vector<Number>& numbers, Imf::PixelType type, Imf::Compression compression,
-                    const Imath::Box2i& window, const char* channel = "A", const Imath::Box2i* display = nullptr) {
+                    const Imath::Box2i& window, const char* channel = "A",
+                    const Imath::Box2i* display = nullptr) {
   Imf::Header header(display == nullptr ? window : *display, window);
   header.compression() = compression;
   header.channels().insert(channel, Imf::Channel(type));
@@ -345,8 +346,9 @@ std::string openexr(const std::vector<Number>& numbers, Imf::PixelType type, Imf
     const auto across = static_cast<std::size_t>(window.max.x - window.min.x + 1);
     const std::ptrdiff_t first = window.min.x + window.min.y * static_cast<std::ptrdiff_t>(across);
     Imf::FrameBuffer from;
-    from.insert(channel, Imf::Slice(type, reinterpret_cast<char*>(const_cast<Number*>(numbers.data() - first)),
-                                    sizeof(Number), sizeof(Number) * across));
+    from.insert(channel,
+                Imf::Slice(type, reinterpret_cast<char*>(const_cast<Number*>(numbers.data() - first)),
+                           sizeof(Number), sizeof(Number) * across));
     file.setFrameBuffer(from);
     file.writePixels(window.max.y - window.min.y + 1);
   }
@@ -359,8 +361,8 @@ TEST(ScenePictures, OpenExrIsReadAsItIs) {
   const std::vector<float> floats{0.1f, 1, -0.25f, 0x1p-30f, 1.5f, 1.0f / 3};
   const std::vector<std::uint16_t> halves{0x3c00, 0x0001, 0x3555, 0x8000, 0x4000, 0x03ff};
   const std::vector<std::uint32_t> wholes{0, 1, 2, 7, 1 << 24, 1 << 30};
-  for (const Imf::Compression compression :
-       {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION}) {
+  for (const Imf::Compression compression : {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
+                                             Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION}) {
     const Image image = alpha_of(openexr(floats, Imf::FLOAT, compression, six_texels));
     EXPECT_EQ(image.width, 3u);
     EXPECT_EQ(image.height, 2u);
@@ -388,10 +390,12 @@ TEST(ScenePictures, OpenExrThatIsRefused) {
   for (const char flags : {'\x08', '\x10'}) {
     std::string other = good;
     other[5] = flags;
-    EXPECT_THAT(complaint_of_picture(other), HasSubstr("of several parts, or of deep data, is not read here"));
+    EXPECT_THAT(complaint_of_picture(other),
+                HasSubstr("of several parts, or of deep data, is not read here"));
   }
   const Imath::Box2i wider({-5, 7}, {-2, 8});
-  EXPECT_THAT(complaint_of_picture(openexr(std::vector<float>(6), Imf::FLOAT, Imf::NO_COMPRESSION, six_texels, "A", &wider)),
+  EXPECT_THAT(complaint_of_picture(
+                  openexr(std::vector<float>(6), Imf::FLOAT, Imf::NO_COMPRESSION, six_texels, "A", &wider)),
               HasSubstr("whose data window is not its display window"));
   EXPECT_EQ(why_unread(as_bytes(good), PictureUse::colour), "the colours of an OpenEXR are not read here");
 }

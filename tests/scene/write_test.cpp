@@ -255,7 +255,9 @@ TEST(SceneWrite, BytesOfOldMicromaps) {
     return old.json["bufferViews"][view.get<std::size_t>()]["byteLength"].get<std::size_t>();
   };
   const Json& micromap = old.json["extensions"][written_name]["micromaps"][0];
-  const Json& indices = old.json["accessors"][old.primitive()["extensions"][written_name]["micromapIndices"].get<std::size_t>()];
+  const Json& indices =
+      old.json["accessors"]
+              [old.primitive()["extensions"][written_name]["micromapIndices"].get<std::size_t>()];
   const std::size_t maps = length(micromap["data"]) + length(micromap["triangles"]);
   EXPECT_EQ(bytes_in(old), maps + length(indices["bufferView"]));
   const Json shared = indices;

@@ -71,14 +71,15 @@ void set_format(Ktx2& ktx2, std::uint32_t number) {
   using enum Ktx2Coding;
   using enum Ktx2Number;
   constexpr Format formats[] = {
-      {9, 15, plain, 1, false},     {16, 22, plain, 2, false},    {23, 29, plain, 3, false},
-      {30, 36, plain, 3, true},     {37, 43, plain, 4, false},    {44, 50, plain, 4, true},
-      {51, 57, plain, 4, false},    {131, 132, opaque_8, 0, {}},  {133, 134, bc1, 0, {}},
-      {135, 136, bc2, 0, {}},       {137, 138, bc3, 0, {}},       {139, 140, opaque_8, 0, {}},
-      {141, 142, opaque_16, 0, {}}, {143, 144, opaque_16, 0, {}}, {145, 146, bc7, 0, {}},
-      {70, 70, plain, 1, {}, word}, {77, 77, plain, 2, {}, word}, {84, 84, plain, 3, {}, word}, {91, 91, plain, 4, {}, word},
-      {76, 76, plain, 1, {}, half}, {83, 83, plain, 2, {}, half}, {90, 90, plain, 3, {}, half}, {97, 97, plain, 4, {}, half},
-      {100, 100, plain, 1, {}, single}, {103, 103, plain, 2, {}, single}, {106, 106, plain, 3, {}, single}, {109, 109, plain, 4, {}, single}};
+      {9, 15, plain, 1, false},         {16, 22, plain, 2, false},        {23, 29, plain, 3, false},
+      {30, 36, plain, 3, true},         {37, 43, plain, 4, false},        {44, 50, plain, 4, true},
+      {51, 57, plain, 4, false},        {131, 132, opaque_8, 0, {}},      {133, 134, bc1, 0, {}},
+      {135, 136, bc2, 0, {}},           {137, 138, bc3, 0, {}},           {139, 140, opaque_8, 0, {}},
+      {141, 142, opaque_16, 0, {}},     {143, 144, opaque_16, 0, {}},     {145, 146, bc7, 0, {}},
+      {70, 70, plain, 1, {}, word},     {77, 77, plain, 2, {}, word},     {84, 84, plain, 3, {}, word},
+      {91, 91, plain, 4, {}, word},     {76, 76, plain, 1, {}, half},     {83, 83, plain, 2, {}, half},
+      {90, 90, plain, 3, {}, half},     {97, 97, plain, 4, {}, half},     {100, 100, plain, 1, {}, single},
+      {103, 103, plain, 2, {}, single}, {106, 106, plain, 3, {}, single}, {109, 109, plain, 4, {}, single}};
   for (const Format& format : formats)
     if (number == format.number || number == format.variant) {
       ktx2.coding = format.coding;
@@ -157,8 +158,8 @@ void check_shape(Ktx2& ktx2, Ktx2Bytes bytes) {
 void check_scheme(Ktx2& ktx2, std::uint32_t scheme) {
   constexpr std::uint32_t last = 3, first_of_vendors = 0x10000;
   if (scheme > last) {
-    ktx2.why = std::string("a KTX2 with ") + (scheme < first_of_vendors ? "the" : "a vendor's") + " supercompression " +
-               std::to_string(scheme);
+    ktx2.why = std::string("a KTX2 with ") + (scheme < first_of_vendors ? "the" : "a vendor's") +
+               " supercompression " + std::to_string(scheme);
     return;
   }
   ktx2.scheme = static_cast<Ktx2Scheme>(scheme);
@@ -208,7 +209,8 @@ Ktx2 ktx2_of(Ktx2Bytes bytes) {
   check_shape(ktx2, bytes);
   if (!ktx2.why.empty()) ktx2.why += " is not read here";
 #ifndef MMVERIFY_HAS_ZSTD
-  if (ktx2.scheme == Ktx2Scheme::zstandard) ktx2.why = "this program was built without Zstandard (Debian: libzstd-dev)";
+  if (ktx2.scheme == Ktx2Scheme::zstandard)
+    ktx2.why = "this program was built without Zstandard (Debian: libzstd-dev)";
 #endif
   return ktx2;
 }

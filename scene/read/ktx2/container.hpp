@@ -22,7 +22,7 @@ struct Ktx2 {
   std::uint32_t width = 0, height = 0;
   std::uint64_t levels = 1;
   Ktx2Coding coding = Ktx2Coding::unread;
-  unsigned channels = 0;       ///< of a plain texel
+  unsigned channels = 0;  ///< of a plain texel
   Ktx2Number number = Ktx2Number::byte;
   bool blue_first = false;     ///< of a plain texel
   bool srgb = false;           ///< the transfer function of its descriptor

@@ -22,8 +22,8 @@ namespace mmverify::scene {
 namespace {
 
 bool has_colours(const Ktx2& ktx2) {
-  return (ktx2.coding == Ktx2Coding::plain && ktx2.number == Ktx2Number::byte) || ktx2.coding == Ktx2Coding::uastc ||
-         ktx2.coding == Ktx2Coding::etc1s;
+  return (ktx2.coding == Ktx2Coding::plain && ktx2.number == Ktx2Number::byte) ||
+         ktx2.coding == Ktx2Coding::uastc || ktx2.coding == Ktx2Coding::etc1s;
 }
 
 /// Source: RFC 1950, 8.2, which has the checksum behind the data.
@@ -49,8 +49,9 @@ void undo_zlib(Ktx2Bytes code, std::uint64_t due, std::vector<unsigned char>& by
   if (due > std::numeric_limits<int>::max())
     throw DamagedPicture("level 0 has " + std::to_string(due) + " bytes in ZLIB, of which 2^31 - 1 are read");
   bytes.resize(static_cast<std::size_t>(due));
-  const int size = stbi_zlib_decode_buffer(reinterpret_cast<char*>(bytes.data()), static_cast<int>(due),
-                                           reinterpret_cast<const char*>(code.data()), static_cast<int>(code.size()));
+  const int size =
+      stbi_zlib_decode_buffer(reinterpret_cast<char*>(bytes.data()), static_cast<int>(due),
+                              reinterpret_cast<const char*>(code.data()), static_cast<int>(code.size()));
   if (size < 0) throw DamagedPicture("ZLIB cannot undo level 0; truncated file?");
   if (static_cast<std::uint64_t>(size) != due)
     throw DamagedPicture("level 0 has " + std::to_string(due) + " bytes, ZLIB gives " + std::to_string(size));
@@ -201,7 +202,8 @@ float number_of_half(std::uint32_t bits) {
 decltype(Image::alpha) alpha_of_numbers(const Ktx2& ktx2) {
   std::vector<unsigned char> storage;
   const Ktx2Bytes level = level_of(ktx2, storage);
-  const std::size_t texels = std::size_t{ktx2.width} * ktx2.height, width = bytes_of(ktx2.number), unit = unit_bytes(ktx2);
+  const std::size_t texels = std::size_t{ktx2.width} * ktx2.height, width = bytes_of(ktx2.number),
+                    unit = unit_bytes(ktx2);
   const bool has_alpha = ktx2.channels == 4;
   const auto bits = [&](std::size_t k) { return number_at(level, k * unit + 3 * width, width); };
   if (ktx2.number == Ktx2Number::word) {
@@ -212,7 +214,8 @@ decltype(Image::alpha) alpha_of_numbers(const Ktx2& ktx2) {
   std::vector<float> alpha(texels, 1);
   for (std::size_t k = 0; k < texels && has_alpha; ++k) {
     alpha[k] = ktx2.number == Ktx2Number::half ? number_of_half(bits(k)) : std::bit_cast<float>(bits(k));
-    if (!std::isfinite(alpha[k])) throw DamagedPicture("the alpha of texel " + std::to_string(k) + " is not finite");
+    if (!std::isfinite(alpha[k]))
+      throw DamagedPicture("the alpha of texel " + std::to_string(k) + " is not finite");
   }
   return alpha;
 }
