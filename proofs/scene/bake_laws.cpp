@@ -185,9 +185,13 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
   law.how = [levels](Level n) {
     return std::string(levels.at(n).whole() ? "exhaustive, rational" : "sample, rational");
   };
-  law.unfit = [levels, claim](const Subject&, Level n) -> std::optional<std::string> {
+  const bool passes_over =
+      std::any_of(data.baked.triangles.begin(), data.baked.triangles.end(),
+                  [&](const BakedTriangle& t) { return claim.passes_over(t); });
+  law.unfit = [levels, claim, passes_over](const Subject&, Level n) -> std::optional<std::string> {
     if (levels.at(n).all != 0) return std::nullopt;
-    return fmt::format("no micro-triangle is {}", claim.states);
+    return fmt::format("no micro-triangle is {}{}", claim.states,
+                       passes_over ? ", but for those whose vertex alpha varies" : "");
   };
   law.judge = [claim, &data, exact, levels](const Subject&, Level n, const Run& run) {
     const OfLevel of(data, exact, n);
