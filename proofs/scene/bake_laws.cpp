@@ -185,9 +185,8 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
   law.how = [levels](Level n) {
     return std::string(levels.at(n).whole() ? "exhaustive, rational" : "sample, rational");
   };
-  const bool passes_over =
-      std::any_of(data.baked.triangles.begin(), data.baked.triangles.end(),
-                  [&](const BakedTriangle& t) { return claim.passes_over(t); });
+  const bool passes_over = std::any_of(data.baked.triangles.begin(), data.baked.triangles.end(),
+                                       [&](const BakedTriangle& t) { return claim.passes_over(t); });
   law.unfit = [levels, claim, passes_over](const Subject&, Level n) -> std::optional<std::string> {
     if (levels.at(n).all != 0) return std::nullopt;
     return fmt::format("no micro-triangle is {}{}", claim.states,
