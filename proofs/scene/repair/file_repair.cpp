@@ -78,8 +78,9 @@ void FileRepair::refresh_records() {
 std::string FileRepair::broken_law(const WrittenFile& written) {
   const auto open = [&] { return file_.reopened(written); };
   for (const FileViolation& violation : validate_micromaps(open)) return describe(violation);
-  maps_ = without_varying_alpha(stored_maps(open(), scene_));
-  if (maps_.plan.triangles.empty()) return "";
+  const StoredMaps all = stored_maps(open(), scene_);
+  if (all.plan.triangles.empty()) return "";
+  maps_ = without_varying_alpha(all);
   const std::vector<MapRepair> repairs = searched([](const auto& judged) { return map_repairs(judged); });
   for (std::size_t k = 0; k < repairs.size(); ++k)
     if (repairs[k].kind != MapRepair::Kind::none)
@@ -87,7 +88,7 @@ std::string FileRepair::broken_law(const WrittenFile& written) {
   const SceneArrays no_arrays;
   const Pairs no_pairs;
   const SquareMaps no_squares;
-  const Data data{scene_,   maps_.plan, maps_.baked,     no_arrays,
+  const Data data{scene_,   all.plan,   all.baked,       no_arrays,
                   no_pairs, no_squares, request_.margin, request_.two_state};
   const SceneLaws laws =
       map_laws(data, {.size = request_.samples}, file_.document().file, "mmverify check maps");
