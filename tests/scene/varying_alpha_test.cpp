@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "impl/index/index.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/scene/exact_surface.hpp"
 #include "scene/bake/texel_ranges.hpp"
