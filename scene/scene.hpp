@@ -34,16 +34,16 @@ struct Sampler {
   bool operator==(const Sampler&) const = default;
 };
 
-/// The alpha of a picture, rows from the top: texel (x, y) is alpha[x + width y], of 255 or of 65535.
+/// The alpha of a picture, rows from the top: texel (x, y) is alpha[x + width y], of 255, of 65535, or as it is: finite.
 /// It is not decoded (width 0) if no alpha-tested primitive needs it.  A picture without alpha has the
 /// greatest alpha.
 struct Image {
   std::string name;  ///< its URI or name; for messages
   std::uint32_t width = 0, height = 0;
-  std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>> alpha;
+  std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>> alpha;
 
   bool decoded() const { return width != 0; }
-  int bits() const { return alpha.index() == 0 ? 8 : 16; }
+  int bits() const { return 8 << alpha.index(); }
 };
 
 /// KHR_texture_transform, in float32 as in a renderer.
@@ -92,6 +92,7 @@ struct VariantMaterial {
 /// The alpha of COLOR_0 over the vertices that the triangles use.
 struct VertexAlpha {
   float least = 1, greatest = 1;
+  std::vector<float> of_vertices = {};  ///< by vertex; empty if all that are used have the same
 };
 
 struct Primitive {

@@ -130,9 +130,8 @@ void TextReport::line(const std::vector<Result>& results) {
     say(out_, "           domain: {}; {}{}; digest {:016x}\n", first.domain, first.method,
         first.dialect.empty() ? "" : "; dialect: " + first.dialect, first.digest);
   if (declined != 0)
-    say(out_,
-        "           declined: {} of these cases, which the subject says it does not support: not judged\n",
-        grouped(declined));
+    say(out_, "           declined: {} of these cases, {}: not judged\n", grouped(declined),
+        first.undecided.empty() ? "which the subject says it does not support" : first.undecided);
   if (allowed != 0)
     say(out_, "           allowed: {} of these answers, which differ from {} but count as right\n",
         grouped(allowed), first.dialect == "published" ? "the published code" : "exact arithmetic");

@@ -127,7 +127,7 @@ std::string command_of(const CheckMapsOptions& o) {
   return text;
 }
 
-void print_maps(std::FILE* out, const std::string& file, const Scene& scene, const StoredMaps& maps) {
+void print_maps(std::FILE* out, const CheckMapsOptions& options, const Scene& scene, const StoredMaps& maps) {
   micromap::StateCounts states{};
   std::array<std::uint64_t, 13> levels{};
   for (const MapLink& link : maps.links) {
@@ -135,7 +135,7 @@ void print_maps(std::FILE* out, const std::string& file, const Scene& scene, con
     ++levels[t.level];
     for (std::size_t k = 0; k < 4; ++k) states[k] += t.states[k];
   }
-  say(out, "{}: {} triangles with maps, {} distinct; {} of them special indices\n", file,
+  say(out, "{}: {} triangles with maps, {} distinct; {} of them special indices\n", options.file,
       grouped(maps.links.size()), grouped(maps.plan.triangles.size()), grouped(maps.special));
   std::string by_level;
   for (std::size_t n = 0; n < levels.size(); ++n)
@@ -143,6 +143,10 @@ void print_maps(std::FILE* out, const std::string& file, const Scene& scene, con
       by_level += fmt::format("{}{}: {}", by_level.empty() ? "" : ", ", n, grouped(levels[n]));
   say(out, "  by level   {}\n  states     T {}, O {}, UT {}, UO {}\n", by_level, grouped(states[0]),
       grouped(states[1]), grouped(states[2]), grouped(states[3]));
+  if (const std::uint64_t varying = counts(maps.plan).varying; varying != 0)
+    say(out, "  by bounds  {} triangles, whose vertex alpha varies: {}\n", grouped(varying),
+        options.states == 2 ? "in 2-state they are not judged"
+                            : "T and O are judged, unknown states are not");
   for (const NotJudged& n : maps.not_judged)
     say(out, "  not judged mesh {} primitive {}, {} triangles: {}\n", scene.primitives[n.primitive].mesh,
         scene.primitives[n.primitive].number, grouped(n.triangles), sentence(n.why));
@@ -260,7 +264,7 @@ int check_maps(const CheckMapsOptions& options) {
     throw UsageError(fmt::format("{}: no primitive has a micromap{}", options.file,
                                  other.empty() ? "" : "; it has " + other + ", which is not read here"));
   }
-  print_maps(out, options.file, scene, maps);
+  print_maps(out, options, scene, maps);
   const int code = judged(options, scene, maps, json, junit, picture ? &*picture : nullptr);
   if (!keeps_rules && code == complete && repairs_all_rules(options.file, {}))
     print_repair(out, options.file);

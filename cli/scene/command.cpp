@@ -185,6 +185,9 @@ class Output {
     glb_->commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     say(text(), "  {:<11}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written",
         options_.glb, grouped(bytes.size()));
+    if (const std::uint64_t old = options_.file.empty() ? 0 : old_micromap_bytes(options_.file); old != 0)
+      say(text(), "  {:<11}{} bytes are those of {}'s own micromaps, which nothing reads any more\n", "",
+          grouped(old), options_.file);
   }
   void plot(const SceneFigures& figures) {
     if (plot_) plot_->commit(sizes_picture(figures));

@@ -79,6 +79,11 @@ void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Leve
     line(out, "note",
          fmt::format("the UVs of {} distinct triangles lie on a line, of {} at a point: they cover no area",
                      baked.lines, baked.points));
+  if (baked.varying != 0)
+    line(out, "note",
+         fmt::format("the vertex alpha of {} triangles varies: they are baked by bounds, T and O only where "
+                     "all alpha is so",
+                     grouped(baked.varying)));
   if (baked.limited != 0)
     line(out, "left out",
          fmt::format(

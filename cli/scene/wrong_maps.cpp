@@ -30,7 +30,9 @@ using proofs::scene::Judged;
 constexpr std::uint64_t most_other_texels = std::uint64_t{1} << 26;
 
 /// The cause of wrong maps, if one change explains all of them.
-std::optional<Cause> cause_of(const CheckMapsOptions& options, const Scene& scene, const StoredMaps& maps) {
+std::optional<Cause> cause_of(const CheckMapsOptions& options, const Scene& scene, const StoredMaps& all) {
+  const StoredMaps maps = without_varying_alpha(all);
+  if (maps.plan.triangles.empty()) return {};
   const Document document = open_document(options.file);
   const Buffers buffers(document);
   Scene with_images = scene;
@@ -80,8 +82,9 @@ void print_cause(std::FILE* out, const std::optional<Cause>& cause) {
 
 /// A note if most unknown states are on the other side, which breaks no law.
 std::string print_side(std::FILE* out, const CheckMapsOptions& options, const Scene& scene,
-                       const StoredMaps& maps) {
-  if (options.states == 2) return {};
+                       const StoredMaps& all) {
+  const StoredMaps maps = without_varying_alpha(all);
+  if (options.states == 2 || maps.plan.triangles.empty()) return {};
   const std::optional<Cause> cause =
       proofs::scene::side_cause_of(Judged{scene, maps, options.margin, false, {}});
   if (!cause) return {};
@@ -139,6 +142,14 @@ std::string print_why(std::FILE* out, const CheckMapsOptions& options, const Sce
   } catch (const proofs::Interrupted&) {
     say(out, "cause: the search was interrupted\n");
     return json_of({});
+  }
+  const auto wrong = first_wrong(report);
+  if (!cause && wrong && wrong->first < maps.plan.triangles.size() &&
+      maps.plan.triangles[wrong->first].varies()) {
+    say(out, "cause: not looked for where vertex alpha varies\n");
+    if (options.raw.data.empty())
+      say(out, "next: mmverify scene {} -o OUT.glb\n", shell_quoted(options.file));
+    return json_of(cause);
   }
   print_cause(out, cause);
   print_repair(out, options, cause);

@@ -49,11 +49,11 @@ def jpeg():
     )
 
 
-def ktx2(width, height, form, level, model=1, channel=0, keys=b""):
-    """One level without supercompression."""
+def ktx2(width, height, form, level, model=1, channel=0, keys=b"", scheme=0, uncompressed=None):
+    """One level."""
     mark, begin = b"\xabKTX 20\xbb\r\n\x1a\n", 104 + 44
-    header = struct.pack("<17I3Q", form, 1, width, height, 0, 0, 1, 1, 0, 104, 44, begin if keys else 0, len(keys), 0, 0, 0, 0,
-                         begin + len(keys), len(level), len(level))  # fmt: skip
+    header = struct.pack("<17I3Q", form, 1, width, height, 0, 0, 1, 1, scheme, 104, 44, begin if keys else 0, len(keys), 0, 0, 0, 0,
+                         begin + len(keys), len(level), uncompressed or len(level))  # fmt: skip
     descriptor = struct.pack("<3I4B12xHBB8xI", 44, 0, 2 | 40 << 16, model, 1, 1, 0, 0, 127, channel, 2**32 - 1)
     return mark + header + descriptor + keys + level
 
@@ -295,7 +295,11 @@ LOAD = {
     "ktx2_blue_first": File(ktx2(1, 2, 30, b"abcdef")).parts(),
     "ktx2_uastc": File(ktx2(16, 20, 0, UASTC, 166, 3)).parts(),
     "ktx2_keys": File(ktx2(1, 1, 9, b"a", keys=struct.pack("<I", 16) + b"KTXswizzle\0rrr1\0")).parts(),
-    "ktx2_format": File(ktx2(1, 1, 97, bytes(8))).parts(),
+    "ktx2_format": File(ktx2(1, 1, 157, bytes(16))).parts(),
+    "ktx2_words": File(ktx2(2, 1, 91, bytes(range(16)))).parts(),
+    "ktx2_halves": File(ktx2(2, 1, 97, bytes(range(16)))).parts(),
+    "ktx2_floats": File(ktx2(1, 1, 109, bytes(range(16)))).parts(),
+    "ktx2_zlib": File(ktx2(2, 2, 37, zlib.compress(bytes(range(16)), 9), scheme=3, uncompressed=16)).parts(),
 } | {
     f"ktx2_{form}": File(ktx2(4, 4, form, bytes(range(8 if form in (131, 133, 139) else 16)))).parts()
     for form in (131, 133, 135, 137, 139, 141, 145)

@@ -56,7 +56,9 @@ void settle(Result& r, bool sample) {
   } else if (2 * declined > r.cases_run()) {
     r.verdict = Verdict::not_applicable;
     r.reason =
-        declined == r.cases_run()
+        !r.undecided.empty()
+            ? fmt::format("{} of {} cases are those {}", declined, r.cases_run(), r.undecided)
+        : declined == r.cases_run()
             ? std::string("the subject supports none of the cases")
             : fmt::format(
                   "the subject declined {} of {} cases, more than half; it should declare what it supports",

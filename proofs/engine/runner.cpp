@@ -41,6 +41,7 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   r.subject = subject.name();
   r.level = level;
   r.dialect = law.dialect;
+  r.undecided = law.undecided;
   name_proof(r, law);
   // A law can only describe its method for a subject of its own topic.
   const bool known = subject.topic() == law.topic && subject.absent().empty();

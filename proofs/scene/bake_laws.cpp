@@ -53,17 +53,40 @@ std::string expected_text(const Data& data, const ExactSurfaces& exact, State tr
                      data.name_of ? "; " + data.name_of(p.triangle) : std::string());
 }
 
+/// The denial of a code as text.
+std::string denied_text(const Data& data, const ExactSurfaces& exact, Level n, const MicroTriangle& p,
+                        unsigned code) {
+  return fmt::format("not {} ({}{})", name_of_code(code), exact.text(p.triangle, n, p.index),
+                     data.name_of ? "; " + data.name_of(p.triangle) : std::string());
+}
+
+/// The number of no state, for the digest.
+constexpr std::uint64_t undecided = 3;
+
+/// A state that neither bounds nor a place decide, unless a place denies the code: T or O.
+void judge_undecided(const OfLevel& of, Level n, const MicroTriangle& p, unsigned code, std::uint64_t number,
+                     Tally& tally) {
+  tally.digest(number, undecided << 2 | code);
+  if (!of.exact->denies(p.triangle, n, p.index, code == 1)) return tally.decline(Kind::interior);
+  tally.count(Kind::interior, 1);
+  tally.mismatch(Kind::interior, {n, number, 0}, [&] {
+    return Counterexample{{n, number, 0},    n, text(p), {}, denied_text(of.data, *of.exact, n, p, code),
+                          name_of_code(code)};
+  });
+}
+
 void judge(const Claim& claim, const OfLevel& of, Level n, const MicroTriangle& p, std::uint64_t number,
            Tally& tally) {
   const unsigned code = state_code(of.data.baked.triangles[p.triangle], p.index);
-  const State truly = of.exact->state(p.triangle, n, p.index);
+  const std::optional<State> truly = of.exact->state(p.triangle, n, p.index);
+  if (!truly) return judge_undecided(of, n, p, code, number, tally);
   const bool leans =
       claim.what == Claim::forced && truly == State::C && of.exact->rather_opaque(p.triangle, n, p.index);
   tally.count(Kind::interior, 1);
-  tally.digest(number, static_cast<std::uint64_t>(truly) << 2 | code);
-  if (claim.holds(code, truly, leans)) return;
+  tally.digest(number, static_cast<std::uint64_t>(*truly) << 2 | code);
+  if (claim.holds(code, *truly, leans)) return;
   tally.mismatch(Kind::interior, {n, number, 0}, [&] {
-    return Counterexample{{n, number, 0},    n, text(p), {}, expected_text(of.data, *of.exact, truly, n, p),
+    return Counterexample{{n, number, 0},    n, text(p), {}, expected_text(of.data, *of.exact, *truly, n, p),
                           name_of_code(code)};
   });
 }
@@ -92,8 +115,8 @@ void descend(const Claim& claim, const OfLevel& of, Level n, std::size_t triangl
     if (claim.about(state_code(baked, index))) judge(claim, of, n, {triangle, index}, base + index, tally);
     return;
   }
-  const State truly = of.exact->state(triangle, m, index);
-  if (truly == State::C) {
+  const std::optional<State> truly = of.exact->state(triangle, m, index);
+  if (!truly || truly == State::C) {
     for (std::uint32_t child = 0; child < 4; ++child)
       descend(claim, of, n, triangle, m + 1, 4 * index + child, base, tally);
     return;
@@ -108,7 +131,7 @@ void descend(const Claim& claim, const OfLevel& of, Level n, std::size_t triangl
       continue;
     }
     tally.count(Kind::interior, 1);
-    tally.digest(base + k, static_cast<std::uint64_t>(truly) << 2 | code);
+    tally.digest(base + k, static_cast<std::uint64_t>(*truly) << 2 | code);
   }
 }
 
@@ -121,13 +144,21 @@ Replayed replay(const Claim& claim, const Data& data, const ExactSurfaces& exact
       data.baked.triangles[triangle].level != n || index >= micromap::micro_triangles(n))
     throw BadCase(fmt::format("{}: no micro-triangle of level {} of this scene; write t17:i1234", at, n));
   const unsigned code = state_code(data.baked.triangles[triangle], index);
-  const State truly = exact.state(triangle, n, index);
+  Replayed replayed;
+  replayed.got = name_of_code(code);
+  const std::optional<State> truly = exact.state(triangle, n, index);
+  const bool passes_over = claim.passes_over(data.baked.triangles[triangle]);
+  if (!truly || passes_over) {
+    replayed.holds = passes_over || !claim.about(code) || !exact.denies(triangle, n, index, code == 1);
+    replayed.expected = replayed.holds
+                            ? fmt::format("any state: not judged ({})", exact.text(triangle, n, index))
+                            : denied_text(data, exact, n, {triangle, index}, code);
+    return replayed;
+  }
   const bool leans =
       claim.what == Claim::forced && truly == State::C && exact.rather_opaque(triangle, n, index);
-  Replayed replayed;
-  replayed.holds = !claim.about(code) || claim.holds(code, truly, leans);
-  replayed.expected = expected_text(data, exact, truly, n, {triangle, index});
-  replayed.got = name_of_code(code);
+  replayed.holds = !claim.about(code) || claim.holds(code, *truly, leans);
+  replayed.expected = expected_text(data, exact, *truly, n, {triangle, index});
   return replayed;
 }
 
@@ -139,6 +170,7 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
   law.says = claim.says;
   law.source = "design of state: closed micro-triangles, glTF 2.0 Alpha Coverage; spec/bake/state.hpp";
   law.divisible = true;
+  law.undecided = "whose vertex alpha varies, and bounds do not decide";
   const LookedByLevel levels = looked_at(claim, data, sample);
   law.cases = [levels](Level n, const Run&) { return levels.at(n).at; };
   if (std::any_of(levels.begin(), levels.end(), [](const Looked& l) { return !l.whole(); }))
@@ -153,9 +185,12 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
   law.how = [levels](Level n) {
     return std::string(levels.at(n).whole() ? "exhaustive, rational" : "sample, rational");
   };
-  law.unfit = [levels, claim](const Subject&, Level n) -> std::optional<std::string> {
+  const bool passes_over = std::any_of(data.baked.triangles.begin(), data.baked.triangles.end(),
+                                       [&](const BakedTriangle& t) { return claim.passes_over(t); });
+  law.unfit = [levels, claim, passes_over](const Subject&, Level n) -> std::optional<std::string> {
     if (levels.at(n).all != 0) return std::nullopt;
-    return fmt::format("no micro-triangle is {}", claim.states);
+    return fmt::format("no micro-triangle is {}{}", claim.states,
+                       passes_over ? ", but for those whose vertex alpha varies" : "");
   };
   law.judge = [claim, &data, exact, levels](const Subject&, Level n, const Run& run) {
     const OfLevel of(data, exact, n);
@@ -164,8 +199,9 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
       const std::uint64_t pieces = std::uint64_t{1} << (2 * depth);
       return sweep(run, of.triangles.size() * pieces, 16, [&](Chunk chunk, Tally& tally) {
         for (std::uint64_t k = chunk.begin; k < chunk.end; ++k)
-          descend(claim, of, n, of.triangles[k / pieces], depth, static_cast<std::uint32_t>(k % pieces),
-                  (k / pieces) << (2 * n), tally);
+          if (!claim.passes_over(data.baked.triangles[of.triangles[k / pieces]]))
+            descend(claim, of, n, of.triangles[k / pieces], depth, static_cast<std::uint32_t>(k % pieces),
+                    (k / pieces) << (2 * n), tally);
       });
     }
     const Claimed from(claim, data.baked, n);

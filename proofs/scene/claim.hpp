@@ -23,6 +23,8 @@ struct Claim {
   enum About { known, unknown, forced } what;
   const char* states;  ///< the states that it is about, in words
 
+  /// Whether the law is about none of a map's states: of one by bounds only known states are judged.
+  bool passes_over(const mmverify::scene::BakedTriangle& t) const { return t.by_bounds && what != known; }
   bool about(unsigned code) const { return what == forced || is_known(code) == (what == known); }
   /// Whether a code agrees with the true state.  `leans`: whether alpha at the centroid is rather opaque.  Domain: a
   /// code that the law is about.
@@ -34,6 +36,7 @@ struct Claim {
   }
   /// The number of micro-triangles of a map that the law is about.
   std::uint64_t count(const mmverify::scene::BakedTriangle& t) const {
+    if (passes_over(t)) return 0;
     return (what == unknown ? 0 : t.states[0] + t.states[1]) +
            (what == known ? 0 : t.states[2] + t.states[3]);
   }

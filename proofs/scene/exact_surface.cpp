@@ -37,12 +37,29 @@ BaseTriangle<Q> base(const scene::UvTriangle& uv) {
   return corners;
 }
 
+/// The specification's texel of a stored number.
+template <class Stored>
+using TexelOf = std::conditional_t<std::is_same_v<Stored, float>, Binary32, Stored>;
+
+double stored_number(Binary32 texel) { return std::bit_cast<float>(texel.bits); }
+double stored_number(std::uint32_t texel) { return texel; }
+
+/// The stored number of alpha 1.
 template <class Texel>
-TextureOf<Texel> texture_of(const scene::Image& image, const scene::Surface& surface) {
-  TextureOf<Texel> t;
+constexpr double stored_one = std::is_same_v<Texel, Binary32>       ? 1
+                              : std::is_same_v<Texel, std::uint8_t> ? 255
+                                                                    : 65535;
+
+template <class Stored>
+TextureOf<TexelOf<Stored>> texture_of(const scene::Image& image, const std::vector<Stored>& alpha,
+                                      const scene::Surface& surface) {
+  TextureOf<TexelOf<Stored>> t;
   t.width = image.width;
   t.height = image.height;
-  t.alpha = std::get<std::vector<Texel>>(image.alpha);
+  if constexpr (std::is_same_v<Stored, float>)
+    for (const float texel : alpha) t.alpha.push_back(bits(texel));
+  else
+    t.alpha = alpha;
   t.wrap_x = wrap(surface.sampler.wrap_u);
   t.wrap_y = wrap(surface.sampler.wrap_v);
   t.factor = bits(surface.base_color_alpha);
@@ -51,6 +68,72 @@ TextureOf<Texel> texture_of(const scene::Image& image, const scene::Surface& sur
                                                                          : spec::bake::Filter::bilinear;
   return t;
 }
+
+/// Judges a micro-triangle where alpha is the texture's times a vertex alpha, linear between its corners.
+template <class Q, class Texel, class Mode>
+class VaryingState {
+ public:
+  /// Corners in texels, and the vertex alphas there: from 0 to 1.
+  struct Part {
+    Polygon<Q> corners;
+    std::array<Q, 3> alphas;
+  };
+
+  VaryingState(const TextureOf<Texel>& texture, const Mode& mode, const Q& margin)
+      : texture_(texture), mode_(mode), margin_(margin) {}
+
+  Seen seen(const Part& whole) {
+    judge(whole, halvings);
+    if (is_mixed()) return {State::C, true, true};
+    if (undecided_) return {std::nullopt, not_opaque_, not_transparent_};
+    return {not_opaque_ ? State::T : State::O, not_opaque_, not_transparent_};
+  }
+
+ private:
+  static constexpr int halvings = 3;
+
+  bool is_mixed() const { return not_opaque_ && not_transparent_; }
+  void see(const TexturePoint<Q>& at, const Q& vertex_alpha) {
+    const Q here = alpha(texture_, at) * vertex_alpha;
+    not_opaque_ = not_opaque_ || !mode_.opaque(here);
+    not_transparent_ = not_transparent_ || !mode_.transparent(here);
+  }
+  State by_bounds(const Part& part) const {
+    const auto [low, high] = std::minmax({part.alphas[0], part.alphas[1], part.alphas[2]});
+    const Range<Q> sampled = range(texture_, dilated(part.corners, margin_));
+    Range<Q> product(sampled.least * (sampled.least < 0 ? high : low));
+    product.take(sampled.greatest * (sampled.greatest < 0 ? low : high));
+    return state_in(mode_, product);
+  }
+  void judge(const Part& part, int depth) {
+    const State bound = by_bounds(part);
+    not_transparent_ = not_transparent_ || bound == State::O;
+    not_opaque_ = not_opaque_ || bound == State::T;
+    if (bound != State::C) return;
+    for (std::size_t k = 0; k < 3; ++k) see(part.corners[k], part.alphas[k]);
+    see(centroid(part.corners), (part.alphas[0] + part.alphas[1] + part.alphas[2]) * fraction<Q>(1, 3));
+    if (depth == 0) undecided_ = true;
+    for (std::size_t quarter = 0; quarter < 4 && depth != 0 && !is_mixed(); ++quarter)
+      judge(quarter_of(part, quarter), depth - 1);
+  }
+  /// The quarter at a corner; number 3 is the one in the middle.
+  static Part quarter_of(const Part& part, std::size_t quarter) {
+    Part one = part;
+    const Q half = fraction<Q>(1, 2);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t from = quarter == 3 ? (k + 1) % 3 : k, to = quarter == 3 ? (k + 2) % 3 : quarter;
+      const TexturePoint<Q>&p = part.corners[from], &q = part.corners[to];
+      one.corners[k] = {(p.x + q.x) * half, (p.y + q.y) * half};
+      one.alphas[k] = (part.alphas[from] + part.alphas[to]) * half;
+    }
+    return one;
+  }
+
+  const TextureOf<Texel>& texture_;
+  const Mode mode_;
+  const Q margin_;
+  bool not_opaque_ = false, not_transparent_ = false, undecided_ = false;
+};
 
 /// f.operator()<Q>() over the first of these rationals that holds all numbers on the way.
 template <class F>
@@ -64,10 +147,7 @@ class ExactSurfaces::OfSurface {
  public:
   OfSurface(const scene::Image& image, const scene::Surface& surface, float margin)
       : surface_(surface), margin_(margin) {
-    if (image.bits() == 8)
-      texture_ = texture_of<std::uint8_t>(image, surface);
-    else
-      texture_ = texture_of<std::uint16_t>(image, surface);
+    std::visit([&](const auto& alpha) { texture_ = texture_of(image, alpha, surface); }, image.alpha);
   }
 
   template <class Q>
@@ -84,6 +164,33 @@ class ExactSurfaces::OfSurface {
               [&](const auto& mode) { return closed_state(t, polygon<Q>(t, uv, n, index), mode); });
         },
         texture_);
+  }
+
+  template <class Q>
+  Seen seen(const scene::PlannedTriangle& planned, Level n, std::uint32_t index) const {
+    return std::visit(
+        [&]<class Texel>(const TextureOf<Texel>& t) {
+          return in_mode<Q>([&]<class Mode>(const Mode& mode) {
+            using Varying = VaryingState<Q, Texel, Mode>;
+            return Varying(t, mode, number<Q>(bits(margin_)))
+                .seen(
+                    typename Varying::Part{micro_triangle(base<Q>(planned.uvs), n, index, t.width, t.height),
+                                           vertex_alphas<Q>(planned, n, index)});
+          });
+        },
+        texture_);
+  }
+
+  /// The vertex alphas at a micro-triangle's corners.
+  template <class Q>
+  static std::array<Q, 3> vertex_alphas(const scene::PlannedTriangle& planned, Level n, std::uint32_t index) {
+    std::array<Q, 3> base, at;
+    for (std::size_t k = 0; k < 3; ++k) base[k] = number<Q>(bits(planned.vertex_alpha[k]));
+    const auto corners = spec::index::corners(index, n);
+    for (std::size_t k = 0; k < 3; ++k)
+      at[k] = base[0] + fraction<Q>(corners[k].i, spec::side(n)) * (base[1] - base[0]) +
+              fraction<Q>(corners[k].j, spec::side(n)) * (base[2] - base[0]);
+    return at;
   }
 
   template <class Q>
@@ -138,12 +245,12 @@ class ExactSurfaces::OfSurface {
 
   scene::Surface surface_;
   float margin_;
-  std::variant<TextureOf<std::uint8_t>, TextureOf<std::uint16_t>> texture_;
+  std::variant<TextureOf<std::uint8_t>, TextureOf<std::uint16_t>, TextureOf<Binary32>> texture_;
 };
 
 bool ExactSurfaces::OfSurface::near_change(const scene::UvTriangle& uv, Level n, std::uint32_t index) const {
   return std::visit(
-      [&](const auto& t) {
+      [&]<class Texel>(const TextureOf<Texel>& t) {
         const double step = 1.0 / spec::side(n);
         double low_x = 1e300, high_x = -1e300, low_y = 1e300, high_y = -1e300;
         for (const spec::index::Vertex& v : spec::index::corners(index, n)) {
@@ -159,7 +266,7 @@ bool ExactSurfaces::OfSurface::near_change(const scene::UvTriangle& uv, Level n,
         const auto whole = [](double x) { return static_cast<std::int64_t>(std::floor(x)); };
         if (high_x - low_x > 64 || high_y - low_y > 64)
           return true;  // of so many texels hardly one side alone
-        const double most = std::is_same_v<decltype(t.alpha[0]), const std::uint8_t&> ? 255 : 65535;
+        const double most = stored_one<Texel>;
         const double limit =
             surface_.mode == scene::AlphaMode::mask
                 ? surface_.cutoff * most / (double{surface_.base_color_alpha} * surface_.vertex_alpha)
@@ -169,7 +276,7 @@ bool ExactSurfaces::OfSurface::near_change(const scene::UvTriangle& uv, Level n,
         for (std::int64_t j = whole(low_y - 1); j <= whole(high_y + 1); ++j)
           for (std::int64_t i = whole(low_x - 1); i <= whole(high_x + 1); ++i) {
             const auto x = wrapped(t.wrap_x, i, t.width), y = wrapped(t.wrap_y, j, t.height);
-            const auto alpha = t.alpha[*x + std::size_t{*y} * t.width];
+            const double alpha = stored_number(t.alpha[*x + std::size_t{*y} * t.width]);
             if (blend && alpha > 0 && alpha < most) return true;
             (alpha >= limit ? some : others) = true;
             if (some && others) return true;
@@ -189,9 +296,19 @@ const ExactSurfaces::OfSurface& ExactSurfaces::of(std::size_t triangle) const {
   return *surfaces_[plan_.triangles[triangle].surface];
 }
 
-State ExactSurfaces::state(std::size_t triangle, Level n, std::uint32_t index) const {
+std::optional<State> ExactSurfaces::state(std::size_t triangle, Level n, std::uint32_t index) const {
   const OfSurface& surface = of(triangle);
+  if (plan_.triangles[triangle].varies()) return seen(triangle, n, index).state;
   return in_few_bits([&]<class Q>() { return surface.state<Q>(plan_.triangles[triangle].uvs, n, index); });
+}
+
+Seen ExactSurfaces::seen(std::size_t triangle, Level n, std::uint32_t index) const {
+  return in_few_bits([&]<class Q>() { return of(triangle).seen<Q>(plan_.triangles[triangle], n, index); });
+}
+
+bool ExactSurfaces::denies(std::size_t triangle, Level n, std::uint32_t index, bool opaque) const {
+  const Seen places = seen(triangle, n, index);
+  return opaque ? places.not_opaque : places.not_transparent;
 }
 
 bool ExactSurfaces::rather_opaque(std::size_t triangle, Level n, std::uint32_t index) const {
@@ -211,6 +328,11 @@ std::string ExactSurfaces::text(std::size_t triangle, Level n, std::uint32_t ind
   const auto decimal = [](const spec::Rational& q) { return boost::rational_cast<double>(q); };
   const scene::Uv uv = surface.middle(planned.uvs, n, index);
   const auto [x, y] = surface.texel_at(uv);
+  if (planned.varies()) {
+    const auto alphas = OfSurface::vertex_alphas<spec::Rational>(planned, n, index);
+    const auto [least, greatest] = std::minmax({alphas[0], alphas[1], alphas[2]});
+    text << " times a vertex alpha of " << least << ".." << greatest;
+  }
   return text.str() + fmt::format(", {:.3f}..{:.3f}, at UV ({:.4f}, {:.4f}), texel ({}, {})",
                                   decimal(alpha.least), decimal(alpha.greatest), uv[0], uv[1], x, y);
 }

@@ -55,6 +55,7 @@ std::string fingerprint_of(const Data& data) {
     hash.number(data.plan.triangles[k].surface), hash.number(data.baked.triangles[k].level);
     hash.numbers(data.baked.triangles[k].states);
     for (const auto& uv : data.plan.triangles[k].uvs) hash.numbers(uv);
+    if (data.plan.triangles[k].varies()) hash.numbers(data.plan.triangles[k].vertex_alpha);
   }
   for (const auto& pair : data.pairs.distinct)
     for (const auto& use : {pair.lower, pair.upper}) hash.number(use.triangle), hash.numbers(use.order);

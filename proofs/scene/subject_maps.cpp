@@ -1,5 +1,6 @@
 #include "proofs/scene/subject_maps.hpp"
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <variant>
@@ -64,11 +65,11 @@ std::optional<bake::Case> SubjectMaps::case_without_texels(std::size_t triangle)
   if (std::uint64_t{image.width} * image.height * static_cast<unsigned>(image.bits() / 8) > most_bytes)
     return std::nullopt;
   const auto cutoff = fraction_of(surface.cutoff);
-  if (!cutoff) return std::nullopt;
+  if (!cutoff || planned.varies()) return std::nullopt;
   bake::Case one;
   one.width = image.width;
   one.height = image.height;
-  one.texel = image.bits() == 8 ? bake::Texel::unorm8 : bake::Texel::unorm16;
+  one.texel = static_cast<bake::Texel>(image.alpha.index());  // both: bytes, words, floats
   one.filter = filter_of(surface.sampler) == mmverify::scene::Filter::nearest ? bake::Filter::nearest
                                                                               : bake::Filter::bilinear;
   one.wrap_u = address_of(surface.sampler.wrap_u);
@@ -93,8 +94,16 @@ bool SubjectMaps::asks(std::size_t triangle) const {
 bake::Case SubjectMaps::case_of(std::size_t triangle) const {
   bake::Case one = case_without_texels(triangle).value();
   const Surface& surface = data_.plan.surfaces[data_.plan.triangles[triangle].surface];
-  std::visit([&](const auto& alpha) { one.alpha.assign(alpha.begin(), alpha.end()); },
-             data_.scene.images[surface.image].alpha);
+  one.alpha.clear();
+  std::visit(
+      [&]<class Texel>(const std::vector<Texel>& alpha) {
+        for (const Texel texel : alpha)
+          if constexpr (std::is_same_v<Texel, float>)
+            one.alpha.push_back(std::bit_cast<std::uint32_t>(texel));
+          else
+            one.alpha.push_back(texel);
+      },
+      data_.scene.images[surface.image].alpha);
   return one;
 }
 

@@ -41,7 +41,8 @@ Finding exact_region(const ExactSurfaces& exact, const mmverify::scene::Pair& pa
       if (i + j + turned >= side) continue;
       const std::uint32_t index =
           spec::index::curve(spec::index::grid_square<std::uint32_t>(i, j, turned != 0, side), side - 1);
-      const spec::bake::State truly = exact.state(use.triangle, n, in_planned_order(index, n, use.order));
+      const spec::bake::State truly = exact.state(use.triangle, n, in_planned_order(index, n, use.order))
+                                          .value();  // none of a pair varies
       marks |= truly == spec::bake::State::T ? 1u : truly == spec::bake::State::O ? 2u : 3u;
     }
   }

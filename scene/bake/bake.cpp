@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "scene/bake/surface_baker.hpp"
+#include "scene/bake/varying_alpha.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -40,20 +41,27 @@ void keep(BakedTriangle& baked, impl::micromap::Bytes map, bool two_state) {
   baked.map = std::move(two);
 }
 
+/// The bakers of the surfaces.  Errors: std::invalid_argument, which names the image.
+std::vector<impl::bake::TriangleBaker> bakers_of(const Scene& scene, const Plan& plan, float margin) {
+  std::vector<impl::bake::TriangleBaker> bakers;
+  for (const Surface& surface : plan.surfaces) {
+    try {
+      bakers.push_back(surface_baker(scene, surface, margin));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("bake: image " + name_of(scene, surface.image) + ": " + error.what());
+    }
+  }
+  return bakers;
+}
+
 }  // namespace
 
 Baked bake(const Scene& scene, const Plan& plan, std::span<const unsigned> levels,
            const BakeOptions& options) {
   if (levels.size() != plan.triangles.size())
     throw std::invalid_argument("bake: levels for another number of triangles");
-  std::vector<impl::bake::TriangleBaker> bakers;
-  for (const Surface& surface : plan.surfaces) {
-    try {
-      bakers.push_back(surface_baker(scene, surface, options.margin));
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("bake: image " + name_of(scene, surface.image) + ": " + error.what());
-    }
-  }
+  const std::vector<impl::bake::TriangleBaker> bakers = bakers_of(scene, plan, options.margin);
+  const VaryingAlphaBakers varying(scene, plan, options.margin);
   Baked all;
   all.triangles.resize(plan.triangles.size());
   std::vector<impl::bake::BakeCounts> counts(plan.triangles.size());
@@ -69,14 +77,19 @@ Baked bake(const Scene& scene, const Plan& plan, std::span<const unsigned> level
     const std::uint64_t count = impl::micromap::micro_triangles(baked.level);
     impl::micromap::Bytes map(impl::micromap::packed_bytes(count, Format::four_state));
     const auto& uv = planned.uvs;
+    baked.by_bounds = planned.varies();
     try {
-      counts[number] = bakers[planned.surface].bake(
-          {{{uv[0][0], uv[0][1]}, {uv[1][0], uv[1][1]}, {uv[2][0], uv[2][1]}}}, baked.level, map);
+      if (baked.by_bounds)
+        varying.bake(planned, baked.level, map);
+      else
+        counts[number] = bakers[planned.surface].bake(
+            {{{uv[0][0], uv[0][1]}, {uv[1][0], uv[1][1]}, {uv[2][0], uv[2][1]}}}, baked.level, map);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(error.what() + std::string(": UVs (") + std::to_string(uv[0][0]) + ", " +
                                   std::to_string(uv[0][1]) + ") on image " +
                                   name_of(scene, plan.surfaces[planned.surface].image));
     }
+    counts[number].micro_triangles = count;
     keep(baked, std::move(map), options.two_state);
     if (options.done) options.done(count);
   };

@@ -19,6 +19,8 @@ struct BakedTriangle {
   impl::micromap::StateCounts states{};          ///< micro-triangles by 4-state code
   std::optional<impl::micromap::State> uniform;  ///< the state of all micro-triangles; then there is no map
   MapBytes map;                                  ///< packed
+  /// Whether vertex alpha varies over it: states are those of bounds, and unknown ones may be needless.
+  bool by_bounds = false;
 };
 
 struct Baked {

@@ -63,6 +63,14 @@ struct Range {
   }
 };
 
+constexpr const char* compressions[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
+
+/// The object that has a compressed view's code; an empty one of a plain view.
+const Json& code_of(const Json& view) {
+  const Json& first = extension(view, compressions[0]);
+  return first.empty() ? extension(view, compressions[1]) : first;
+}
+
 /// The range of an object with a buffer, an offset and a length: a bufferView, or one of its extensions.
 Range range_of(const Json& object) {
   const auto number = [&](const char* name) {
@@ -121,10 +129,14 @@ EditedFile::EditedFile(const std::string& file)
 
 std::span<const unsigned char> EditedFile::view(std::size_t number) const {
   const Json& view = json.at("bufferViews").at(number);
-  for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
-    if (!extension(view, name).empty())
-      throw BadScene(file_, place("bufferView", number),
-                     std::string(name) + " compresses it; repair rewrites plain views only");
+  if (is_compressed(number)) {
+    if (!decoded_.contains(number)) {
+      const Buffers buffers(document_);
+      const auto bytes = buffers.view(number);
+      decoded_[number].assign(bytes.begin(), bytes.end());
+    }
+    return decoded_[number];
+  }
   const Bytes& buffer = buffers_.at(view.at("buffer").get<std::size_t>());
   const auto offset = offset_of(view), size = view.at("byteLength").get<std::uint64_t>();
   if (offset > buffer.size() || size > buffer.size() - offset)
@@ -132,13 +144,19 @@ std::span<const unsigned char> EditedFile::view(std::size_t number) const {
   return std::span(buffer).subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
 }
 
+bool EditedFile::is_compressed(std::size_t view) const {
+  return !code_of(json.at("bufferViews").at(view)).empty();
+}
+
 std::size_t EditedFile::buffer_of(std::size_t view) const {
-  return json.at("bufferViews").at(view).at("buffer").get<std::size_t>();
+  const Json& given = json.at("bufferViews").at(view);
+  const Json& code = code_of(given);
+  return (code.empty() ? given : code).at("buffer").get<std::size_t>();
 }
 
 bool EditedFile::is_alone(std::size_t number, std::uint64_t offset, std::uint64_t size) const {
   const Json& views = json.at("bufferViews");
-  const Range range{buffer_of(number), offset_of(views.at(number)) + offset, size};
+  const Range range{range_of(views.at(number)).buffer, offset_of(views.at(number)) + offset, size};
   std::size_t readers = 0;
   for (std::size_t v = 0; v < views.size(); ++v)
     if (range.overlaps(range_of(views[v]))) readers += readers_of(json, v, range);
@@ -155,6 +173,11 @@ void EditedFile::overwrite(std::size_t number, std::uint64_t offset, std::span<c
   if (const auto all = view(number); offset > all.size() || bytes.size() > all.size() - offset)
     throw BadScene(file_, place("bufferView", number), "the bytes to be rewritten reach beyond it");
   const Json& view = json.at("bufferViews").at(number);
+  if (is_compressed(number)) {
+    Bytes all = decoded_.at(number);
+    std::copy(bytes.begin(), bytes.end(), all.begin() + static_cast<std::ptrdiff_t>(offset));
+    return all == decoded_.at(number) ? void() : store_plain(number, all);
+  }
   const std::size_t buffer = buffer_of(number);
   const auto at = buffers_[buffer].begin() + static_cast<std::ptrdiff_t>(offset_of(view) + offset);
   if (std::equal(bytes.begin(), bytes.end(), at)) return;
@@ -172,8 +195,19 @@ std::uint64_t EditedFile::append(std::size_t number, std::span<const unsigned ch
   return at;
 }
 
+void EditedFile::store_plain(std::size_t number, std::span<const unsigned char> bytes) {
+  const std::size_t buffer = buffer_of(number);
+  Json& view = json.at("bufferViews").at(number);
+  view["buffer"] = buffer;
+  view["byteOffset"] = append(buffer, bytes);
+  view["byteLength"] = bytes.size();
+  for (const char* name : compressions) view["extensions"].erase(name);
+  if (view["extensions"].empty()) view.erase("extensions");  // glTF has no empty objects
+}
+
 void EditedFile::replace(std::size_t number, std::span<const unsigned char> bytes) {
   Json& view = json.at("bufferViews").at(number);
+  if (is_compressed(number)) return store_plain(number, bytes);
   const auto size = view.at("byteLength").get<std::size_t>();
   if (size == bytes.size()) return overwrite(number, 0, bytes);
   if (Bytes& buffer = buffers_.at(buffer_of(number)); offset_of(view) + size == buffer.size()) {

@@ -26,22 +26,27 @@ class EditedFile {
   /// The document's JSON; whatever is changed in it is changed in the file.
   nlohmann::json json;
 
-  /// The current bytes of a bufferView.  Errors: BadScene if they lie outside their buffer.
+  /// The current bytes of a bufferView, decoded where they are compressed.
+  /// Errors: BadScene if they lie outside their buffer, or cannot be decoded.
   std::span<const unsigned char> view(std::size_t view) const;
 
   /// Whether at most one accessor, image, micromap or extension reads the bytes [offset, offset + size) of a bufferView.
   bool is_alone(std::size_t view, std::uint64_t offset, std::uint64_t size) const;
 
-  /// Puts bytes over those of a bufferView, from `offset` on.  Domain: within the view, and is_alone().
+  /// Puts bytes over those of a bufferView, from `offset` on.  A compressed view becomes a plain one, at the end of the
+  /// buffer that has its code.  Domain: within the view, and is_alone().
   void overwrite(std::size_t view, std::uint64_t offset, std::span<const unsigned char> bytes);
 
   /// Gives a bufferView other bytes: in place where they are as many, or the view ends its buffer; else at its buffer's
-  /// end.  Domain: a view that is_alone().
+  /// end, as those of a compressed view.  Domain: a view that is_alone().
   void replace(std::size_t view, std::span<const unsigned char> bytes);
 
   /// Appends bytes to a buffer, at a multiple of 4, as a new bufferView; its number.
   std::size_t add_view(std::size_t buffer, std::span<const unsigned char> bytes);
 
+  bool is_compressed(std::size_t view) const;
+
+  /// The buffer that has a view's bytes, or their code.
   std::size_t buffer_of(std::size_t view) const;
 
   /// The bufferViews to which nothing refers.
@@ -65,12 +70,15 @@ class EditedFile {
   /// Appends bytes to a buffer; their offset.
   std::uint64_t append(std::size_t buffer, std::span<const unsigned char> bytes);
   std::string json_text(const nlohmann::json& changed) const;
+  /// Stores a compressed view plain, with these bytes.
+  void store_plain(std::size_t view, std::span<const unsigned char> bytes);
 
   std::string file_;
   Bytes original_;
   Document document_;
   std::vector<Bytes> buffers_;
-  std::set<std::size_t> changed_;  ///< numbers of buffers
+  mutable std::map<std::size_t, Bytes> decoded_;  ///< compressed views that were asked for
+  std::set<std::size_t> changed_;                 ///< numbers of buffers
 };
 
 }  // namespace mmverify::scene

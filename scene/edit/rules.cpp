@@ -171,10 +171,14 @@ class Rules {
   }
 
   std::string cut_records(const std::string& pointer) {
-    Json& view = json_.at("bufferViews").at(json_.at(Json::json_pointer(pointer)).get<std::size_t>());
-    const auto size = view.at("byteLength").get<std::uint64_t>();
-    if (size < micromap::record_bytes) return "";
-    view["byteLength"] = size / micromap::record_bytes * micromap::record_bytes;
+    const auto view = json_.at(Json::json_pointer(pointer)).get<std::size_t>();
+    const auto bytes = file_.view(view);
+    if (bytes.size() < micromap::record_bytes) return "";
+    const std::size_t size = bytes.size() / micromap::record_bytes * micromap::record_bytes;
+    if (file_.is_compressed(view))
+      file_.replace(view, Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)));
+    else
+      json_.at("bufferViews").at(view)["byteLength"] = size;
     return "cut what is behind the last record";
   }
 

@@ -163,8 +163,11 @@ class Canvas {
     const std::size_t at = along(uv[0], image_.width, sampler_.wrap_u) +
                            std::size_t{image_.width} * along(uv[1], image_.height, sampler_.wrap_v);
     return std::visit(
-        [at](const auto& alpha) {
-          return static_cast<std::uint8_t>(sizeof alpha[0] == 1 ? alpha[at] : alpha[at] >> 8);
+        [at]<class Texel>(const std::vector<Texel>& alpha) {
+          if constexpr (std::is_same_v<Texel, float>)
+            return static_cast<std::uint8_t>(std::clamp(alpha[at], 0.0f, 1.0f) * 255);
+          else
+            return static_cast<std::uint8_t>(alpha[at] >> 8 * (sizeof(Texel) - 1));
         },
         image_.alpha);
   }

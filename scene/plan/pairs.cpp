@@ -114,6 +114,10 @@ Pairs pairs(const Scene& scene, const Plan& plan) {
                                                 std::size_t above, const VertexOrder& above_order) {
       const TriangleUse lower = reordered(planned.triangles[below], below_order),
                         upper = reordered(planned.triangles[above], above_order);
+      if (plan.triangles[lower.triangle].varies() || plan.triangles[upper.triangle].varies()) {
+        all.unpaired += 2;  // bounds do not tell what is C
+        return;
+      }
       const auto [entry, is_new] =
           known.try_emplace({lower.triangle, lower.order, upper.triangle, upper.order}, all.distinct.size());
       if (is_new) all.distinct.push_back({lower, upper, 0, 0});

@@ -20,6 +20,10 @@ bool same_alpha(const Material& a, const Material& b) {
          a.specular_glossiness == b.specular_glossiness && same_texture(a.texture, b.texture);
 }
 
+bool varies(const Primitive& primitive) {
+  return primitive.vertex_alpha && primitive.vertex_alpha->least != primitive.vertex_alpha->greatest;
+}
+
 bool any_placed(const Scene& scene) {
   return std::any_of(scene.meshes.begin(), scene.meshes.end(),
                      [](const Mesh& mesh) { return mesh.uses != 0; });
@@ -43,8 +47,7 @@ std::optional<LeftOut> left_out(const Scene& scene, const Primitive& primitive, 
   if (!material.texture->image) return LeftOut::no_image;
   if (primitive.uvs.empty()) return LeftOut::no_uvs;
   if (primitive.morphs_uvs) return LeftOut::morphed_uvs;
-  if (primitive.vertex_alpha && (primitive.vertex_alpha->least != primitive.vertex_alpha->greatest ||
-                                 primitive.vertex_alpha->least < 0 || primitive.vertex_alpha->least > 1))
+  if (primitive.vertex_alpha && (primitive.vertex_alpha->least < 0 || primitive.vertex_alpha->greatest > 1))
     return LeftOut::vertex_alpha;
   const Sampler& sampler = material.texture->sampler;
   if (sampler.magnification && sampler.minification && sampler.magnification != sampler.minification)
@@ -63,19 +66,22 @@ Surface surface_of(const Material& material, const Primitive& primitive) {
   surface.mode = material.mode;
   if (material.mode == AlphaMode::mask) surface.cutoff = material.cutoff;
   surface.base_color_alpha = material.base_color_alpha;
-  if (primitive.vertex_alpha) surface.vertex_alpha = primitive.vertex_alpha->least;
+  if (primitive.vertex_alpha && !varies(primitive)) surface.vertex_alpha = primitive.vertex_alpha->least;
   return surface;
 }
 
 class Planner {
  public:
-  Planner(const Scene& scene, unsigned level_limit) : scene_(scene), level_limit_(level_limit) {}
+  Planner(const Scene& scene, unsigned level_limit, VaryingAlpha varying)
+      : scene_(scene), level_limit_(level_limit), varying_(varying) {}
 
   Plan planned() {
     const bool all_unplaced = !any_placed(scene_);
     for (std::size_t k = 0; k < scene_.primitives.size(); ++k)
       if (const auto why = left_out(scene_, scene_.primitives[k], all_unplaced))
         plan_.left_out.push_back({k, *why});
+      else if (varying_ == VaryingAlpha::left_out && varies(scene_.primitives[k]))
+        plan_.left_out.push_back({k, LeftOut::varying_alpha});
       else
         add(k);
     return std::move(plan_);
@@ -102,11 +108,12 @@ class Planner {
     for (const Triangle& triangle : primitive.triangles) {
       const UvTriangle uvs{primitive.uvs[triangle[0]], primitive.uvs[triangle[1]],
                            primitive.uvs[triangle[2]]};
-      const auto found = duplicates_.add(planned.surface, uvs, periods(surface.sampler));
+      const CornerAlphas alphas = corner_alphas(primitive, triangle);
+      const auto found = duplicates_.add(planned.surface, uvs, periods(surface.sampler), alphas);
       if (found.is_new) {
         const TexelTriangle texels = in_texels(uvs, image.width, image.height);
         plan_.triangles.push_back(
-            {planned.surface, uvs, texels, uv_shape(uvs), useful_level(texels, level_limit_), 0, 0});
+            {planned.surface, uvs, alphas, texels, uv_shape(uvs), useful_level(texels, level_limit_), 0, 0});
       }
       PlannedTriangle& distinct = plan_.triangles[found.number];
       distinct.unique += 1;
@@ -118,6 +125,7 @@ class Planner {
 
   const Scene& scene_;
   unsigned level_limit_;
+  VaryingAlpha varying_;
   UvDuplicates duplicates_;
   Plan plan_;
 };
@@ -148,12 +156,15 @@ std::string_view sentence(LeftOut why) {
     case LeftOut::morphed_uvs:
       return "a morph target moves its UVs or vertex colours at run time: a stored micromap would be stale";
     case LeftOut::vertex_alpha:
-      return "vertex colours of varying alpha, or of alpha beyond 0..1, multiply the texture's: the texture "
-             "alone does not decide";
+      return "vertex colours of an alpha beyond 0..1 multiply the texture's: renderers differ in what they "
+             "make "
+             "of it";
     case LeftOut::two_filters:
       return "its sampler magnifies by one filter and minifies by another: one map would be wrong for either";
     case LeftOut::far_uvs:
       return "UVs of 2^20 or more: float32 has no texels left there";
+    case LeftOut::varying_alpha:
+      return "vertex colours of varying alpha multiply the texture's: only bounds of alpha are known";
   }
   return "";
 }
@@ -162,7 +173,15 @@ Filter filter_of(const Sampler& sampler) {
   return sampler.magnification.value_or(sampler.minification.value_or(Filter::linear));
 }
 
-Plan plan(const Scene& scene, unsigned level_limit) { return Planner(scene, level_limit).planned(); }
+CornerAlphas corner_alphas(const Primitive& primitive, const Triangle& triangle) {
+  if (!varies(primitive)) return one_alpha;
+  const std::vector<float>& of = primitive.vertex_alpha->of_vertices;
+  return {of.at(triangle[0]), of.at(triangle[1]), of.at(triangle[2])};
+}
+
+Plan plan(const Scene& scene, unsigned level_limit, VaryingAlpha varying) {
+  return Planner(scene, level_limit, varying).planned();
+}
 
 PlanCounts counts(const Plan& plan) {
   PlanCounts c;
@@ -171,6 +190,7 @@ PlanCounts counts(const Plan& plan) {
     c.placed += t.placed;
     c.lines += t.shape == UvShape::line;
     c.points += t.shape == UvShape::point;
+    c.varying += t.varies() ? t.unique : 0;
     c.limited += t.level.limited;
     if (t.level.limited) c.limit = t.level.level;
   }

@@ -27,6 +27,7 @@ enum class LeftOut : std::uint8_t {
   vertex_alpha,
   two_filters,
   far_uvs,
+  varying_alpha,
 };
 
 /// The one filter of a texture: that of magnification, else of minification; linear if the file names
@@ -43,7 +44,8 @@ struct Surface {
   Sampler sampler;
   AlphaMode mode = AlphaMode::mask;
   float cutoff = 0.5f;  ///< for MASK; 0.5 and unused for BLEND
-  float base_color_alpha = 1, vertex_alpha = 1;
+  float base_color_alpha = 1;
+  float vertex_alpha = 1;  ///< that of all vertices; 1 if it varies
   bool operator==(const Surface&) const = default;
 };
 
@@ -51,10 +53,14 @@ struct Surface {
 struct PlannedTriangle {
   std::uint32_t surface = 0;  ///< number in Plan::surfaces
   UvTriangle uvs;
+  CornerAlphas vertex_alpha = one_alpha;  ///< factors besides the surface's, linear between the corners
   TexelTriangle texels;
   UvShape shape = UvShape::area;
   UsefulLevel level;
   std::uint64_t unique = 0, placed = 0;  ///< triangles that it stands for, itself included
+
+  /// Whether alpha is a product of two functions of the place, of which bounds alone are known.
+  bool varies() const { return vertex_alpha != one_alpha; }
 };
 
 /// One triangle of a primitive.
@@ -81,20 +87,28 @@ struct Plan {
   std::vector<LeftOutPrimitive> left_out;
 };
 
+/// The alphas of a triangle's vertices, if the primitive's vary; else 1, and the surface has them.
+CornerAlphas corner_alphas(const Primitive& primitive, const Triangle& triangle);
+
 /// The counts of a plan's triangles.
 struct PlanCounts {
   std::uint64_t unique = 0, placed = 0;  ///< triangles that the planned ones stand for
   std::uint64_t reordered = 0;           ///< triangles among these with another order of vertices
   std::uint64_t lines = 0, points = 0;   ///< distinct triangles whose UVs have no area
+  std::uint64_t varying = 0;             ///< triangles whose vertex alpha varies
   std::uint64_t limited = 0;             ///< distinct triangles whose highest useful level is above the limit
   unsigned limit = 0;                    ///< that limit, if there are any
 };
 PlanCounts counts(const Plan& plan);
 
+/// The treatment of primitives whose vertex alpha varies: bounds of the product tell their states.
+enum class VaryingAlpha : std::uint8_t { left_out, planned };
+
 /// A plan has each primitive of the scene in one of its last two lists, in the scene's order.
 /// `level_limit` is the device's (maxOpacity4StateSubdivisionLevel); finest_level holds besides.
 /// Domain: a scene of load(), or one with valid indices and finite UVs.
 /// Errors: std::invalid_argument if an image that is needed is not decoded.
-Plan plan(const Scene& scene, unsigned level_limit = finest_level);
+Plan plan(const Scene& scene, unsigned level_limit = finest_level,
+          VaryingAlpha varying = VaryingAlpha::left_out);
 
 }  // namespace mmverify::scene

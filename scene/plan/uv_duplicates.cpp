@@ -36,24 +36,26 @@ Periods periods(const Sampler& sampler) {
 std::size_t UvDuplicates::Hash::operator()(const Key& key) const {
   std::uint64_t hash = key.surface;
   // The multiplier of Fibonacci hashing: odd, with random bits.
-  for (const Uv& corner : key.corners)
+  for (const Corner& corner : key.corners)
     for (const float x : corner)
       hash = (std::rotl(hash, 23) ^ std::bit_cast<std::uint32_t>(x)) * 0x9E3779B97F4A7C15u;
   return static_cast<std::size_t>(hash ^ hash >> 32);
 }
 
-UvDuplicates::Match UvDuplicates::add(std::uint32_t surface, const UvTriangle& given,
-                                      const Periods& periods) {
+UvDuplicates::Match UvDuplicates::add(std::uint32_t surface, const UvTriangle& given, const Periods& periods,
+                                      const CornerAlphas& alphas) {
   UvTriangle uvs = given;
   for (Uv& corner : uvs)
     for (float& x : corner) x += 0.0f;  // -0 + 0 is +0, so that equal floats hash alike
   for (std::size_t axis = 0; axis < 2; ++axis) shift(uvs, axis, periods[axis]);
-  Key key{surface, uvs};
+  Corners corners;
+  for (std::size_t k = 0; k < 3; ++k) corners[k] = {uvs[k][0], uvs[k][1], alphas[k] + 0.0f};
+  Key key{surface, corners};
   std::sort(key.corners.begin(), key.corners.end());
-  const auto [entry, is_new] = distinct_.try_emplace(key, First{distinct_.size(), uvs});
-  const UvTriangle& first = entry->second.uvs;
+  const auto [entry, is_new] = distinct_.try_emplace(key, First{distinct_.size(), corners});
+  const Corners& first = entry->second.corners;
   VertexOrder order{0, 1, 2};
-  while (uvs[0] != first[order[0]] || uvs[1] != first[order[1]] || uvs[2] != first[order[2]])
+  while (corners[0] != first[order[0]] || corners[1] != first[order[1]] || corners[2] != first[order[2]])
     std::next_permutation(order.begin(), order.end());
   return {entry->second.number, order, is_new};
 }

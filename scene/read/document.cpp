@@ -1,5 +1,8 @@
 #include "scene/read/document.hpp"
 
+#include <algorithm>
+#include <string_view>
+
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/check_json.hpp"
 #include "scene/read/json_fault.hpp"
@@ -9,6 +12,16 @@ namespace mmverify::scene {
 namespace {
 
 using Json = nlohmann::json;
+
+/// Whether a text is two whole numbers with a point between.  Source: glTF 2.0, asset.schema.json.
+bool is_version(const std::string& text) {
+  const auto is_number = [](std::string_view part) {
+    return !part.empty() &&
+           std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+  };
+  const std::size_t point = std::min(text.find('.'), text.size());
+  return is_number(text.substr(0, point)) && point < text.size() && is_number(text.substr(point + 1));
+}
 
 /// Refuses a glTF that says it needs another version than 2.0.  A file of a later minor version may be read
 /// as 2.0 unless it asks for more.  Source: glTF 2.0, 3.2.
@@ -20,6 +33,8 @@ void check_version(const Json& json, const std::string& file) {
     throw UnreadVersion(
         file, "/asset/minVersion",
         "the file needs glTF " + shown(needs->get_ref<const std::string&>()) + "; 2.0 is read here");
+  if (!is_version(version))
+    throw BadScene(file, "/asset/version", "'" + shown(version) + "' is no version; write 2.0");
   if (!version.starts_with("2."))
     throw UnreadVersion(file, "/asset/version", "glTF " + shown(version) + "; only 2.x is read");
 }

@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_picture(const fs::path& path) {
-  constexpr std::string_view endings[] = {".png", ".jpg", ".jpeg", ".webp", ".avif", ".dds", ".ktx2", ".tga"};
+  constexpr std::string_view endings[] = {".png", ".jpg",  ".jpeg", ".webp", ".avif",
+                                          ".dds", ".ktx2", ".tga",  ".exr"};
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -102,7 +103,7 @@ Scene load_textures(const std::string& folder) {
   const std::string over = passed_over.empty() ? "" : "passed over: " + passed_over.text();
   if (scene.images.empty())
     throw BadScene(folder, "the folder",
-                   "no .png, .jpg, .jpeg, .webp, .avif, .dds, .ktx2 or .tga that is read is in it" +
+                   "no .png, .jpg, .jpeg, .webp, .avif, .dds, .ktx2, .tga or .exr that is read is in it" +
                        (over.empty() ? "" : "; " + over) +
                        (scene_file.empty() ? "" : "; a scene is named by its file: " + scene_file));
   if (!over.empty()) scene.notes.push_back(over);

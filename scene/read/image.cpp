@@ -9,6 +9,7 @@
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/dds.hpp"
 #include "scene/read/ktx2/ktx2.hpp"
+#include "scene/read/openexr.hpp"
 #include "scene/read/picture_kind.hpp"
 #include "scene/read/png.hpp"
 #include "scene/read/rgba_image.hpp"
@@ -111,7 +112,8 @@ void decode(ImageBytes bytes, const std::string& file, const std::string& place,
     case PictureKind::ktx2:
       return taken(decode_ktx2(bytes, file, place));
     case PictureKind::unknown:
-      throw BadScene(file, place, "no picture that is read here: PNG, JPEG, WebP, AVIF, DDS, KTX2 or TGA");
+      throw BadScene(file, place,
+                     "no picture that is read here: PNG, JPEG, WebP, AVIF, DDS, KTX2, TGA or OpenEXR");
     default:
       throw UnreadExtension(
           file, place, why_unread(bytes, PictureUse::colour).value_or("a picture that is not read here"));
@@ -132,6 +134,7 @@ void decode_alpha(ImageBytes bytes, Image& image, const std::string& file, const
   const PictureKind kind = picture_kind(bytes);
   if (kind == PictureKind::dds) return decode_dds_alpha(bytes, image, file, place);
   if (kind == PictureKind::ktx2) return decode_ktx2_alpha(bytes, image, file, place);
+  if (kind == PictureKind::openexr) return decode_openexr_alpha(bytes, image, file, place);
   decode(bytes, file, place, Depth::own,
          [&image](const auto* rgba, std::uint32_t width, std::uint32_t height) {
            image.width = width;

@@ -18,7 +18,7 @@ void check_sides(std::uint64_t width, std::uint64_t height, const char* kind, co
                  const std::string& place);
 
 /// Decodes the picture's alpha into `image`: 16 bits if it is a PNG of 16 bits, an AVIF of more than 8 or a
-/// DDS or KTX2 of BC3, else 8, with a PNG's palettes and colour keys (tRNS).  A picture without alpha, such as a JPEG,
+/// DDS or KTX2 of BC3, floats of an OpenEXR, a KTX2's numbers as they are, else 8, with a PNG's palettes and colour keys (tRNS).  A picture without alpha, such as a JPEG,
 /// is opaque.
 /// Errors: BadScene if it is no picture that is read, damaged or cut off, or a side is 0 or above longest_side;
 /// UnreadExtension for a kind that this program, or this build, does not read.
@@ -35,7 +35,7 @@ struct ColourImage {
 };
 
 /// Decodes all four channels: for a PNG of 16 bits, the upper 8 of each.  Errors: as above;
-/// UnreadExtension for a DDS, and for a KTX2 of BC1 to BC7 or with premultiplied alpha.
+/// UnreadExtension for a DDS, an OpenEXR, and for a KTX2 of BC1 to BC7 or with premultiplied alpha.
 void decode_colour(std::span<const unsigned char> bytes, ColourImage& image, const std::string& file,
                    const std::string& place);
 

@@ -60,7 +60,12 @@ std::optional<std::string> why_unread(std::span<const unsigned char> bytes, Pict
     case PictureKind::ktx2:
       return why_unread_ktx2(bytes, use);
     case PictureKind::openexr:
-      return "OpenEXR is not read here";
+      if (use == PictureUse::colour) return "the colours of an OpenEXR are not read here";
+#ifdef MMVERIFY_HAS_OPENEXR
+      return std::nullopt;
+#else
+      return "this program was built without OpenEXR (Debian: libopenexr-dev)";
+#endif
     default:
       return std::nullopt;
   }

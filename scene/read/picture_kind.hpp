@@ -15,10 +15,10 @@ PictureKind picture_kind(std::span<const unsigned char> bytes);
 
 const char* name_of(PictureKind kind) noexcept;
 
-/// The part of a picture that is read; a DDS, or a KTX2 of BC1 to BC7, has its alpha read alone.
+/// The part of a picture that is read; a DDS, an OpenEXR, or a KTX2 of BC1 to BC7, has its alpha read alone.
 enum class PictureUse : std::uint8_t { alpha, colour };
 
-/// Why a picture is not read, whatever its bytes are otherwise: "OpenEXR is not read here".  None if it is read,
+/// Why a picture is not read, whatever its bytes are otherwise: "an animated WebP is not read here".  None if it is read,
 /// or refused as damaged.
 std::optional<std::string> why_unread(std::span<const unsigned char> bytes, PictureUse use);
 

@@ -158,6 +158,8 @@ class PrimitiveReader {
         alpha.least = std::min(alpha.least, values[4 * vertex + 3]);
         alpha.greatest = std::max(alpha.greatest, values[4 * vertex + 3]);
       }
+    if (alpha.least != alpha.greatest)
+      for (std::size_t k = 3; k < values.size(); k += 4) alpha.of_vertices.push_back(values[k]);
     return alpha;
   }
 

@@ -45,9 +45,20 @@ std::string texture_hash(const Image& image) {
   hash.add(image.height);
   std::visit(
       [&hash](const auto& alpha) {
-        for (const auto texel : alpha) hash.add(std::uint32_t{texel});
+        for (const auto texel : alpha)
+          if constexpr (std::is_same_v<decltype(texel), const float>)
+            hash.add(texel);
+          else
+            hash.add(std::uint32_t{texel});
       },
       image.alpha);
+  return hash.text();
+}
+
+/// The alphas of all vertices.
+std::string alphas_hash(const std::vector<float>& alphas) {
+  RecordHash hash;
+  for (const float alpha : alphas) hash.add(alpha);
   return hash.text();
 }
 
@@ -89,6 +100,9 @@ std::vector<Input> inputs_now(const Scene& scene, const Primitive& primitive) {
   if (material.mode == AlphaMode::mask) all.push_back({"alphaCutoff", "cutoff", decimal(material.cutoff)});
   all.push_back({"alpha", "the alpha of baseColorFactor", decimal(material.base_color_alpha)});
   all.push_back({"vertexAlpha", "the alpha of COLOR_0", decimal(vertex_alpha)});
+  if (primitive.vertex_alpha && !primitive.vertex_alpha->of_vertices.empty())
+    all.push_back(
+        {"vertexAlphas", "the alphas of COLOR_0", alphas_hash(primitive.vertex_alpha->of_vertices), true});
   all.push_back({"sampler", "the sampler", sampler_text(texture.sampler)});
   all.push_back({"texCoord", "texCoord", texture.uv_set});
   all.push_back({"transform", "KHR_texture_transform",
@@ -109,16 +123,21 @@ std::string bake_record(const Scene& scene, const Primitive& primitive, const Ba
   return record.dump();
 }
 
+std::string why_unbakeable(const Scene& scene, const Primitive& primitive) {
+  const Material& material = scene.material_of(primitive);
+  if (material.mode == AlphaMode::opaque) return "alphaMode is OPAQUE now";
+  if (!material.texture || !material.texture->image || primitive.uvs.empty() ||
+      !scene.images.at(*material.texture->image).decoded())
+    return "the alpha texture, or its UVs, are gone";
+  return "";
+}
+
 std::vector<std::string> changes_since(std::string_view record, const Scene& scene,
                                        const Primitive& primitive) {
   const RecordJson then = RecordJson::parse(record, nullptr, false);
   if (!then.is_object()) throw std::invalid_argument("a record of a bake is a JSON object");
   if (then.value("version", RecordJson()) != record_version) return {};
-  const Material& material = scene.material_of(primitive);
-  if (material.mode == AlphaMode::opaque) return {"alphaMode is OPAQUE now"};
-  if (!material.texture || !material.texture->image || primitive.uvs.empty() ||
-      !scene.images.at(*material.texture->image).decoded())
-    return {"the alpha texture, or its UVs, are gone"};
+  if (std::string why = why_unbakeable(scene, primitive); !why.empty()) return {std::move(why)};
   std::vector<std::string> changes;
   bool sampled_elsewhere = false;
   for (const Input& now : inputs_now(scene, primitive)) {

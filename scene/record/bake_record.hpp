@@ -23,6 +23,10 @@ inline constexpr const char* bake_record_name = "mmverify_bake";
 /// Domain: a primitive of a plan of this scene.
 std::string bake_record(const Scene& scene, const Primitive& primitive, const BakeSettings& settings);
 
+/// Why no micromap can be baked for a primitive any more: "alphaMode is OPAQUE now".  Empty if one can, as far as a record
+/// tells.
+std::string why_unbakeable(const Scene& scene, const Primitive& primitive);
+
 /// The inputs that have changed since: "cutoff was 0.5, is 0.75".  Empty if none has, or for a record of another version.
 /// A member that the record lacks is not compared.
 /// Errors: std::invalid_argument if `record` is no JSON object.

@@ -140,7 +140,7 @@ class Sample {
 
     Json withered = file_.primitive(fallen(), leaf_);
     withered["attributes"]["COLOR_0"] = file_.add_vectors(std::vector<std::array<float, 4>>{
-        {1, 1, 1, 1}, {1, 0.9f, 0.7f, 1}, {1, 0.8f, 0.5f, 0.5f}, {1, 0.8f, 0.5f, 0.5f}});
+        {1, 1, 1, 1}, {1, 0.9f, 0.7f, 1}, {1, 0.8f, 0.5f, 1.5f}, {1, 0.8f, 0.5f, 1.5f}});
     file_.place(mesh("withered leaf", Json::array({std::move(withered)})), "withered leaf", {0.3f, 0, 1.2f});
 
     Json turning = file_.primitive(fallen(), leaf_);

@@ -63,7 +63,8 @@ StoredArray array_of(const Build& in) {
 /// A collector of the stored maps of primitives.
 class Collector {
  public:
-  explicit Collector(const Scene& scene) : scene_(scene), planned_(plan(scene)) {
+  explicit Collector(const Scene& scene)
+      : scene_(scene), planned_(plan(scene, finest_level, VaryingAlpha::planned)) {
     all_.plan.surfaces = planned_.surfaces;
   }
 
@@ -95,6 +96,7 @@ class Collector {
       triangle.surface = planned->surface;
       for (std::size_t vertex = 0; vertex < 3; ++vertex)
         triangle.uvs[vertex] = given.uvs.at(given.triangles[static_cast<std::size_t>(t)][vertex]);
+      triangle.vertex_alpha = corner_alphas(given, given.triangles[static_cast<std::size_t>(t)]);
       add(link, triangle, special);
     }
   }
@@ -108,7 +110,8 @@ class Collector {
 
   void add(MapLink link, const PlannedTriangle& triangle, const std::optional<micromap::State>& special) {
     const UvDuplicates::Match same =
-        uvs_.add(triangle.surface, triangle.uvs, periods(all_.plan.surfaces[triangle.surface].sampler));
+        uvs_.add(triangle.surface, triangle.uvs, periods(all_.plan.surfaces[triangle.surface].sampler),
+                 triangle.vertex_alpha);
     const Key key{link.primitive,
                   same.number,
                   same.order,
@@ -122,6 +125,7 @@ class Collector {
       all_.first.push_back(all_.links.size() - 1);
       all_.plan.triangles.push_back(triangle);
       all_.baked.triangles.push_back(special ? uniform(*special) : map_of(link.array, *link.record));
+      all_.baked.triangles.back().by_bounds = triangle.varies();
     }
     PlannedTriangle& stands = all_.plan.triangles[at->second];
     stands.placed = ++stands.unique;
@@ -159,6 +163,33 @@ BakedTriangle stored_map(const StoredArray& array, std::uint64_t number) {
   t.map = MapBytes(array, std::span(array->data).subspan(record.offset, bytes));
   t.states = micromap::count_states(t.map, t.format, count);
   return t;
+}
+
+StoredMaps without_varying_alpha(const StoredMaps& maps) {
+  StoredMaps some = maps;
+  some.plan.triangles.clear();
+  some.baked.triangles.clear();
+  some.links.clear();
+  some.first.clear();
+  std::map<std::size_t, std::size_t> numbers;
+  std::map<std::size_t, std::uint64_t> varying;
+  for (MapLink link : maps.links) {
+    if (maps.plan.triangles[link.planned].varies()) {
+      ++varying[link.primitive];
+      continue;
+    }
+    const auto [at, is_new] = numbers.try_emplace(link.planned, some.plan.triangles.size());
+    if (is_new) {
+      some.plan.triangles.push_back(maps.plan.triangles[link.planned]);
+      some.baked.triangles.push_back(maps.baked.triangles[link.planned]);
+      some.first.push_back(some.links.size());
+    }
+    link.planned = at->second;
+    some.links.push_back(link);
+  }
+  for (const auto& [primitive, triangles] : varying)
+    some.not_judged.push_back({primitive, triangles, LeftOut::varying_alpha});
+  return some;
 }
 
 StoredMaps stored_maps(const std::string& file, const Scene& scene) {

@@ -59,6 +59,9 @@ StoredMaps stored_maps(const Document& document, const Scene& scene);
 /// Domain: an input without findings of impl::micromap::validate(); as many triangles as the primitive has.
 StoredMaps stored_maps(const impl::micromap::Input& input, const Scene& scene, std::size_t primitive);
 
+/// The maps whose triangles have no vertex alpha that varies: of these each state is known.  The others are not_judged.
+StoredMaps without_varying_alpha(const StoredMaps& maps);
+
 /// A record's map.  Domain: a record of an array without findings of impl::micromap::validate().
 BakedTriangle stored_map(const StoredArray& array, std::uint64_t record);
 

@@ -195,4 +195,28 @@ Bytes to_glb(const std::string& name, std::span<const unsigned char> bytes, cons
   return Writer(open_document(name, bytes)).written(micromaps);
 }
 
+std::uint64_t old_micromap_bytes(const std::string& file) {
+  const Document document = open_document(file);
+  const Json& json = document.json;
+  std::set<std::size_t> views, accessors;
+  const auto add = [](std::set<std::size_t>& to, const Json& number) {
+    if (number.is_number_unsigned()) to.insert(number.get<std::size_t>());
+  };
+  for (const Json& micromap : member(extension(json, extension_name), "micromaps"))
+    for (const char* part : {"data", "triangles"}) add(views, member(micromap, part));
+  for (const Json& mesh : member(json, "meshes"))
+    for (const Json& primitive : mesh["primitives"])
+      add(accessors, member(extension(primitive, extension_name), "micromapIndices"));
+  const Json& all = member(json, "accessors");
+  for (const std::size_t k : accessors)
+    if (k < all.size()) add(views, member(all[k], "bufferView"));
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (!accessors.contains(k) && all[k].contains("bufferView"))
+      views.erase(all[k]["bufferView"].get<std::size_t>());
+  std::uint64_t bytes = 0;
+  for (const std::size_t view : views)
+    if (view < document.model.bufferViews.size()) bytes += document.model.bufferViews[view].byteLength;
+  return bytes;
+}
+
 }  // namespace mmverify::scene

@@ -45,4 +45,8 @@ struct Micromaps {
 Bytes to_glb(const std::string& file, const Micromaps& micromaps);
 Bytes to_glb(const std::string& name, std::span<const unsigned char> bytes, const Micromaps& micromaps);
 
+/// The bytes of bufferViews that the micromaps of `file` alone read: to_glb() keeps them, and nothing reads them there.
+/// Errors: BadScene.
+std::uint64_t old_micromap_bytes(const std::string& file);
+
 }  // namespace mmverify::scene

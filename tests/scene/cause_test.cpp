@@ -302,6 +302,20 @@ TEST(Cause, NamesTurnedCorners) {
               testing::ContainsRegex("[23] turned by 1, [23] turned by 2, [123] wound the other way"));
 }
 
+/// States whose children 0 and 3 change places in every digit.
+std::vector<State> with_exchanged_children(const std::vector<State>& all) {
+  std::vector<State> moved = all;
+  for (std::uint32_t k = 0; k < all.size(); ++k) {
+    std::uint32_t to = 0;
+    for (unsigned digit = 0; digit < level; ++digit) {
+      const std::uint32_t d = k >> 2 * digit & 3;
+      to |= (d == 0 ? 3 : d == 3 ? 0 : d) << 2 * digit;
+    }
+    moved[to] = all[k];
+  }
+  return moved;
+}
+
 TEST(Cause, NamesStatesAndOrders) {
   const Scene scene = leaves();
   const auto named = [&](const std::function<std::vector<State>(const std::vector<State>&)>& change) {
@@ -321,19 +335,7 @@ TEST(Cause, NamesStatesAndOrders) {
   EXPECT_THAT(named(recode({State::T, State::O, State::UO, State::UT})), testing::StartsWith("unknown_side"));
   EXPECT_THAT(named(recode({State::T, State::UT, State::O, State::UO})),
               testing::StartsWith("states: the two bits"));
-  // Children 0 and 3 change places in every digit.
-  EXPECT_THAT(named([](const std::vector<State>& all) {
-                std::vector<State> moved = all;
-                for (std::uint32_t k = 0; k < all.size(); ++k) {
-                  std::uint32_t to = 0;
-                  for (unsigned digit = 0; digit < level; ++digit) {
-                    const std::uint32_t d = k >> 2 * digit & 3;
-                    to |= (d == 0 ? 3 : d == 3 ? 0 : d) << 2 * digit;
-                  }
-                  moved[to] = all[k];
-                }
-                return moved;
-              }),
+  EXPECT_THAT(named(with_exchanged_children),
               testing::HasSubstr("children 0 and 3 change places in every digit"));
 }
 
@@ -668,6 +670,125 @@ TEST(Cause, NamesTwoFaultsAtOnce) {
       for (Uv& uv : p.uvs) uv[1] = 1 - uv[1];
   });
   EXPECT_EQ(code(scene, maps), "v_flipped+filter");
+}
+
+/// A fault of a baker's inputs, or one that a tool makes of the maps.
+struct PlantedFault {
+  const char* code;
+  std::function<void(Scene&)> input = [](Scene&) {};
+  std::function<void(StoredMaps&)> maps = [](StoredMaps&) {};
+};
+
+std::vector<PlantedFault> faults_of_bakers() {
+  const auto each_uv = [](Uv (*change)(const Uv&)) {
+    return [change](Scene& s) {
+      for (Primitive& p : s.primitives)
+        for (Uv& uv : p.uvs) uv = change(uv);
+    };
+  };
+  return {
+      {"v_flipped", each_uv([](const Uv& uv) {
+         return Uv{uv[0], 1 - uv[1]};
+       })},
+      {"uv_exchanged", each_uv([](const Uv& uv) {
+         return Uv{uv[1], uv[0]};
+       })},
+      {"factor_left_out", [](Scene& s) { s.materials[0].base_color_alpha = 1; }},
+      {"filter", [](Scene& s) { s.materials[0].texture->sampler.magnification = Filter::nearest; }},
+      {"wrap", [](Scene& s) { s.materials[0].texture->sampler.wrap_u = Wrap::repeat; }},
+      {"cutoff", [](Scene& s) { s.materials[0].cutoff = 0.33f; }},
+      {"texture", [](Scene& s) { s.materials[0].texture->image = 1; }},
+  };
+}
+
+std::vector<PlantedFault> faults_of_tools() {
+  const auto each_map = [](std::function<std::vector<State>(std::vector<State>)> change) {
+    return [change](StoredMaps& maps) {
+      for (std::size_t k = 0; k < maps.links.size(); ++k) set(maps, k, change(states(maps, k)));
+    };
+  };
+  return {
+      {"states", {}, each_map([](std::vector<State> all) {
+         for (State& s : all) s = s == State::T ? State::O : s == State::O ? State::T : s;
+         return all;
+       })},
+      {"order", {}, each_map(with_exchanged_children)},
+      {"corners",
+       {},
+       [](StoredMaps& maps) {
+         for (std::size_t k = 0; k < maps.links.size(); ++k) {
+           impl::micromap::Bytes out(maps.baked.triangles[k].map.size());
+           impl::micromap::reorder(maps.baked.triangles[k].map, level, Format::four_state,
+                                   std::array<std::uint8_t, 3>{1, 2, 0}, out);
+           std::vector<State> turned(impl::micromap::micro_triangles(level));
+           impl::micromap::unpack(out, Format::four_state, turned);
+           set(maps, k, turned);
+         }
+       }},
+      {"micromaps_exchanged",
+       {},
+       [](StoredMaps& maps) {
+         for (std::size_t k = 0; k < maps.links.size(); ++k)
+           link(maps, k, 1 - maps.links[k].array, *maps.links[k].record);
+       }},
+      {"triangles_reversed",
+       {},
+       [](StoredMaps& maps) {
+         for (std::size_t k = 0; k < maps.links.size(); ++k)
+           link(maps, k, maps.links[k].array, triangles_each - 1 - *maps.links[k].record);
+       }},
+  };
+}
+
+/// All states of all maps.
+std::vector<State> all_states(const StoredMaps& maps) {
+  std::vector<State> all;
+  for (std::size_t k = 0; k < maps.links.size(); ++k) {
+    const std::vector<State> its = states(maps, k);
+    all.insert(all.end(), its.begin(), its.end());
+  }
+  return all;
+}
+
+/// The one change that is the same as two: a cutoff of 0.33 of the texture alone is one of 0.2475 of three quarters of
+/// it, and exchanges of triangles' maps make another exchange.
+std::string same_as_both(const std::string& one, const std::string& two) {
+  if (one == "factor_left_out" && two == "cutoff") return "cutoff";
+  if (one == "micromaps_exchanged" && two == "triangles_reversed") return "other_triangles";
+  return "";
+}
+
+// Two faults of different kinds are both named or none, unless one of them changes nothing beside the other.
+TEST(Cause, NamesBothOfTwoFaultsOrNone) {
+  const Scene scene = leaves();
+  std::vector<PlantedFault> faults = faults_of_bakers();
+  for (const PlantedFault& one : faults_of_tools()) faults.push_back(one);
+  const auto maps_of = [&](const PlantedFault& one, const PlantedFault& two) {
+    StoredMaps maps = baked_from(scene, [&](Scene& s) {
+      if (one.input) one.input(s);
+      if (two.input) two.input(s);
+    });
+    if (one.maps) one.maps(maps);
+    if (two.maps) two.maps(maps);
+    return maps;
+  };
+  const PlantedFault nothing{"none"};
+  std::size_t both = 0, pairs = 0;
+  for (const PlantedFault& one : faults) EXPECT_EQ(code(scene, maps_of(one, nothing)), one.code);
+  for (std::size_t a = 0; a < faults.size(); ++a)
+    for (std::size_t b = a + 1; b < faults.size(); ++b) {
+      const StoredMaps maps = maps_of(faults[a], faults[b]);
+      const std::string named = code(scene, maps), one = faults[a].code, two = faults[b].code;
+      ++pairs;
+      both += named == one + "+" + two || named == two + "+" + one ? 1 : 0;
+      if (named == "none" || named == one + "+" + two || named == two + "+" + one) continue;
+      if (named == same_as_both(one, two)) continue;
+      const bool is_alone = (named == one && all_states(maps) == all_states(maps_of(faults[a], nothing))) ||
+                            (named == two && all_states(maps) == all_states(maps_of(faults[b], nothing)));
+      EXPECT_TRUE(is_alone) << one << " and " << two << " are named " << named;
+    }
+  EXPECT_EQ(pairs, 66u);
+  EXPECT_GT(both, 10u);
 }
 
 }  // namespace

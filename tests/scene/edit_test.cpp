@@ -1,6 +1,10 @@
 // scene/edit/: what is changed in a file, and that the rest of it stays.
 #include <gtest/gtest.h>
 
+#ifdef MMVERIFY_HAS_MESHOPT
+#include <meshoptimizer.h>
+#endif
+
 #include "proofs/engine/random.hpp"
 #include "scene/edit/edited_file.hpp"
 #include "scene/edit/json_patch.hpp"
@@ -322,6 +326,71 @@ TEST(WrittenMaps, ALoneRecordIsOverwritten) {
   wanted[s.data_view()["byteOffset"].get<std::size_t>() + 4] = 0x0a;
   EXPECT_EQ(after.bytes.substr(0, wanted.size()), wanted);
 }
+
+#ifdef MMVERIFY_HAS_MESHOPT
+
+/// Compresses the view of the records, two of 8 bytes.
+void compress_records(Subject& s) {
+  const std::string records = s.file.bytes.substr(s.records_view()["byteOffset"].get<std::size_t>(), 16);
+  std::string code(meshopt_encodeVertexBufferBound(2, 8), '\0');
+  code.resize(meshopt_encodeVertexBuffer(reinterpret_cast<unsigned char*>(code.data()), code.size(),
+                                         records.data(), 2, 8));
+  compress(s.file, s.records_view(), code);
+  s.records_view()["byteLength"] = 16;
+  s.records_view()["extensions"]["EXT_meshopt_compression"]["byteStride"] = 8;
+}
+
+// Changes of a compressed view are stored plain; its code, and all else, stays.
+TEST(WrittenMaps, RecordsInACompressedViewBecomePlain) {
+  Subject plain, s;
+  compress_records(s);
+  BakedTriangle map;
+  map.level = 2;
+  map.format = impl::micromap::Format::four_state;
+  map.map = impl::micromap::Bytes{1, 2, 3, 4};
+  const auto edited = [&](const GltfFile& file) {
+    const OnDisk disk(file.glb());
+    EditedFile opened = disk.opened();
+    write_maps(opened, {map}, {{0, 0, 0, 0}});
+    const Bytes written = opened.written().bytes;
+    EXPECT_TRUE(validate_micromaps("f.glb", written).empty()) << lines(validate_micromaps("f.glb", written));
+    Subject after;
+    after.file = taken_apart(written);
+    // The triangle's index is another: all else is as it was.
+    const auto index = after.indices_view()["byteOffset"].get<std::size_t>();
+    EXPECT_EQ(after.file.bytes.substr(0, index), file.bytes.substr(0, index));
+    EXPECT_EQ(after.file.bytes.substr(index + 4, file.bytes.size() - index - 4),
+              file.bytes.substr(index + 4));
+    return after;
+  };
+  Subject was = edited(plain.file), is = edited(s.file);
+  EXPECT_FALSE(is.records_view().contains("extensions"));
+  EXPECT_EQ(is.records_view()["byteLength"], 24);
+  const auto records = [](Subject& one) {
+    return one.file.bytes.substr(one.records_view()["byteOffset"].get<std::size_t>(), 24);
+  };
+  EXPECT_EQ(records(is), records(was));
+  const auto changed = s.micromap()["triangles"].get<std::size_t>();
+  for (std::size_t view = 0; view < s.file.json["bufferViews"].size(); ++view)
+    EXPECT_TRUE(view == changed || view == s.micromap()["data"].get<std::size_t>() ||
+                is.file.json["bufferViews"][view] == s.file.json["bufferViews"][view])
+        << view;
+}
+
+TEST(RepairedRules, CountsOfCompressedRecords) {
+  Subject s;
+  compress_records(s);
+  const std::string code = s.file.bytes;
+  s.micromap()["usageCounts"] = {1, 2};
+  const OnDisk disk(s.file.glb());
+  EditedFile file = disk.opened();
+  EXPECT_TRUE(repair_rules(file).left.empty());
+  EXPECT_EQ(file.json["extensions"][name]["micromaps"][0]["usageCounts"], Json({1, 1}));
+  EXPECT_TRUE(file.is_compressed(s.micromap()["triangles"].get<std::size_t>())) << "no record changed";
+  EXPECT_EQ(taken_apart(file.written().bytes).bytes.substr(0, code.size()), code);
+}
+
+#endif
 
 TEST(WrittenMaps, APrimitiveWithoutIndicesGetsThem) {
   Subject s;

@@ -56,20 +56,22 @@ TEST_F(SceneFolder, WhatIsPassedOverIsNamed) {
   write("a.png", tests::small_png());
   EXPECT_TRUE(load_textures(folder_.string()).notes.empty());
   write("b.txt", "any");
-  write("c.dds", "\x76\x2f\x31\x01 and no DDS");
+  write("c.dds",
+        "DDS |" + std::string(75, '\0') + "\4" + std::string(3, '\0') + "ABCD" + std::string(40, '\0'));
   fs::create_directory(folder_ / "d.png");
   const Scene scene = load_textures(folder_.string());
   EXPECT_EQ(scene.images.size(), 1u);
-  EXPECT_EQ(scene.notes,
-            std::vector<std::string>{"passed over: b.txt, c.dds (OpenEXR is not read here), d.png/"});
+  EXPECT_EQ(scene.notes, std::vector<std::string>{
+                             "passed over: b.txt, c.dds (a DDS of format 'ABCD' is not read here), d.png/"});
   for (int k = 10; k < 40; ++k) write("e" + std::to_string(k) + ".txt", "any");
   const std::string note = load_textures(folder_.string()).notes.at(0);
   EXPECT_NE(note.find("e26.txt and 13 more"), std::string::npos) << note;
 }
 
 TEST_F(SceneFolder, WhatIsWrongOfItIsNamed) {
-  EXPECT_NE(complaint().find("no .png, .jpg, .jpeg, .webp, .avif, .dds, .ktx2 or .tga that is read is in it"),
-            std::string::npos)
+  EXPECT_NE(
+      complaint().find("no .png, .jpg, .jpeg, .webp, .avif, .dds, .ktx2, .tga or .exr that is read is in it"),
+      std::string::npos)
       << complaint();
   write("cut.png", tests::small_png().substr(0, 40));
   EXPECT_NE(complaint().find("cut.png"), std::string::npos) << complaint();

@@ -434,6 +434,78 @@ TEST(SceneKtx2, ZstandardIsNamed) {
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
+// ZLIB
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// A ZLIB of one stored block.  Source: RFC 1950, 2.2 and 8.2; RFC 1951, 3.2.4.
+std::string zlib(const std::string& bytes) {
+  const auto size = static_cast<std::uint32_t>(bytes.size());
+  std::uint32_t a = 1, b = 0;
+  for (const char c : bytes) {
+    a = (a + static_cast<unsigned char>(c)) % 65521;
+    b = (b + a) % 65521;
+  }
+  return "\x78\x01\x01" + little_endian(size | (~size & 0xffff) << 16) + bytes + big_endian(b << 16 | a);
+}
+
+TEST(SceneKtx2, ZlibIsUndone) {
+  std::string level;
+  for (unsigned k = 0; k < 16 * 16 * 4; ++k) level += static_cast<char>(k * k >> 7);
+  const auto size = static_cast<std::uint32_t>(level.size());
+  const std::string packed = zlib(level);
+  const auto file = [&](const std::string& code, std::uint32_t uncompressed) {
+    return ktx2(16, 16, rgba8, code, {.scheme = 3, .uncompressed = uncompressed});
+  };
+  EXPECT_EQ(colour_of(file(packed, size)).rgba, colour_of(ktx2(16, 16, rgba8, level)).rgba);
+  // Python's zlib.compress(bytes(range(16)), 9), with a block of fixed codes.
+  const std::string sixteen(
+      "\x78\xda\x63\x60\x64\x62\x66\x61\x65\x63\xe7\xe0\xe4\xe2\xe6\xe1\xe5\xe3\x07\x00"
+      "\x02\xb8\x00\x79",
+      24);
+  EXPECT_THAT(alpha8(alpha_of(ktx2(2, 2, rgba8, sixteen, {.scheme = 3, .uncompressed = 16}))),
+              ElementsAre(3, 7, 11, 15));
+  for (std::size_t cut = 1; cut < packed.size(); cut += 97)
+    EXPECT_THAT(complaint_of_picture(file(packed.substr(0, packed.size() - cut), size)),
+                HasSubstr("damaged KTX2: "))
+        << cut;
+  for (const std::string& other : {level + "x", level.substr(1)})
+    EXPECT_THAT(complaint_of_picture(file(zlib(other), size)), HasSubstr("damaged KTX2: "));
+  std::string spoilt = packed;
+  spoilt[99] ^= 1;
+  EXPECT_THAT(complaint_of_picture(file(spoilt, size)), HasSubstr("another Adler-32 than its bytes"));
+  EXPECT_THAT(
+      complaint_of_picture(ktx2(16384, 16384, rgba8, packed, {.scheme = 3, .uncompressed = 1u << 30})),
+      HasSubstr("which cannot be in"));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Words and floats
+// ---------------------------------------------------------------------------------------------------------------------
+
+TEST(SceneKtx2, WordsAndFloatsAreAsTheyAre) {
+  const std::vector<std::uint16_t> words{1, 2, 3, 0xabcd, 5, 6, 7, 65535};
+  const std::string file = ktx2(2, 1, 91, bytes_of(words));
+  EXPECT_THAT(alpha16(alpha_of(file)), ElementsAre(0xabcd, 65535));
+  EXPECT_THAT(complaint_of<UnreadExtension>([&] { colour_of(file); }),
+              HasSubstr("the colours of a KTX2 of 16 or 32 bits a channel are not read here"));
+  // 1/3 as binary16, 1365/4096, and the least subnormal.
+  const std::vector<std::uint16_t> halves{0, 0, 0, 0x3555, 0, 0, 0, 0x8001};
+  EXPECT_THAT(std::get<2>(alpha_of(ktx2(2, 1, 97, bytes_of(halves))).alpha),
+              ElementsAre(1365.0f / 4096, -0x1p-24f));
+  const std::vector<float> singles{0, 0, 0, 0.1f, 0, 0, 0, 2};
+  EXPECT_THAT(std::get<2>(alpha_of(ktx2(2, 1, 109, bytes_of(singles))).alpha), ElementsAre(0.1f, 2.0f));
+  // Fewer channels are opaque.
+  for (const auto& [format, size] : {std::pair{70u, 2u}, {77u, 4u}, {84u, 6u}})
+    EXPECT_THAT(alpha16(alpha_of(ktx2(1, 1, format, std::string(size, '\1')))), ElementsAre(65535));
+  for (const auto& [format, size] :
+       {std::pair{76u, 2u}, {83u, 4u}, {90u, 6u}, {100u, 4u}, {103u, 8u}, {106u, 12u}})
+    EXPECT_THAT(std::get<2>(alpha_of(ktx2(1, 1, format, std::string(size, '\1'))).alpha), ElementsAre(1.0f));
+  const std::vector<std::uint16_t> infinite{0, 0, 0, 0x7c00};
+  EXPECT_THAT(complaint_of_picture(ktx2(1, 1, 97, bytes_of(infinite))),
+              HasSubstr("damaged KTX2: the alpha of texel 0 is not finite"));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
 // Refused files
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -445,11 +517,22 @@ TEST(SceneKtx2, WhatIsNotReadIsNamed) {
     return why.value_or("none");
   };
   EXPECT_EQ(why_unread(as_bytes(good), PictureUse::alpha), std::nullopt);
-  EXPECT_EQ(unread(with_word(good, format_at, 97)), "a KTX2 of Vulkan's format 97 is not read here");
+  EXPECT_EQ(unread(with_word(good, format_at, 98)), "a KTX2 of Vulkan's format 98 is not read here");
+  for (const auto& [format, name] : {std::pair{147u, "ETC2"},
+                                     {156u, "EAC"},
+                                     {157u, "ASTC"},
+                                     {184u, "ASTC"},
+                                     {1000054000u, "PVRTC"},
+                                     {1000066013u, "ASTC of HDR"}})
+    EXPECT_EQ(unread(with_word(good, format_at, format)), std::string("a KTX2 of ") + name +
+                                                              " (Vulkan's format " + std::to_string(format) +
+                                                              ") is not read here");
   EXPECT_EQ(unread(with_word(good, depth_at, 1)), "a KTX2 of a volume is not read here");
   EXPECT_EQ(unread(with_word(good, layers_at, 1)), "a KTX2 of an array is not read here");
   EXPECT_EQ(unread(with_word(good, faces_at, 6)), "a KTX2 of a cube is not read here");
-  EXPECT_EQ(unread(with_word(good, scheme_at, 3)), "a KTX2 with the supercompression 3 is not read here");
+  EXPECT_EQ(unread(with_word(good, scheme_at, 4)), "a KTX2 with the supercompression 4 is not read here");
+  EXPECT_EQ(unread(with_word(good, scheme_at, 0x10000)),
+            "a KTX2 with a vendor's supercompression 65536 is not read here");
   // Two components that are no colour and alpha; the colour model ASTC.
   EXPECT_EQ(unread(ktx2(4, 4, 0, std::string(16, '\0'), {.model = 166, .channel = 5})),
             "a KTX2 of the colour model 166 with the channels 5 is not read here");

@@ -176,6 +176,7 @@ TEST(SceneLoad, VertexAlphaVariantsAnimationsAndInstances) {
   attributes["COLOR_0"] = file.add_accessor(colours, 5121, "VEC4", 4, true);
   const auto alpha = load_glb(file).primitives[0].vertex_alpha;
   ASSERT_TRUE(alpha);
+  EXPECT_EQ(alpha->of_vertices, (std::vector<float>{1, 0.2f, 1, 1}));
   EXPECT_EQ(alpha->least, 0.2f);
   EXPECT_EQ(alpha->greatest, 1);
 

@@ -17,6 +17,13 @@
 #ifdef MMVERIFY_HAS_AVIF
 #include <avif/avif.h>
 #endif
+#ifdef MMVERIFY_HAS_OPENEXR
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfOutputFile.h>
+#endif
 
 namespace scene_pictures_test {
 
@@ -306,8 +313,100 @@ TEST(ScenePictures, AvifOfEightTenAndTwelveBits) {
 
 #endif
 
+#ifdef MMVERIFY_HAS_OPENEXR
+
+/// Bytes in memory that OpenEXR's writer fills.
+class ExrBytes : public Imf::OStream {
+ public:
+  ExrBytes() : OStream("bytes") {}
+  void write(const char from[], int count) override {
+    bytes.resize(std::max(bytes.size(), at_ + static_cast<std::size_t>(count)));
+    std::copy_n(from, count, bytes.begin() + static_cast<std::ptrdiff_t>(at_));
+    at_ += static_cast<std::size_t>(count);
+  }
+  std::uint64_t tellp() override { return at_; }
+  void seekp(std::uint64_t to) override { at_ = to; }
+  std::string bytes;
+
+ private:
+  std::size_t at_ = 0;
+};
+
+/// An OpenEXR whose data window has these corners, with one channel of numbers, rows from the top.
+template <class Number>
+std::string openexr(const std::vector<Number>& numbers, Imf::PixelType type, Imf::Compression compression,
+                    const Imath::Box2i& window, const char* channel = "A",
+                    const Imath::Box2i* display = nullptr) {
+  Imf::Header header(display == nullptr ? window : *display, window);
+  header.compression() = compression;
+  header.channels().insert(channel, Imf::Channel(type));
+  ExrBytes to;
+  {
+    Imf::OutputFile file(to, header, 0);
+    const auto across = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+    const std::ptrdiff_t first = window.min.x + window.min.y * static_cast<std::ptrdiff_t>(across);
+    Imf::FrameBuffer from;
+    from.insert(channel,
+                Imf::Slice(type, reinterpret_cast<char*>(const_cast<Number*>(numbers.data() - first)),
+                           sizeof(Number), sizeof(Number) * across));
+    file.setFrameBuffer(from);
+    file.writePixels(window.max.y - window.min.y + 1);
+  }
+  return to.bytes;
+}
+
+const Imath::Box2i six_texels({-5, 7}, {-3, 8});  ///< 3 x 2
+
+TEST(ScenePictures, OpenExrIsReadAsItIs) {
+  const std::vector<float> floats{0.1f, 1, -0.25f, 0x1p-30f, 1.5f, 1.0f / 3};
+  const std::vector<std::uint16_t> halves{0x3c00, 0x0001, 0x3555, 0x8000, 0x4000, 0x03ff};
+  const std::vector<std::uint32_t> wholes{0, 1, 2, 7, 1 << 24, 1 << 30};
+  for (const Imf::Compression compression : {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
+                                             Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION}) {
+    const Image image = alpha_of(openexr(floats, Imf::FLOAT, compression, six_texels));
+    EXPECT_EQ(image.width, 3u);
+    EXPECT_EQ(image.height, 2u);
+    EXPECT_EQ(image.bits(), 32);
+    EXPECT_EQ(std::get<2>(image.alpha), floats) << compression;
+    // 1, 2^-24, 1365/4096, -0, 2, 1023 2^-24.
+    EXPECT_EQ(std::get<2>(alpha_of(openexr(halves, Imf::HALF, compression, six_texels)).alpha),
+              (std::vector<float>{1, 0x1p-24f, 1365.0f / 4096, 0, 2, 1023 * 0x1p-24f}));
+    EXPECT_EQ(std::get<2>(alpha_of(openexr(wholes, Imf::UINT, compression, six_texels)).alpha),
+              (std::vector<float>{0, 1, 2, 7, 0x1p24f, 0x1p30f}));
+  }
+  EXPECT_EQ(std::get<2>(alpha_of(openexr(floats, Imf::FLOAT, Imf::NO_COMPRESSION, six_texels, "R")).alpha),
+            std::vector<float>(6, 1))
+      << "a picture without alpha is opaque";
+}
+
+TEST(ScenePictures, OpenExrThatIsRefused) {
+  const std::vector<float> floats{0, 0, 0, 0, 0, std::numeric_limits<float>::quiet_NaN()};
+  EXPECT_THAT(complaint_of_picture(openexr(floats, Imf::FLOAT, Imf::NO_COMPRESSION, six_texels)),
+              HasSubstr("the alpha of texel 5 is not finite"));
+  const std::string good = openexr(std::vector<float>(6), Imf::FLOAT, Imf::ZIP_COMPRESSION, six_texels);
+  EXPECT_EQ(complaint_of_picture(good), "none");
+  for (std::size_t size = 4; size < good.size(); size += 11)
+    EXPECT_THAT(complaint_of_picture(good.substr(0, size)), HasSubstr("truncated file?")) << size;
+  for (const char flags : {'\x08', '\x10'}) {
+    std::string other = good;
+    other[5] = flags;
+    EXPECT_THAT(complaint_of_picture(other),
+                HasSubstr("of several parts, or of deep data, is not read here"));
+  }
+  const Imath::Box2i wider({-5, 7}, {-2, 8});
+  EXPECT_THAT(complaint_of_picture(
+                  openexr(std::vector<float>(6), Imf::FLOAT, Imf::NO_COMPRESSION, six_texels, "A", &wider)),
+              HasSubstr("whose data window is not its display window"));
+  EXPECT_EQ(why_unread(as_bytes(good), PictureUse::colour), "the colours of an OpenEXR are not read here");
+}
+
+#endif
+
 TEST(ScenePictures, KindsThatAreNamed) {
-  EXPECT_THAT(complaint_of_picture("\x76\x2f\x31\x01 and so on"), HasSubstr("OpenEXR is not read here"));
+#ifndef MMVERIFY_HAS_OPENEXR
+  EXPECT_THAT(complaint_of_picture("\x76\x2f\x31\x01 and so on"),
+              HasSubstr("built without OpenEXR (Debian: libopenexr-dev)"));
+#endif
 #ifndef MMVERIFY_HAS_WEBP
   EXPECT_THAT(complaint_of_picture("RIFF....WEBPVP8 "),
               HasSubstr("built without WebP (Debian: libwebp-dev)"));
@@ -346,7 +445,8 @@ TEST(ScenePictures, TheFallbackIsJudgedAndSaid) {
   for (const auto& [name, bytes, why] :
        {std::tuple{"MSFT_texture_dds", dds(4, 4, "DX10", std::string(16, '\0'), 2),
                    "a DDS of DXGI format 2 is not read here"},
-        {"KHR_texture_basisu", std::string("\x76\x2f\x31\x01"), "OpenEXR is not read here"}}) {
+        {"KHR_texture_basisu", dds(4, 4, "DX10", std::string(16, '\0'), 3),
+         "a DDS of DXGI format 3 is not read here"}}) {
     GltfFile file = with_alternative(name, bytes);
     const Scene scene = load_glb(file);
     EXPECT_EQ(scene.materials[0].texture->image, 0u);

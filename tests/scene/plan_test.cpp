@@ -356,7 +356,9 @@ TEST(ScenePlan, WhatIsLeftOut) {
   scene.primitives[0].morphs_uvs = true;
   EXPECT_EQ(why(scene), LeftOut::morphed_uvs);
   scene = planned_square();
-  scene.primitives[0].vertex_alpha = {0.5f, 1};
+  scene.primitives[0].vertex_alpha = {0.5f, 1, {}};
+  EXPECT_EQ(why(scene), LeftOut::varying_alpha);
+  scene.primitives[0].vertex_alpha = {0.5f, 1.5f, {}};
   EXPECT_EQ(why(scene), LeftOut::vertex_alpha);
   scene.primitives[0].vertex_alpha = {1, 1};
   EXPECT_EQ(why(scene), std::nullopt);

@@ -11,6 +11,7 @@
 #include "scene/read/load.hpp"
 #include "scene/record/bake_record.hpp"
 #include "scene/sample/scene.hpp"
+#include "scene/validate/file.hpp"
 #include "tests/folder.hpp"
 #include "tests/scene/gltf_file.hpp"
 
@@ -389,6 +390,41 @@ TEST(FileRepair, WritesTheRecordsOfBakesAnew) {
       EXPECT_EQ(record["alphaCutoff"], material.value("alphaCutoff", 0.5));
     }
   EXPECT_GT(masks, 2u);
+}
+
+// A material that became opaque, or lost its texture, has no maps: their T would be holes.
+TEST(FileRepair, TakesTheMapsOfABakeFromWhatCanHaveNoneNow) {
+  for (const bool is_opaque : {true, false}) {
+    SCOPED_TRACE(is_opaque);
+    Planted planted;
+    const std::size_t number = (*planted.primitives()[0])["material"].get<std::size_t>();
+    Json& material = planted.file.json["materials"][number];
+    std::size_t of_it = 0, others = 0;
+    for (Json* const primitive : planted.primitives())
+      ++((*primitive)["material"] == number ? of_it : others);
+    if (is_opaque)
+      material["alphaMode"] = "OPAQUE";
+    else
+      material["pbrMetallicRoughness"].erase("baseColorTexture");
+    const Repaired after = repaired(planted.file.glb());
+    ASSERT_TRUE(after.is_whole);
+    EXPECT_EQ(
+        number_of(after.did, is_opaque ? "its maps were taken away: alphaMode is OPAQUE now"
+                                       : "its maps were taken away: the alpha texture, or its UVs, are gone"),
+        of_it);
+    EXPECT_TRUE(after.file.bytes == planted.file.bytes);
+    std::size_t linked = 0;
+    for (const Json& mesh : after.file.json["meshes"])
+      for (const Json& primitive : mesh["primitives"]) {
+        const bool has_maps =
+            primitive.contains("extensions") && primitive["extensions"].contains(extension_name);
+        linked += has_maps ? 1 : 0;
+        EXPECT_FALSE(has_maps && primitive["material"] == number);
+      }
+    EXPECT_EQ(linked, others);
+    const Judged judged = validate_file("f.glb", after.bytes, {}, {});
+    EXPECT_EQ(judged.count(Severity::warning), 0u);
+  }
 }
 
 TEST(FileRepair, PrimitivesThatShareIndicesButNotCornersGetTheirOwn) {

@@ -59,6 +59,12 @@ TEST(SceneRequired, AVersionThatIsNeededIsRefused) {
   GltfFile file = square();
   file.json["asset"]["version"] = "2.1";
   expect_square(load_glb(file));
+  for (const char* none : {"2.j0", "2.", ".0", "2", "2.0.1", " 2.0"}) {
+    file.json["asset"]["version"] = none;
+    EXPECT_THAT(complaint(file), HasSubstr(std::string("/asset/version: '") + none + "' is no version"))
+        << none;
+  }
+  file.json["asset"]["version"] = "2.1";
   for (const char* least : {"2.0", "1.0"}) {
     file.json["asset"]["minVersion"] = least;
     expect_square(load_glb(file));

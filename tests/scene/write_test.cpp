@@ -241,6 +241,30 @@ TEST(SceneWrite, OldMicromapsAreReplaced) {
   EXPECT_FALSE(taken_apart(without).primitive().contains("extensions"));
 }
 
+TEST(SceneWrite, BytesOfOldMicromaps) {
+  const Folder folder;
+  const std::string path = (folder / "old.glb").string();
+  const auto bytes_in = [&](const GltfFile& file) {
+    GltfFile::write(path, file.glb());
+    return old_micromap_bytes(path);
+  };
+  EXPECT_EQ(bytes_in(square()), 0u);
+  Chosen chosen{{0, 1}};
+  GltfFile old = taken_apart(written(square(), chosen.micromaps));
+  const auto length = [&](const Json& view) {
+    return old.json["bufferViews"][view.get<std::size_t>()]["byteLength"].get<std::size_t>();
+  };
+  const Json& micromap = old.json["extensions"][written_name]["micromaps"][0];
+  const Json& indices =
+      old.json["accessors"]
+              [old.primitive()["extensions"][written_name]["micromapIndices"].get<std::size_t>()];
+  const std::size_t maps = length(micromap["data"]) + length(micromap["triangles"]);
+  EXPECT_EQ(bytes_in(old), maps + length(indices["bufferView"]));
+  const Json shared = indices;
+  old.add("accessors", shared);
+  EXPECT_EQ(bytes_in(old), maps) << "another accessor reads the view of the indices, too";
+}
+
 const std::string webp = "RIFF....WEBPVP8 .", ktx2 = "\xabKTX 20\xbb\r\n\x1a\n.";
 
 /// A square whose buffers and images lie in files of the folder and in data URIs; leaf.gltf is the file itself.

@@ -38,12 +38,28 @@ void FileRepair::run() {
   report_.broken = std::move(rules.left);
   if (!report_.broken.empty()) return;
   scene_ = load(document());
-  maps_ = stored_maps(document(), scene_);
+  unlink_unbakeable();
+  maps_ = without_varying_alpha(stored_maps(document(), scene_));
   report_.not_judged = maps_.not_judged;
   if (maps_.plan.triangles.empty()) return;
   relink();
   repair_maps(rules.unlinked);
   if (report_.left.empty()) refresh_records();
+}
+
+/// Takes the maps of a bake from primitives that can have none any more: a T in the maps of an opaque material is a hole.
+void FileRepair::unlink_unbakeable() {
+  for (std::size_t p = 0; p < scene_.primitives.size(); ++p) {
+    const Primitive& primitive = scene_.primitives[p];
+    nlohmann::json& json = file_.json["meshes"][primitive.mesh]["primitives"][primitive.number];
+    const nlohmann::json& extras = member(extension(json, micromap_extension), "extras");
+    if (!extras.is_object() || !extras.contains(bake_record_name)) continue;
+    const std::string why = why_unbakeable(scene_, primitive);
+    if (why.empty() || changes_since(extras[bake_record_name].dump(), scene_, primitive).empty()) continue;
+    json["extensions"].erase(micromap_extension);
+    if (json["extensions"].empty()) json.erase("extensions");  // glTF has no empty objects
+    report_.primitives.push_back({p, "its maps were taken away: " + why});
+  }
 }
 
 /// Writes the records of bakes anew: all maps are right for the file as it is.
@@ -62,8 +78,9 @@ void FileRepair::refresh_records() {
 std::string FileRepair::broken_law(const WrittenFile& written) {
   const auto open = [&] { return file_.reopened(written); };
   for (const FileViolation& violation : validate_micromaps(open)) return describe(violation);
-  maps_ = stored_maps(open(), scene_);
-  if (maps_.plan.triangles.empty()) return "";
+  const StoredMaps all = stored_maps(open(), scene_);
+  if (all.plan.triangles.empty()) return "";
+  maps_ = without_varying_alpha(all);
   const std::vector<MapRepair> repairs = searched([](const auto& judged) { return map_repairs(judged); });
   for (std::size_t k = 0; k < repairs.size(); ++k)
     if (repairs[k].kind != MapRepair::Kind::none)
@@ -71,7 +88,7 @@ std::string FileRepair::broken_law(const WrittenFile& written) {
   const SceneArrays no_arrays;
   const Pairs no_pairs;
   const SquareMaps no_squares;
-  const Data data{scene_,   maps_.plan, maps_.baked,     no_arrays,
+  const Data data{scene_,   all.plan,   all.baked,       no_arrays,
                   no_pairs, no_squares, request_.margin, request_.two_state};
   const SceneLaws laws =
       map_laws(data, {.size = request_.samples}, file_.document().file, "mmverify check maps");
@@ -115,7 +132,7 @@ void FileRepair::relink() {
     file_.json = before;
     return;
   }
-  maps_ = stored_maps(document(), scene_);
+  maps_ = without_varying_alpha(stored_maps(document(), scene_));
   for (const Relink& one : all) report_.primitives.push_back({one.primitive, one.says});
 }
 

@@ -71,6 +71,7 @@ class FileRepair {
   auto searched(const Search& search) const;
   void apply(const Relink& relink, const nlohmann::json& before);
   void relink();
+  void unlink_unbakeable();
   std::set<std::size_t> planned(const std::vector<mmverify::scene::TriangleOfFile>& triangles) const;
   void refresh_records();
   void repair_maps(const std::vector<mmverify::scene::TriangleOfFile>& unlinked);

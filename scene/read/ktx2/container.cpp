@@ -42,6 +42,23 @@ void check_apart(std::vector<Ktx2Part> parts) {
       throw DamagedPicture(parts[k].name + " overlaps " + parts[k - 1].name);
 }
 
+/// A format that is not read, by its family's name and its number of VkFormat.
+std::string unread_format(std::uint32_t number) {
+  struct Family {
+    std::uint32_t first, last;
+    const char* name;
+  };
+  constexpr Family families[] = {{147, 152, "ETC2"},
+                                 {153, 156, "EAC"},
+                                 {157, 184, "ASTC"},
+                                 {1000054000, 1000054007, "PVRTC"},
+                                 {1000066000, 1000066013, "ASTC of HDR"}};
+  const std::string its = "Vulkan's format " + std::to_string(number);
+  for (const Family& family : families)
+    if (number >= family.first && number <= family.last) return std::string(family.name) + " (" + its + ")";
+  return its;
+}
+
 /// Vulkan's formats: the numbers of VkFormat.
 void set_format(Ktx2& ktx2, std::uint32_t number) {
   struct Format {
@@ -49,22 +66,29 @@ void set_format(Ktx2& ktx2, std::uint32_t number) {
     Ktx2Coding coding;
     unsigned channels;
     bool blue_first;
+    Ktx2Number kind = Ktx2Number::byte;
   };
   using enum Ktx2Coding;
+  using enum Ktx2Number;
   constexpr Format formats[] = {
-      {9, 15, plain, 1, false},     {16, 22, plain, 2, false},    {23, 29, plain, 3, false},
-      {30, 36, plain, 3, true},     {37, 43, plain, 4, false},    {44, 50, plain, 4, true},
-      {51, 57, plain, 4, false},    {131, 132, opaque_8, 0, {}},  {133, 134, bc1, 0, {}},
-      {135, 136, bc2, 0, {}},       {137, 138, bc3, 0, {}},       {139, 140, opaque_8, 0, {}},
-      {141, 142, opaque_16, 0, {}}, {143, 144, opaque_16, 0, {}}, {145, 146, bc7, 0, {}}};
+      {9, 15, plain, 1, false},         {16, 22, plain, 2, false},        {23, 29, plain, 3, false},
+      {30, 36, plain, 3, true},         {37, 43, plain, 4, false},        {44, 50, plain, 4, true},
+      {51, 57, plain, 4, false},        {131, 132, opaque_8, 0, {}},      {133, 134, bc1, 0, {}},
+      {135, 136, bc2, 0, {}},           {137, 138, bc3, 0, {}},           {139, 140, opaque_8, 0, {}},
+      {141, 142, opaque_16, 0, {}},     {143, 144, opaque_16, 0, {}},     {145, 146, bc7, 0, {}},
+      {70, 70, plain, 1, {}, word},     {77, 77, plain, 2, {}, word},     {84, 84, plain, 3, {}, word},
+      {91, 91, plain, 4, {}, word},     {76, 76, plain, 1, {}, half},     {83, 83, plain, 2, {}, half},
+      {90, 90, plain, 3, {}, half},     {97, 97, plain, 4, {}, half},     {100, 100, plain, 1, {}, single},
+      {103, 103, plain, 2, {}, single}, {106, 106, plain, 3, {}, single}, {109, 109, plain, 4, {}, single}};
   for (const Format& format : formats)
     if (number == format.number || number == format.variant) {
       ktx2.coding = format.coding;
       ktx2.channels = format.channels;
       ktx2.blue_first = format.blue_first;
+      ktx2.number = format.kind;
       return;
     }
-  ktx2.why = "a KTX2 of Vulkan's format " + std::to_string(number);
+  ktx2.why = "a KTX2 of " + unread_format(number);
 }
 
 /// ETC1S or UASTC, by the model and the channels of the descriptor.
@@ -132,11 +156,15 @@ void check_shape(Ktx2& ktx2, Ktx2Bytes bytes) {
 }
 
 void check_scheme(Ktx2& ktx2, std::uint32_t scheme) {
-  constexpr std::uint32_t basis_lz = 1, zstandard = 2;
-  ktx2.zstd = scheme == zstandard;
-  if (scheme > zstandard)
-    ktx2.why = "a KTX2 with the supercompression " + std::to_string(scheme);
-  else if (ktx2.coding != Ktx2Coding::unread && (ktx2.coding == Ktx2Coding::etc1s) != (scheme == basis_lz))
+  constexpr std::uint32_t last = 3, first_of_vendors = 0x10000;
+  if (scheme > last) {
+    ktx2.why = std::string("a KTX2 with ") + (scheme < first_of_vendors ? "the" : "a vendor's") +
+               " supercompression " + std::to_string(scheme);
+    return;
+  }
+  ktx2.scheme = static_cast<Ktx2Scheme>(scheme);
+  if (ktx2.coding != Ktx2Coding::unread &&
+      (ktx2.coding == Ktx2Coding::etc1s) != (ktx2.scheme == Ktx2Scheme::basis_lz))
     throw DamagedPicture("its data are ETC1S without BasisLZ, or BasisLZ of other data than ETC1S");
 }
 
@@ -181,15 +209,20 @@ Ktx2 ktx2_of(Ktx2Bytes bytes) {
   check_shape(ktx2, bytes);
   if (!ktx2.why.empty()) ktx2.why += " is not read here";
 #ifndef MMVERIFY_HAS_ZSTD
-  if (ktx2.zstd) ktx2.why = "this program was built without Zstandard (Debian: libzstd-dev)";
+  if (ktx2.scheme == Ktx2Scheme::zstandard)
+    ktx2.why = "this program was built without Zstandard (Debian: libzstd-dev)";
 #endif
   return ktx2;
+}
+
+std::size_t bytes_of(Ktx2Number number) noexcept {
+  return number == Ktx2Number::byte ? 1 : number == Ktx2Number::single ? 4 : 2;
 }
 
 std::size_t unit_bytes(const Ktx2& ktx2) {
   switch (ktx2.coding) {
     case Ktx2Coding::plain:
-      return ktx2.channels;
+      return ktx2.channels * bytes_of(ktx2.number);
     case Ktx2Coding::bc1:
     case Ktx2Coding::opaque_8:
       return 8;

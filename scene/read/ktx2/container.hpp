@@ -12,17 +12,23 @@ using Ktx2Bytes = std::span<const unsigned char>;
 
 enum class Ktx2Coding : std::uint8_t { plain, bc1, bc2, bc3, bc7, opaque_8, opaque_16, uastc, etc1s, unread };
 
+/// The numbers of a plain texel.
+enum class Ktx2Number : std::uint8_t { byte, word, half, single };
+
+enum class Ktx2Scheme : std::uint8_t { none, basis_lz, zstandard, zlib };
+
 /// Level 0 of a KTX2 of one 2D picture.
 struct Ktx2 {
   std::uint32_t width = 0, height = 0;
   std::uint64_t levels = 1;
   Ktx2Coding coding = Ktx2Coding::unread;
-  unsigned channels = 0;       ///< bytes of a plain texel
+  unsigned channels = 0;  ///< of a plain texel
+  Ktx2Number number = Ktx2Number::byte;
   bool blue_first = false;     ///< of a plain texel
   bool srgb = false;           ///< the transfer function of its descriptor
   bool premultiplied = false;  ///< the flag of its descriptor
   bool has_alpha_slice = false;
-  bool zstd = false;
+  Ktx2Scheme scheme = Ktx2Scheme::none;
   Ktx2Bytes level;   ///< as it lies in the file
   Ktx2Bytes global;  ///< of BasisLZ
   std::uint64_t uncompressed = 0;
@@ -35,6 +41,8 @@ struct Ktx2 {
 /// Source: KTX File Format Specification 2.0, 3 and 4; Khronos Data Format Specification 1.4, 5.
 /// Test: ktx2_test cuts files at every byte and moves each part.
 Ktx2 ktx2_of(Ktx2Bytes bytes);
+
+std::size_t bytes_of(Ktx2Number number) noexcept;
 
 /// Bytes of a block, or of a plain texel.
 std::size_t unit_bytes(const Ktx2& ktx2);

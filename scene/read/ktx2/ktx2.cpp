@@ -3,6 +3,11 @@
 #ifdef MMVERIFY_HAS_ZSTD
 #include <zstd.h>
 #endif
+#include <stb/stb_image.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
 
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/bc.hpp"
@@ -17,8 +22,41 @@ namespace mmverify::scene {
 namespace {
 
 bool has_colours(const Ktx2& ktx2) {
-  return ktx2.coding == Ktx2Coding::plain || ktx2.coding == Ktx2Coding::uastc ||
-         ktx2.coding == Ktx2Coding::etc1s;
+  return (ktx2.coding == Ktx2Coding::plain && ktx2.number == Ktx2Number::byte) ||
+         ktx2.coding == Ktx2Coding::uastc || ktx2.coding == Ktx2Coding::etc1s;
+}
+
+/// Source: RFC 1950, 8.2, which has the checksum behind the data.
+bool has_its_adler([[maybe_unused]] Ktx2Bytes code, [[maybe_unused]] Ktx2Bytes bytes) {
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+  return true;  // or a fuzzer would get no further
+#else
+  constexpr std::uint32_t base = 65521;
+  std::uint32_t a = 1, b = 0, due = 0;
+  for (const unsigned char byte : bytes) {
+    a = (a + byte) % base;
+    b = (b + a) % base;
+  }
+  for (const unsigned char byte : code.last(4)) due = due << 8 | byte;
+  return (b << 16 | a) == due;
+#endif
+}
+
+/// Errors: DamagedPicture.
+void undo_zlib(Ktx2Bytes code, std::uint64_t due, std::vector<unsigned char>& bytes) {
+  constexpr std::size_t head_and_checksum = 6;
+  if (code.size() < head_and_checksum) throw DamagedPicture("level 0 has no whole ZLIB; truncated file?");
+  if (due > std::numeric_limits<int>::max())
+    throw DamagedPicture("level 0 has " + std::to_string(due) + " bytes in ZLIB, of which 2^31 - 1 are read");
+  bytes.resize(static_cast<std::size_t>(due));
+  const int size =
+      stbi_zlib_decode_buffer(reinterpret_cast<char*>(bytes.data()), static_cast<int>(due),
+                              reinterpret_cast<const char*>(code.data()), static_cast<int>(code.size()));
+  if (size < 0) throw DamagedPicture("ZLIB cannot undo level 0; truncated file?");
+  if (static_cast<std::uint64_t>(size) != due)
+    throw DamagedPicture("level 0 has " + std::to_string(due) + " bytes, ZLIB gives " + std::to_string(size));
+  if (!has_its_adler(code, bytes))
+    throw DamagedPicture("level 0 has another Adler-32 than its bytes; damaged file?");
 }
 
 /// Level 0 without its supercompression; the bytes lie in the file or in `storage`.
@@ -28,17 +66,24 @@ Ktx2Bytes level_of(const Ktx2& ktx2, std::vector<unsigned char>& storage) {
     throw DamagedPicture("level 0 of " + std::to_string(ktx2.width) + " x " + std::to_string(ktx2.height) +
                          " texels has " + std::to_string(due) + " bytes, the index says " +
                          std::to_string(ktx2.uncompressed));
-  if (!ktx2.zstd) {
+  if (ktx2.scheme == Ktx2Scheme::none) {
     if (ktx2.level.size() != due)
       throw DamagedPicture("level 0 has " + std::to_string(due) + " bytes, there are " +
                            std::to_string(ktx2.level.size()) + "; truncated file?");
     return ktx2.level;
   }
-#ifdef MMVERIFY_HAS_ZSTD
-  // A block of Zstandard takes at least 4 bytes and gives at most 2^17.  So no small file claims gigabytes.
-  if (due / (1u << 17) > ktx2.level.size() / 4)
+  // So no small file claims gigabytes: a block of Zstandard takes at least 4 bytes and gives at most 2^17, and deflate
+  // gives at most 1032 for one.
+  const bool is_zlib = ktx2.scheme == Ktx2Scheme::zlib;
+  if (is_zlib ? due / 1032 > ktx2.level.size() : due / (1u << 17) > ktx2.level.size() / 4)
     throw DamagedPicture("level 0 has " + std::to_string(due) + " bytes, which cannot be in " +
-                         std::to_string(ktx2.level.size()) + " of Zstandard; truncated file?");
+                         std::to_string(ktx2.level.size()) + " of " + (is_zlib ? "ZLIB" : "Zstandard") +
+                         "; truncated file?");
+  if (is_zlib) {
+    undo_zlib(ktx2.level, due, storage);
+    return storage;
+  }
+#ifdef MMVERIFY_HAS_ZSTD
   storage.resize(static_cast<std::size_t>(due));
   const std::size_t size =
       ZSTD_decompress(storage.data(), storage.size(), ktx2.level.data(), ktx2.level.size());
@@ -137,6 +182,44 @@ std::vector<std::uint8_t> channels_of(const Ktx2& ktx2, std::size_t first) {
   return samples;
 }
 
+std::uint32_t number_at(Ktx2Bytes level, std::size_t at, std::size_t bytes) {
+  std::uint32_t number = 0;
+  for (std::size_t k = 0; k < bytes; ++k) number |= std::uint32_t{level[at + k]} << 8 * k;
+  return number;
+}
+
+/// Source: IEEE 754, 3.4, binary16.
+float number_of_half(std::uint32_t bits) {
+  const int exponent = static_cast<int>(bits >> 10 & 31), fraction = static_cast<int>(bits & 1023);
+  const float size = exponent == 31  ? std::numeric_limits<float>::infinity()
+                     : exponent == 0 ? std::ldexp(static_cast<float>(fraction), -24)
+                                     : std::ldexp(static_cast<float>(fraction + 1024), exponent - 25);
+  return (bits & 0x8000) != 0 ? -size : size;
+}
+
+/// The alpha of plain texels; 1 where they have none.
+/// Errors: DamagedPicture for a number that is not finite.
+decltype(Image::alpha) alpha_of_numbers(const Ktx2& ktx2) {
+  std::vector<unsigned char> storage;
+  const Ktx2Bytes level = level_of(ktx2, storage);
+  const std::size_t texels = std::size_t{ktx2.width} * ktx2.height, width = bytes_of(ktx2.number),
+                    unit = unit_bytes(ktx2);
+  const bool has_alpha = ktx2.channels == 4;
+  const auto bits = [&](std::size_t k) { return number_at(level, k * unit + 3 * width, width); };
+  if (ktx2.number == Ktx2Number::word) {
+    std::vector<std::uint16_t> alpha(texels, 65535);
+    for (std::size_t k = 0; k < texels && has_alpha; ++k) alpha[k] = static_cast<std::uint16_t>(bits(k));
+    return alpha;
+  }
+  std::vector<float> alpha(texels, 1);
+  for (std::size_t k = 0; k < texels && has_alpha; ++k) {
+    alpha[k] = ktx2.number == Ktx2Number::half ? number_of_half(bits(k)) : std::bit_cast<float>(bits(k));
+    if (!std::isfinite(alpha[k]))
+      throw DamagedPicture("the alpha of texel " + std::to_string(k) + " is not finite");
+  }
+  return alpha;
+}
+
 /// Precondition: the coding is one of the BCs.
 decltype(Image::alpha) alpha_of_bc(const Ktx2& ktx2) {
   std::vector<unsigned char> storage;
@@ -162,6 +245,8 @@ std::optional<std::string> why_unread_ktx2(Ktx2Bytes bytes, PictureUse use) {
     const Ktx2 ktx2 = ktx2_of(bytes);
     if (!ktx2.why.empty()) return ktx2.why;
     if (use == PictureUse::alpha) return std::nullopt;
+    if (ktx2.coding == Ktx2Coding::plain && !has_colours(ktx2))
+      return "the colours of a KTX2 of 16 or 32 bits a channel are not read here";
     if (!has_colours(ktx2)) return "the colours of a KTX2 of BC1 to BC7 are not read here";
     if (ktx2.premultiplied) return "the colours of a KTX2 are not read here where alpha multiplies them";
     return std::nullopt;
@@ -183,7 +268,10 @@ void decode_ktx2_alpha(Ktx2Bytes bytes, Image& image, const std::string& file, c
     const Ktx2 ktx2 = checked_ktx2(bytes, file, place);
     image.width = ktx2.width;
     image.height = ktx2.height;
-    image.alpha = has_colours(ktx2) ? channels_of(ktx2, 3) : alpha_of_bc(ktx2);
+    if (has_colours(ktx2))
+      image.alpha = channels_of(ktx2, 3);
+    else
+      image.alpha = ktx2.coding == Ktx2Coding::plain ? alpha_of_numbers(ktx2) : alpha_of_bc(ktx2);
   });
 }
 
