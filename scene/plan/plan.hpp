@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "impl/bake/level.hpp"
 #include "scene/plan/texel_triangle.hpp"
 #include "scene/plan/uv_duplicates.hpp"
 #include "scene/scene.hpp"
@@ -53,7 +54,7 @@ struct PlannedTriangle {
   UvTriangle uvs;
   TexelTriangle texels;
   UvShape shape = UvShape::area;
-  UsefulLevel level;
+  impl::bake::UsefulLevel level;
   std::uint64_t unique = 0, placed = 0;  ///< triangles that it stands for, itself included
 };
 
