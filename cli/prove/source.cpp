@@ -146,13 +146,14 @@ std::string to_text(const SourceOptions& options) {
   std::string text =
       fmt::format("--source {} --function {}", shell_quoted(options.file), shell_quoted(options.function));
   for (const std::string& flag : options.flags) text += fmt::format(" --flag={}", shell_quoted(flag));
-  return text;
+  return text + (options.published ? " --dialect published" : "");
 }
 
 Job source_job(const SourceOptions& options, const std::optional<Levels>& levels, Tier tier,
                double timeout_seconds) {
   // The law lives as long as the program, as the registry's laws do.
-  static const Law of_source = law::law("mmverify prove index.floats " + to_text(options));
+  static const Law of_source = law::law(options.published ? law::Dialect::published : law::Dialect::exact,
+                                        "mmverify prove index.floats " + to_text(options));
   const std::string name = options.file + ":" + options.function;
   Job job{&of_source,
           nullptr,
