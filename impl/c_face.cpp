@@ -73,7 +73,8 @@ std::uint32_t index_level(std::uint32_t level) {
 
 /// The corners of a batch, piece by piece: six lists made into one.
 template <class Corners>
-void interleave(const std::uint32_t* index, std::uint32_t* corners, std::size_t count, const Corners& corners_of) {
+void interleave(const std::uint32_t* index, std::uint32_t* corners, std::size_t count,
+                const Corners& corners_of) {
   constexpr std::size_t piece = 256;
   std::array<std::array<std::uint32_t, piece>, 6> lists;
   for (std::size_t at = 0; at < count; at += piece) {
@@ -182,7 +183,13 @@ mmverify_array built_array(std::span<const mmverify_map> maps, std::uint32_t ind
     packed.push_back({m.level, f, {m.bytes, bytes(states_of(m.level), f)}});
   }
   using enum micromap::Encoding;
-  mmverify_array made{array::build({}, packed, {.encoding = index_bits == 8 ? u8 : index_bits == 16 ? u16 : u32}), {}, {}, {}};
+  mmverify_array made{array::build({}, packed,
+                                   {.encoding = index_bits == 8    ? u8
+                                                : index_bits == 16 ? u16
+                                                                   : u32}),
+                      {},
+                      {},
+                      {}};
   const auto& [records, data] = made.built.array;
   made.records = array::copied_as<mmverify_record>(records);
   made.array_usage = array::copied_as<mmverify_usage>(made.built.array_counts);
@@ -201,9 +208,10 @@ int mmverify_index(uint32_t level, const float* u, const float* v, uint32_t* out
 int mmverify_corners(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count) {
   return done([&] {
     const std::uint32_t n = index_level(level);
-    interleave(index, corners, count, [&](std::span<const std::uint32_t> piece, const index::CornerSpans& out) {
-      index::corners(piece, n, out);
-    });
+    interleave(index, corners, count,
+               [&](std::span<const std::uint32_t> piece, const index::CornerSpans& out) {
+                 index::corners(piece, n, out);
+               });
   });
 }
 
@@ -214,9 +222,10 @@ int mmverify_row_index(uint32_t level, const float* u, const float* v, uint32_t*
 int mmverify_row_corners(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count) {
   return done([&] {
     index_level(level);
-    interleave(index, corners, count, [&](std::span<const std::uint32_t> piece, const index::CornerSpans& out) {
-      index::w_minor_corners(piece, out);
-    });
+    interleave(index, corners, count,
+               [&](std::span<const std::uint32_t> piece, const index::CornerSpans& out) {
+                 index::w_minor_corners(piece, out);
+               });
   });
 }
 

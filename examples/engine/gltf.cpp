@@ -26,7 +26,8 @@ struct Glb {
   }
   std::span<const std::uint8_t> view(const Json& number, std::size_t offset = 0) const {
     const Json& v = json["bufferViews"][number.get<std::size_t>()];
-    return std::span(binary).subspan(v.value("byteOffset", std::size_t{0}) + offset, v["byteLength"].get<std::size_t>() - offset);
+    return std::span(binary).subspan(v.value("byteOffset", std::size_t{0}) + offset,
+                                     v["byteLength"].get<std::size_t>() - offset);
   }
 };
 
@@ -54,19 +55,23 @@ int main(int argc, char** argv) {
     build.data.hostAddress = data.data();
     build.triangleArray.hostAddress = triangles.data();
     build.triangleArrayStride = sizeof(VkMicromapTriangleEXT);
-    print_build(&build, static_cast<std::uint32_t>(triangles.size() / sizeof(VkMicromapTriangleEXT)), data.size());
+    print_build(&build, static_cast<std::uint32_t>(triangles.size() / sizeof(VkMicromapTriangleEXT)),
+                data.size());
   }
   for (const Json& mesh : glb.json["meshes"])
     for (const Json& primitive : mesh["primitives"]) {
       const Json& own = primitive.value("extensions", Json::object()).value(name, Json());
       if (!own.contains("micromapIndices")) continue;
-      const auto triangles = glb.view(glb.json["extensions"][name]["micromaps"][own["micromap"].get<std::size_t>()]["triangles"]);
+      const auto triangles = glb.view(
+          glb.json["extensions"][name]["micromaps"][own["micromap"].get<std::size_t>()]["triangles"]);
       std::vector<micromap::Record> records;
-      for (std::size_t at = 0; at < triangles.size(); at += 8) records.push_back(micromap::record_at(triangles, at));
+      for (std::size_t at = 0; at < triangles.size(); at += 8)
+        records.push_back(micromap::record_at(triangles, at));
       const Json& accessor = glb.json["accessors"][own["micromapIndices"].get<std::size_t>()];
       const array::Encoding encoding = encoding_of(accessor["componentType"]);
       const std::size_t bytes = micromap::width(encoding) / 8, count = accessor["count"];
-      const auto codes = glb.view(accessor["bufferView"], accessor.value("byteOffset", std::size_t{0})).first(count * bytes);
+      const auto codes =
+          glb.view(accessor["bufferView"], accessor.value("byteOffset", std::size_t{0})).first(count * bytes);
       const array::Part part{encoding, own.value("micromapBaseTriangle", 0u), {codes.begin(), codes.end()}};
       const auto usage = array::copied_as<VkMicromapUsageEXT>(array::geometry_counts(records, part));
       VkAccelerationStructureTrianglesOpacityMicromapEXT geometry{};

@@ -1,8 +1,9 @@
 /* From a texture and UVs to the structs of VK_EXT_opacity_micromap and VK_KHR_opacity_micromap, in C. */
+#include "leaf.h"
+
 #include <mmverify/mmverify.h>
 #include <stdlib.h>
 
-#include "leaf.h"
 #include "print.h"
 
 static void must(int ok) {
@@ -25,7 +26,8 @@ static void print_khr(const mmverify_buffers* b) {
       .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_MICROMAP_DATA_KHR,
       .usageCountsCount = (uint32_t)b->array_usage_count,
       .pUsageCounts = (const VkMicromapUsageKHR*)b->array_usage,
-      .triangleArrayStride = sizeof *b->records}; /* .data and .triangleArray: the device's addresses of the buffers */
+      .triangleArrayStride =
+          sizeof *b->records}; /* .data and .triangleArray: the device's addresses of the buffers */
   const VkAccelerationStructureTrianglesOpacityMicromapKHR geometry = {
       .sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_TRIANGLES_OPACITY_MICROMAP_KHR,
       .indexType = VK_INDEX_TYPE_UINT16,

@@ -1,9 +1,10 @@
 // From a texture and UVs to the structs of VK_EXT_opacity_micromap and VK_KHR_opacity_micromap, in C++.
+#include "leaf.h"
+
 #include <atomic>
 #include <mmverify/mmverify.hpp>
 #include <thread>
 
-#include "leaf.h"
 #include "print.h"
 
 using namespace mmverify::impl;
@@ -28,7 +29,8 @@ static void print_khr(const array::Built& built) {
   build.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_MICROMAP_DATA_KHR;
   build.usageCountsCount = static_cast<std::uint32_t>(usage.size());
   build.pUsageCounts = usage.data();
-  build.triangleArrayStride = sizeof records[0];  // build.data and triangleArray: the device's addresses of the buffers
+  build.triangleArrayStride =
+      sizeof records[0];  // build.data and triangleArray: the device's addresses of the buffers
   VkAccelerationStructureTrianglesOpacityMicromapKHR geometry{};
   geometry.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_TRIANGLES_OPACITY_MICROMAP_KHR;
   geometry.indexType = static_cast<VkIndexType>(array::index_type(built.part.encoding).vulkan);
@@ -39,10 +41,13 @@ static void print_khr(const array::Built& built) {
                 build.pUsageCounts[k].subdivisionLevel, build.pUsageCounts[k].format);
   for (const VkMicromapTriangleKHR& r : records)
     std::printf("KHR record offset %u level %u format %u\n", r.dataOffset, r.subdivisionLevel, r.format);
-  std::printf("KHR index type %d stride %u\n", geometry.indexType, static_cast<unsigned>(geometry.indexStride));
+  std::printf("KHR index type %d stride %u\n", geometry.indexType,
+              static_cast<unsigned>(geometry.indexStride));
 }
 #else
-static void print_khr(const array::Built&) { std::puts("these Vulkan headers have no VK_KHR_opacity_micromap"); }
+static void print_khr(const array::Built&) {
+  std::puts("these Vulkan headers have no VK_KHR_opacity_micromap");
+}
 #endif
 
 int main() {
@@ -84,8 +89,9 @@ int main() {
 
   print_build(&build, static_cast<std::uint32_t>(records.size()), built.array.data.size());
   print_geometry(&geometry, LEAF_TRIANGLES);
-  // What a ray meets at each triangle's centre, as check.py computes it from the disc.
+  // The state that a ray meets in each triangle.
   for (std::uint32_t t = 0; t < LEAF_TRIANGLES; ++t)
-    std::printf("centre state %d\n", static_cast<int>(*array::state_at(built.array, built.part, t, 0.3125f, 0.34375f)));
+    std::printf("centre state %d\n",
+                static_cast<int>(*array::state_at(built.array, built.part, t, 0.3125f, 0.34375f)));
   print_khr(built);
 }

@@ -20,12 +20,9 @@ static inline void leaf_draw(uint8_t* rgba) {
 /* u and v of three vertices: a quad over the whole picture, its first half again, one triangle within the disc, one
  * outside it, and a small one on its edge. */
 static const float leaf_uvs[LEAF_TRIANGLES][6] = {
-    {0, 0, 1, 0, 0, 1},
-    {1, 0, 1, 1, 0, 1},
-    {0, 0, 1, 0, 0, 1},
-    {0.46875f, 0.4375f, 0.53125f, 0.4375f, 0.46875f, 0.5625f},
-    {0, 0, 0.125f, 0, 0, 0.25f},
-    {0.71875f, 0.4375f, 0.78125f, 0.4375f, 0.71875f, 0.5625f},
+    {0, 0, 1, 0, 0, 1},          {1, 0, 1, 1, 0, 1},
+    {0, 0, 1, 0, 0, 1},          {0.46875f, 0.4375f, 0.53125f, 0.4375f, 0.46875f, 0.5625f},
+    {0, 0, 0.125f, 0, 0, 0.25f}, {0.71875f, 0.4375f, 0.78125f, 0.4375f, 0.71875f, 0.5625f},
 };
 
 #endif

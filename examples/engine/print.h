@@ -1,4 +1,4 @@
-/* The buffers and both histograms as lines, from the very structs that Vulkan is given; check.py counts them again. */
+/* The buffers and both histograms as lines, from the very structs that Vulkan is given. */
 #ifndef PRINT_H
 #define PRINT_H
 

@@ -35,7 +35,8 @@ Square side(float a, float b, std::uint32_t texels) noexcept {
 constexpr double slack = 0x1p-49;
 
 /// |b - a|^2 <= 4^n.
-bool at_most(const Corner& a, const Corner& b, std::uint32_t width, std::uint32_t height, std::uint32_t n) noexcept {
+bool at_most(const Corner& a, const Corner& b, std::uint32_t width, std::uint32_t height,
+             std::uint32_t n) noexcept {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
   const double bound = std::ldexp(1.0, 2 * static_cast<int>(n));
   if (square * (1 + slack) <= bound) return true;

@@ -74,8 +74,8 @@ TriangleBaker::~TriangleBaker() = default;
 TriangleBaker::TriangleBaker(TriangleBaker&&) noexcept = default;
 TriangleBaker& TriangleBaker::operator=(TriangleBaker&&) noexcept = default;
 
-BakeCounts TriangleBaker::bake(const BaseTriangle& uv, std::uint32_t level,
-                               std::span<std::uint8_t> map, std::span<std::uint8_t> room) const {
+BakeCounts TriangleBaker::bake(const BaseTriangle& uv, std::uint32_t level, std::span<std::uint8_t> map,
+                               std::span<std::uint8_t> room) const {
   if (level > max_bake_level) throw std::invalid_argument("bake: a level above 12");
   const std::uint64_t count = std::uint64_t{1} << (2 * level);
   if (map.size() != (count + 3) / 4) throw std::invalid_argument("bake: room for another number of states");

@@ -107,8 +107,8 @@ class Planner {
         impl::bake::BaseTriangle base;
         for (std::size_t k = 0; k < 3; ++k) base[k] = {uvs[k][0], uvs[k][1]};
         plan_.triangles.push_back({planned.surface, uvs, in_texels(uvs, image.width, image.height),
-                                   uv_shape(uvs),
-                                   useful_level(base, image.width, image.height, level_limit_), 0, 0});
+                                   uv_shape(uvs), useful_level(base, image.width, image.height, level_limit_),
+                                   0, 0});
       }
       PlannedTriangle& distinct = plan_.triangles[found.number];
       distinct.unique += 1;

@@ -47,7 +47,8 @@ TEST(Allocation, OfABakeIsNoneWithOneMipLevelOrRoom) {
   const bake::BaseTriangle uv{{{0, 0}, {1, 0}, {0, 1}}};
   std::vector<std::uint8_t> map(1024), room(1024);
   for (const auto filter : {bake::Filter::bilinear, bake::Filter::nearest})
-    for (const bake::AlphaMode mode : {bake::AlphaMode(bake::Cutoff{127, 255}), bake::AlphaMode(bake::Blend{})})
+    for (const bake::AlphaMode mode :
+         {bake::AlphaMode(bake::Cutoff{127, 255}), bake::AlphaMode(bake::Blend{})})
       for (const float margin : {0.0f, 0.25f}) {
         bake::Sampling how;
         how.filter = filter;

@@ -64,8 +64,9 @@ TEST(ArrayLookup, StatesAtPointsAreTheSpecifications) {
       for (std::uint64_t t = 0; t < 24; ++t)
         for (int u = 0; u <= 32; ++u)
           for (int v = 0; u + v <= 32; ++v)
-            ASSERT_EQ(state_at(built.array, built.part, t, static_cast<float>(u) / 32, static_cast<float>(v) / 32),
-                      specified(b, t, u, v))
+            ASSERT_EQ(
+                state_at(built.array, built.part, t, static_cast<float>(u) / 32, static_cast<float>(v) / 32),
+                specified(b, t, u, v))
                 << t << ' ' << u << ' ' << v;
       EXPECT_EQ(state_at(built.array, built.part, 24, 0, 0), std::nullopt);
     }
@@ -91,8 +92,9 @@ TEST(ArrayLookup, NoRecordHasNoState) {
   EXPECT_EQ(state_at(array, part, 4, 0, 0), State::UO);
   array.records[0].offset = 0;
   EXPECT_EQ(state_at(array, part, 0, 0, 0), State::O);
-  EXPECT_EQ(mmverify::tests::complaint_of<std::invalid_argument>([&] { geometry_counts(array.records, part); }),
-            "array::geometry_counts: triangle 3: no record 3");
+  EXPECT_EQ(
+      mmverify::tests::complaint_of<std::invalid_argument>([&] { geometry_counts(array.records, part); }),
+      "array::geometry_counts: triangle 3: no record 3");
 }
 
 }  // namespace impl_array_lookup_test

@@ -100,7 +100,8 @@ TEST(ImplBakeEngine, AMeshIsItsTrianglesOnAnyThreads) {
   const auto triangles = random_triangles(40);
   std::vector<std::uint32_t> levels;
   for (std::uint32_t k = 0; k < 40; ++k) levels.push_back(k % 6);
-  const MeshMaps alone = bake_mesh(baker, triangles, levels), together = bake_mesh(baker, triangles, levels, on_four_threads);
+  const MeshMaps alone = bake_mesh(baker, triangles, levels),
+                 together = bake_mesh(baker, triangles, levels, on_four_threads);
   ASSERT_EQ(alone.maps.size(), 40u);
   std::uint64_t micro_triangles = 0;
   for (std::size_t t = 0; t < 40; ++t) {

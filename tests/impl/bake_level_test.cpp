@@ -1,6 +1,4 @@
 // The highest useful level, beside its definition in rationals.
-#include "impl/bake/level.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <map>
 #include <random>
 
+#include "impl/bake/level.hpp"
 #include "spec/rational.hpp"
 
 namespace impl_bake_level_test {
@@ -47,7 +46,8 @@ UsefulLevel useful_level_by_definition(const BaseTriangle& uvs, std::uint32_t wi
   }
 }
 
-UsefulLevel level_of(const BaseTriangle& uvs, std::uint32_t width, std::uint32_t height, unsigned limit = 12) {
+UsefulLevel level_of(const BaseTriangle& uvs, std::uint32_t width, std::uint32_t height,
+                     unsigned limit = 12) {
   const UsefulLevel level = useful_level(uvs, width, height, limit);
   EXPECT_EQ(level, useful_level_by_definition(uvs, width, height, limit));
   return level;
@@ -59,7 +59,8 @@ TEST(ImplBakeLevel, TheTwoSidesOfEquationOneDisagree) {
   EXPECT_EQ(level_of(triangle, 16, 16).level, 3u);  // 5 <= 2^3, the smallest
   EXPECT_EQ(std::floor(std::log2(5.0)), 2.0);       // 2^2 <= 5, the largest
   // The longest edge a power of two: both say the same.
-  EXPECT_EQ(level_of({TexturePoint{0, 0}, TexturePoint{0.25f, 0}, TexturePoint{0.125f, 0}}, 16, 16).level, 2u);
+  EXPECT_EQ(level_of({TexturePoint{0, 0}, TexturePoint{0.25f, 0}, TexturePoint{0.125f, 0}}, 16, 16).level,
+            2u);
 }
 
 TEST(ImplBakeLevel, TheHighest) {

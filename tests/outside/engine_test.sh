@@ -40,6 +40,19 @@ if [[ -n ${MMVERIFY_VULKAN_HEADERS:-} ]]; then
   grep KHR "$folder/cpp"
 fi
 
+# The README's lines.
+{ cat <<'CPP'
+#include <mmverify/mmverify.hpp>
+#include <vulkan/vulkan.h>
+void lines(const std::uint8_t* rgba, std::uint32_t width, std::uint32_t height, std::size_t row_bytes,
+           const std::vector<mmverify::impl::bake::BaseTriangle>& triangles, std::vector<std::uint32_t> levels,
+           const mmverify::impl::bake::Parallel& on_my_threads) {
+CPP
+  sed -n '/^```cpp$/,/^```$/p' "$tests/../../README.md" | grep -v '^```'
+  echo '}'; } >"$folder/readme.cpp"
+grep -q copied_as "$folder/readme.cpp" || fail 'the README has no such lines'
+"$CXX" -std=c++20 -fsyntax-only -I "$folder/installed/include" "$folder/readme.cpp" || fail "the README's lines do not compile"
+
 # A GLB of this program's.
 "$folder/installed/bin/mmverify" scene --quiet --no-laws -o "$folder/scene.glb" >"$folder/log" || { cat "$folder/log"; exit 1; }
 "$folder/system/build/gltf" "$folder/scene.glb" >"$folder/gltf"

@@ -114,7 +114,8 @@ TEST(SourceStatements, OfTheDialectsAreTheirCodes) {
     apart += code != exact ? 1 : 0;
     const auto at = fmt::format("level {} {:a} {:a}", n, u, v);
     EXPECT_EQ(said_there(Dialect::published, n, u, v, code), Answer::unsat) << at;
-    EXPECT_EQ(said_there(Dialect::published, n, u, v, exact), code == exact ? Answer::unsat : Answer::sat) << at;
+    EXPECT_EQ(said_there(Dialect::published, n, u, v, exact), code == exact ? Answer::unsat : Answer::sat)
+        << at;
     EXPECT_EQ(said_there(Dialect::exact, n, u, v, exact), Answer::unsat) << at;
   };
   // The sum of fractions rounds up to 1, and is 2^-25, then 2^-24, below it.

@@ -101,8 +101,7 @@ class Exact {
   /// Points are in units of 2^-fraction_bits from the origin of texel (column, row), none below 0 nor beyond
   /// `cells` texels.
   Exact(const TextureProperties& sides, const Question<Int>& question, std::int64_t column, std::int64_t row,
-        std::int64_t cells, int fraction_bits, const Outline<Int>& outline,
-        const Closings& closings)
+        std::int64_t cells, int fraction_bits, const Outline<Int>& outline, const Closings& closings)
       : sides_(sides),
         question_(question),
         column_(column),
@@ -168,10 +167,11 @@ class Exact {
         const std::int64_t at = whole(y, unit_);
         bends.push_back({at - 1, at + 1});
       }
-    each_row(first, last, down_.period, {bends.data(), bends.size()}, columns, [this](const Columns& at, std::int64_t j) {
-      if (!at.empty()) take(question_.of_texels(sides_.of(at.first, at.last, row_ + j, row_ + j)));
-      return !done();
-    });
+    each_row(first, last, down_.period, {bends.data(), bends.size()}, columns,
+             [this](const Columns& at, std::int64_t j) {
+               if (!at.empty()) take(question_.of_texels(sides_.of(at.first, at.last, row_ + j, row_ + j)));
+               return !done();
+             });
   }
 
   /// The greatest i with i size <= position.  Domain: size > 0, 0 <= position <= cells size.

@@ -202,8 +202,8 @@ std::vector<std::string> as_the_published_code(const std::vector<Result>& result
     for (const Counterexample& c : r.counterexamples) {
       const auto [u, v] = floats_of(c.at);
       if (c.got == fmt::format("{}", published(c.level, u, v)))
-        return {fmt::format("level {} case {}: {}; --dialect published holds the function to that code", c.level,
-                            c.at, published_here_too(c.got))};
+        return {fmt::format("level {} case {}: {}; --dialect published holds the function to that code",
+                            c.level, c.at, published_here_too(c.got))};
     }
   return {};
 }
@@ -237,9 +237,9 @@ Law law(Dialect dialect, std::string replayed_by) {
   const bool exact = dialect == Dialect::exact;
   Law l{.id = "index.floats",
         .topic = "index",  // no registry fills it in: a source is the law's only subject
-        .says = fmt::format("for every pair of binary32 numbers the function's index is defined and {}",
-                            exact ? "that of the exact reference"
-                                  : "bit for bit that of the published code in binary32"),
+        .says = fmt::format(
+            "for every pair of binary32 numbers the function's index is defined and {}",
+            exact ? "that of the exact reference" : "bit for bit that of the published code in binary32"),
         .source = vulkan,
         .method = Method::bit_vectors,
         .tiers = {.fast = {9, 9}, .long_run = {0, highest}},
@@ -257,10 +257,9 @@ Law law(Dialect dialect, std::string replayed_by) {
         },
         .divisible = true,
         .judge = [dialect](const Subject& s, Level n, const Run& run) { return judge(s, dialect, n, run); },
-        .replay =
-            [dialect](const Subject& s, Level n, const std::string& at) {
-              return replay(subject_as<IndexSubject>(s), dialect, n, at);
-            },
+        .replay = [dialect](
+                      const Subject& s, Level n,
+                      const std::string& at) { return replay(subject_as<IndexSubject>(s), dialect, n, at); },
         .diagnose =
             [dialect](const Subject&, const std::vector<Result>& results) {
               return dialect == Dialect::exact ? as_the_published_code(results) : std::vector<std::string>{};
@@ -280,8 +279,10 @@ Replayed replay(const IndexSubject& subject, Dialect dialect, Level n, const std
   const std::string cause = first == expected || first == "no index" ? undefined_at(subject, n, u, v) : "";
   if (!cause.empty()) return {false, expected, fmt::format("{}, undefined: {}", first, cause), {}};
   const std::string got = first == "no index" ? fmt::format("{}", asked(subject, n, u, v)) : first;
-  const bool here_too = dialect == Dialect::exact && got != expected && got == fmt::format("{}", published(n, u, v));
-  return {got == expected, expected, here_too ? fmt::format("{} ({})", got, published_here_too(got)) : got, {}};
+  const bool here_too =
+      dialect == Dialect::exact && got != expected && got == fmt::format("{}", published(n, u, v));
+  return {
+      got == expected, expected, here_too ? fmt::format("{} ({})", got, published_here_too(got)) : got, {}};
 }
 
 }  // namespace mmverify::proofs::index::source

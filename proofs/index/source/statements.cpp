@@ -105,8 +105,9 @@ Coordinates declare_coordinates(Script& script, const Pair& pair) {
 spec::index::Quantised<W> square_of(Dialect dialect, const Q& un, const Q& vn, const W& N) {
   if (dialect == Dialect::exact) return spec::index::quantise_scaled<W>(un, vn, N);
   const W iu = whole(un), iv = whole(vn);
-  const Exact hair(apply(
-      "bvshl", {Word<Exact::bits>(1).term, Word<Exact::bits>(Exact::fraction_bits - 25).term}, Exact::sort()));
+  const Exact hair(apply("bvshl",
+                         {Word<Exact::bits>(1).term, Word<Exact::bits>(Exact::fraction_bits - 25).term},
+                         Exact::sort()));
   const Q sum = un - Q(iu) + (vn - Q(iv)), least(Exact(1) - hair);
   return spec::index::grid_square<W>(iu, iv, !(sum < least), N);
 }
@@ -157,8 +158,8 @@ Statement statement_of(Level n, const Pair& pair, const Formula& formula, Dialec
       fmt::format("level_{}_u_{}_{}_v_{}_{}", n, pair.u.negative ? "minus" : "from", pair.u.first,
                   pair.v.negative ? "minus" : "from", pair.v.first),
       Answer::unsat,
-      fmt::format("Level {}, {}, {}: the function's index is defined and that of {}.", n, words_for("u", pair.u),
-                  words_for("v", pair.v),
+      fmt::format("Level {}, {}, {}: the function's index is defined and that of {}.", n,
+                  words_for("u", pair.u), words_for("v", pair.v),
                   dialect == Dialect::exact ? "the exact reference" : "the published code in binary32"));
   const Coordinates c = declare_coordinates(script, pair);
   if (at) {

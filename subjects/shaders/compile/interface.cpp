@@ -86,8 +86,8 @@ class Reader {
       if (writable.empty() && !buffer.value("readonly", false)) writable = place(buffer);
     }
     if (!writable.empty())
-      fault(fmt::format("it does not use binding {} of set 0, where answers go; it may write to {}", answer_binding,
-                        writable));
+      fault(fmt::format("it does not use binding {} of set 0, where answers go; it may write to {}",
+                        answer_binding, writable));
   }
 
   /// The name of a block's type: spirv-cross numbers the variable of a block without a name.

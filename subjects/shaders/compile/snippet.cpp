@@ -173,7 +173,8 @@ std::string type_of(const std::string& parameter) {
 /// The function's arguments in the order of the text's parameters: those of each type keep their order.  Unchanged where
 /// the types are others.
 std::string arguments_for(const SnippetFunction& f, const std::string& parameters) {
-  const auto due = comma_separated(f.parameters), own = comma_separated(parameters), arguments = comma_separated(f.arguments);
+  const auto due = comma_separated(f.parameters), own = comma_separated(parameters),
+             arguments = comma_separated(f.arguments);
   if (due.size() != arguments.size()) return f.arguments;
   std::vector<bool> used(due.size());
   std::vector<std::string> ordered;
