@@ -10,14 +10,14 @@
 namespace mmverify::impl::array {
 namespace {
 
-constexpr Level highest = 12;
+constexpr Level highest_of_records = 12;
 
-std::size_t index_bytes(const Part& part) { return micromap::width(part.encoding) / 8; }
+std::size_t code_bytes(const Part& part) { return micromap::width(part.encoding) / 8; }
 
 /// The target of a triangle's code.  Domain: the part has the triangle.
 Target target_of(const Part& part, std::size_t triangle, std::size_t records) noexcept {
   std::uint32_t code = 0;
-  std::memcpy(&code, part.indices.data() + triangle * index_bytes(part), index_bytes(part));
+  std::memcpy(&code, part.indices.data() + triangle * code_bytes(part), code_bytes(part));
   return target(code, part.encoding, false, part.base, static_cast<std::uint32_t>(records));
 }
 
@@ -25,12 +25,12 @@ Target target_of(const Part& part, std::size_t triangle, std::size_t records) no
 
 std::optional<State> state_at(const micromap::Array& array, const Part& part, std::uint64_t triangle, float u,
                               float v) noexcept {
-  if (triangle >= part.indices.size() / index_bytes(part)) return std::nullopt;
+  if (triangle >= part.indices.size() / code_bytes(part)) return std::nullopt;
   const Target to = target_of(part, static_cast<std::size_t>(triangle), array.records.size());
   if (to.kind == Target::Kind::special) return to.state;
   if (to.kind != Target::Kind::record) return std::nullopt;
   const micromap::Record& r = array.records[static_cast<std::size_t>(to.record)];
-  if (r.level > highest || (r.format != 1 && r.format != 2)) return std::nullopt;
+  if (r.level > highest_of_records || (r.format != 1 && r.format != 2)) return std::nullopt;
   const auto format = static_cast<Format>(r.format);
   const std::uint64_t size = micromap::packed_bytes(micromap::micro_triangles(r.level), format);
   if (r.offset + size > array.data.size()) return std::nullopt;
@@ -41,7 +41,7 @@ std::optional<State> state_at(const micromap::Array& array, const Part& part, st
 
 std::vector<UsageCount> geometry_counts(std::span<const micromap::Record> records, const Part& part) {
   micromap::detail::Histogram histogram;
-  for (std::size_t t = 0; t < part.indices.size() / index_bytes(part); ++t) {
+  for (std::size_t t = 0; t < part.indices.size() / code_bytes(part); ++t) {
     const Target to = target_of(part, t, records.size());
     if (to.kind == Target::Kind::special) continue;
     if (to.kind != Target::Kind::record)

@@ -37,7 +37,7 @@ TEST(Allocation, OfLookupsIsNone) {
   EXPECT_EQ(allocated_by([&] { array::state_at(built.array, built.part, 0, 0.25f, 0.5f); }), 0u);
 }
 
-/// A texture with contours everywhere, and a triangle with corners between texels: many micro-triangles take whole
+/// A texture with contours everywhere: with bilinear filtering some micro-triangles take whole
 /// numbers, with and without a margin.
 TEST(Allocation, OfABakeIsNoneWithOneMipLevelOrRoom) {
   constexpr std::uint32_t side = 16;
@@ -56,7 +56,9 @@ TEST(Allocation, OfABakeIsNoneWithOneMipLevelOrRoom) {
         const bake::TriangleBaker one({&mip, 1}, mode, how), two(std::array{mip, mip}, mode, how);
         bake::BakeCounts counts;
         EXPECT_EQ(allocated_by([&] { counts = one.bake(uv, 6, map); }), 0u);
-        EXPECT_GT(counts.exact, 0u);
+        if (filter == bake::Filter::bilinear) {
+          EXPECT_GT(counts.exact, 0u);
+        }
         EXPECT_EQ(allocated_by([&] { two.bake(uv, 6, map, room); }), 0u);
         // The test sees what allocates.
         EXPECT_EQ(allocated_by([&] { two.bake(uv, 6, map); }), map.size());

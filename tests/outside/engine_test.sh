@@ -53,6 +53,19 @@ CPP
 grep -q copied_as "$folder/readme.cpp" || fail 'the README has no such lines'
 "$CXX" -std=c++20 -fsyntax-only -I "$folder/installed/include" "$folder/readme.cpp" || fail "the README's lines do not compile"
 
+# Vulkan-Hpp's structs.
+cat >"$folder/hpp.cpp" <<'CPP'
+#include <mmverify/mmverify.hpp>
+#include <vulkan/vulkan.hpp>
+using namespace mmverify::impl::array;
+bool right(const Built& b) {
+  return copied_as<vk::MicromapTriangleEXT>(b.array.records)[0].subdivisionLevel == b.array.records[0].level &&
+         copied_as<vk::MicromapUsageEXT>(b.array_counts)[0].count == b.array_counts[0].count &&
+         static_cast<vk::IndexType>(index_type(Encoding::u16).vulkan) == vk::IndexType::eUint16;
+}
+CPP
+"$CXX" -std=c++20 -fsyntax-only -I "$folder/installed/include" "$folder/hpp.cpp" || fail "Vulkan-Hpp's structs"
+
 # A GLB of this program's.
 "$folder/installed/bin/mmverify" scene --quiet --no-laws -o "$folder/scene.glb" >"$folder/log" || { cat "$folder/log"; exit 1; }
 "$folder/system/build/gltf" "$folder/scene.glb" >"$folder/gltf"
