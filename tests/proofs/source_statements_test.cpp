@@ -5,11 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "proofs/index/floats/hard_floats.hpp"
 #include "proofs/index/floats/published.hpp"
 #include "proofs/index/laws/parts.hpp"
 #include "proofs/index/source/statements.hpp"
 #include "proofs/induction/prover.hpp"
+#include "proofs/points/hard_floats.hpp"
 
 namespace mmverify::proofs::index::source {
 namespace source_statements_test {
