@@ -196,8 +196,7 @@ void diagnose(const std::vector<Job>& jobs, Report& report) {
         job.law->diagnose && !results.empty() && !interrupted() && report.gave_up.empty()) {
       try {
         Diagnosis diagnosis{job.law->id, job.subject->name(), job.law->diagnose(*job.subject, results)};
-        if (!diagnosis.lines.empty() && !said_before(report, diagnosis))
-          report.diagnoses.push_back(std::move(diagnosis));
+        if (!said_before(report, diagnosis)) report.diagnoses.push_back(std::move(diagnosis));
       } catch (const Interrupted&) {
       } catch (const NoResources&) {
         // The verdict stands without the diagnosis.

@@ -196,14 +196,16 @@ std::string published_here_too(const std::string& index) {
   return fmt::format("the published code gives {} here, too", index);
 }
 
-/// A line for a function that is refuted where the published code gives its index; `results` are of exact arithmetic.
-std::vector<std::string> as_the_published_code(const std::vector<Result>& results) {
+/// The published code's index on the first counterexample of exact arithmetic.
+std::vector<std::string> beside_the_published_code(const Subject&, const std::vector<Result>& results) {
   for (const Result& r : results)
     for (const Counterexample& c : r.counterexamples) {
       const auto [u, v] = floats_of(c.at);
-      if (c.got == fmt::format("{}", published(c.level, u, v)))
-        return {fmt::format("level {} case {}: {}; --dialect published holds the function to that code",
-                            c.level, c.at, published_here_too(c.got))};
+      const std::string code = fmt::format("{}", published(c.level, u, v));
+      return {fmt::format("level {} case {}: {}", c.level, c.at,
+                          c.got == code
+                              ? published_here_too(code) + "; --dialect published holds the function to it"
+                              : fmt::format("the published code gives {} here", code))};
     }
   return {};
 }
@@ -260,10 +262,7 @@ Law law(Dialect dialect, std::string replayed_by) {
         .replay = [dialect](
                       const Subject& s, Level n,
                       const std::string& at) { return replay(subject_as<IndexSubject>(s), dialect, n, at); },
-        .diagnose =
-            [dialect](const Subject&, const std::vector<Result>& results) {
-              return dialect == Dialect::exact ? as_the_published_code(results) : std::vector<std::string>{};
-            },
+        .diagnose = exact ? beside_the_published_code : decltype(Law::diagnose)(),
         .dialect = exact ? "" : "published"};
   l.replayed_by = std::move(replayed_by);
   return l;
