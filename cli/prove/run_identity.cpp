@@ -18,10 +18,9 @@ Identity identity_of(const std::vector<Job>& jobs, const RunOptions& options) {
   std::vector<std::string> work;
   for (const Job& job : jobs) {
     const std::string fingerprint = job.subject->fingerprint();
-    const std::string& dialect = job.law->dialect;
-    work.push_back(fmt::format("{}{} {}{} {}..{}", job.law->id, dialect.empty() ? "" : " " + dialect,
-                               job.subject->name(), fingerprint.empty() ? "" : " " + fingerprint,
-                               job.levels.first, job.levels.last));
+    work.push_back(fmt::format("{} {}{} {}..{}", job.law->id, job.subject->name(),
+                               fingerprint.empty() ? "" : " " + fingerprint, job.levels.first,
+                               job.levels.last));
   }
   Identity identity = program_identity();
   identity.emplace_back("work", fmt::format("{}", fmt::join(work, "; ")));

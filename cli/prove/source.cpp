@@ -123,7 +123,9 @@ SubjectPtr subject_of(const SourceOptions& options, const std::string& name, dou
   dock.timeout_seconds = timeout_seconds;
   dock.called = name;
   dock.keeps = made.files();
-  dock.fingerprint = fmt::format("{} {:016x}", made.compiler(), hash_of(made.bitcode()));
+  // A journal of one dialect must not go on in the other.
+  dock.fingerprint = fmt::format("{} {:016x}{}", made.compiler(), hash_of(made.bitcode()),
+                                 options.published ? " published" : "");
   const auto library = [&] {
     try {
       return open_library(made.library(), dock);
