@@ -147,11 +147,12 @@ typedef struct mmverify_map {
   const uint8_t* bytes;
 } mmverify_map;
 
-/* VkMicromapTriangleEXT and VkMicromapUsageEXT, member by member. */
+/* VkMicromapTriangleEXT, member by member. */
 typedef struct mmverify_record {
   uint32_t offset;
   uint16_t level, format;
 } mmverify_record;
+/* VkMicromapUsageEXT, member by member: how many records, or triangles, have a level and a format. */
 typedef struct mmverify_usage {
   uint32_t count, level, format;
 } mmverify_usage;

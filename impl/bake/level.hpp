@@ -5,6 +5,7 @@
 
 namespace mmverify::impl::bake {
 
+/// A level, and whether a limit made it coarser.
 struct UsefulLevel {
   std::uint32_t level = 0;
   bool limited = false;  ///< the useful level is above the limit
