@@ -63,7 +63,7 @@ TEST(CFace, ArraysAreThoseOfCpp) {
 }
 
 TEST(CFace, PixelsAndUsefulLevelsAreThoseOfCpp) {
-  std::vector<std::uint8_t> rgba(4 * 64 + 4);
+  std::vector<std::uint8_t> rgba(33 * 8);
   std::mt19937 random(2);
   for (std::uint8_t& b : rgba) b = static_cast<std::uint8_t>(random());
   const mmverify_pixels mip{rgba.data(), 8, 8, 33, 4, 2};
