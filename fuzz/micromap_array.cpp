@@ -4,7 +4,7 @@
 // Input: a byte.  If it is even, a Reader's numbers are the fields of an Input, and its bytes the buffers; if
 // odd, they are maps and options to build, then the breach and its place.  Missing bytes are zeros.
 //
-// Covers: impl/micromap/array.* impl/micromap/histogram.hpp impl/micromap/rules.hpp impl/micromap/validate.*
+// Covers: impl/micromap/append.* impl/micromap/array.* impl/micromap/histogram.hpp impl/micromap/rules.hpp impl/micromap/validate.*
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -13,7 +13,7 @@
 #include <string>
 
 #include "fuzz/micromap_both.hpp"
-#include "impl/micromap/array.hpp"
+#include "impl/micromap/append.hpp"
 
 namespace {
 

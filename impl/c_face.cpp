@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <exception>
 #include <stdexcept>
@@ -15,6 +16,12 @@ struct mmverify_tree {
 
 struct mmverify_baker {
   mmverify::impl::bake::TriangleBaker baker;
+};
+
+struct mmverify_array {
+  mmverify::impl::array::Built built;
+  std::vector<mmverify_record> records;
+  std::vector<mmverify_usage> array_usage, geometry_usage;
 };
 
 namespace {
@@ -64,14 +71,19 @@ std::uint32_t index_level(std::uint32_t level) {
   return level;
 }
 
-/// The corners of a batch, six lists made into one.
+/// The corners of a batch, piece by piece: six lists made into one.
 template <class Corners>
-void interleave(std::uint32_t* corners, std::size_t count, const Corners& corners_of) {
-  std::array<std::vector<std::uint32_t>, 6> lists;
-  for (auto& list : lists) list.resize(count);
-  corners_of(index::CornerSpans{lists[0], lists[1], lists[2], lists[3], lists[4], lists[5]});
-  for (std::size_t k = 0; k < count; ++k)
-    for (std::size_t c = 0; c < 6; ++c) corners[6 * k + c] = lists[c][k];
+void interleave(const std::uint32_t* index, std::uint32_t* corners, std::size_t count,
+                const Corners& corners_of) {
+  constexpr std::size_t piece = 256;
+  std::array<std::array<std::uint32_t, piece>, 6> lists;
+  for (std::size_t at = 0; at < count; at += piece) {
+    const std::size_t size = std::min(piece, count - at);
+    const auto list = [&](std::size_t c) { return std::span(lists[c]).first(size); };
+    corners_of({index + at, size}, index::CornerSpans{list(0), list(1), list(2), list(3), list(4), list(5)});
+    for (std::size_t k = 0; k < size; ++k)
+      for (std::size_t c = 0; c < 6; ++c) corners[6 * (at + k) + c] = lists[c][k];
+  }
 }
 
 template <class Block>
@@ -125,9 +137,22 @@ bake::Wrap wrap_of(std::uint32_t wrap) {
   return static_cast<bake::Wrap>(wrap);
 }
 
-bake::TriangleBaker baker_of(const mmverify_texture* mips, std::size_t count, const mmverify_sampling& how) {
+std::vector<bake::Texels> levels_of(std::span<const mmverify_texture> mips, std::uint32_t texel) {
   std::vector<bake::Texels> levels;
-  for (std::size_t k = 0; k < count; ++k) levels.push_back(view(mips[k], how.texel));
+  for (const mmverify_texture& mip : mips) levels.push_back(view(mip, texel));
+  return levels;
+}
+
+std::vector<bake::PixelView> levels_of(std::span<const mmverify_pixels> mips, std::uint32_t texel) {
+  need(texel == MMVERIFY_TEXEL_UNORM8, "texels of interleaved pixels are of 1, 8 bits");
+  std::vector<bake::PixelView> levels;
+  for (const mmverify_pixels& m : mips)
+    levels.push_back({m.bytes, m.width, m.height, m.pitch, m.channels, m.channel});
+  return levels;
+}
+
+template <class Mip>
+mmverify_baker* baker_of(std::span<const Mip> mips, const mmverify_sampling& how) {
   need(how.filter <= MMVERIFY_FILTER_NEAREST, "a filter is 0, bilinear, or 1, nearest");
   bake::Sampling sampling;
   sampling.u = wrap_of(how.wrap_u);
@@ -141,7 +166,35 @@ bake::TriangleBaker baker_of(const mmverify_texture* mips, std::size_t count, co
   const bake::AlphaMode mode =
       how.blend != 0 ? bake::AlphaMode(bake::Blend{})
                      : bake::AlphaMode(bake::Cutoff{how.cutoff_numerator, how.cutoff_denominator});
-  return bake::TriangleBaker(levels, mode, sampling);
+  return new mmverify_baker{bake::TriangleBaker(levels_of(mips, how.texel), mode, sampling)};
+}
+
+bake::BaseTriangle triangle_of(const float* uv) {
+  bake::BaseTriangle triangle;
+  for (std::size_t k = 0; k < 3; ++k) triangle[k] = {uv[2 * k], uv[2 * k + 1]};
+  return triangle;
+}
+
+mmverify_array built_array(std::span<const mmverify_map> maps, std::uint32_t index_bits) {
+  need(index_bits == 8 || index_bits == 16 || index_bits == 32, "indices have 8, 16 or 32 bits");
+  std::vector<micromap::PackedMap> packed;
+  for (const mmverify_map& m : maps) {
+    const Format f = format_of(m.format);
+    packed.push_back({m.level, f, {m.bytes, bytes(states_of(m.level), f)}});
+  }
+  using enum micromap::Encoding;
+  mmverify_array made{array::build({}, packed,
+                                   {.encoding = index_bits == 8    ? u8
+                                                : index_bits == 16 ? u16
+                                                                   : u32}),
+                      {},
+                      {},
+                      {}};
+  const auto& [records, data] = made.built.array;
+  made.records = array::copied_as<mmverify_record>(records);
+  made.array_usage = array::copied_as<mmverify_usage>(made.built.array_counts);
+  made.geometry_usage = array::copied_as<mmverify_usage>(array::geometry_counts(records, made.built.part));
+  return made;
 }
 
 }  // namespace
@@ -155,9 +208,10 @@ int mmverify_index(uint32_t level, const float* u, const float* v, uint32_t* out
 int mmverify_corners(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count) {
   return done([&] {
     const std::uint32_t n = index_level(level);
-    interleave(corners, count, [&](const index::CornerSpans& out) {
-      index::corners({index, count}, n, out);
-    });
+    interleave(index, corners, count,
+               [&](std::span<const std::uint32_t> piece, const index::CornerSpans& out) {
+                 index::corners(piece, n, out);
+               });
   });
 }
 
@@ -168,9 +222,10 @@ int mmverify_row_index(uint32_t level, const float* u, const float* v, uint32_t*
 int mmverify_row_corners(uint32_t level, const uint32_t* index, uint32_t* corners, size_t count) {
   return done([&] {
     index_level(level);
-    interleave(corners, count, [&](const index::CornerSpans& out) {
-      index::w_minor_corners({index, count}, out);
-    });
+    interleave(index, corners, count,
+               [&](std::span<const std::uint32_t> piece, const index::CornerSpans& out) {
+                 index::w_minor_corners(piece, out);
+               });
   });
 }
 
@@ -287,7 +342,14 @@ int mmverify_vq4_encode(const uint8_t* map, uint8_t* block) {
 mmverify_baker* mmverify_baker_new(const mmverify_texture* mips, size_t count,
                                    const mmverify_sampling* sampling) {
   mmverify_baker* made = nullptr;
-  done([&] { made = new mmverify_baker{baker_of(mips, count, *sampling)}; });
+  done([&] { made = baker_of(std::span(mips, count), *sampling); });
+  return made;
+}
+
+mmverify_baker* mmverify_baker_of_pixels(const mmverify_pixels* mips, size_t count,
+                                         const mmverify_sampling* sampling) {
+  mmverify_baker* made = nullptr;
+  done([&] { made = baker_of(std::span(mips, count), *sampling); });
   return made;
 }
 
@@ -295,8 +357,46 @@ void mmverify_baker_free(mmverify_baker* baker) { delete baker; }
 
 int mmverify_bake(const mmverify_baker* baker, const float* uv, uint32_t level, uint8_t* map) {
   return done([&] {
-    bake::BaseTriangle triangle;
-    for (std::size_t k = 0; k < 3; ++k) triangle[k] = {uv[2 * k], uv[2 * k + 1]};
-    baker->baker.bake(triangle, level, {map, bytes(states_of(level), Format::four_state)});
+    baker->baker.bake(triangle_of(uv), level, {map, bytes(states_of(level), Format::four_state)});
+  });
+}
+
+int mmverify_useful_level(const float* uv, uint32_t width, uint32_t height, uint32_t limit, uint32_t* level) {
+  return done([&] {
+    for (std::size_t k = 0; k < 6; ++k) need(std::isfinite(uv[k]), "a texture coordinate that is not finite");
+    need(width >= 1 && width <= 16384 && height >= 1 && height <= 16384,
+         "a texture has 1 to 16384 texels along each side");
+    *level = bake::useful_level(triangle_of(uv), width, height, limit).level;
+  });
+}
+
+mmverify_array* mmverify_array_new(const mmverify_map* maps, size_t count, uint32_t index_bits) {
+  mmverify_array* made = nullptr;
+  done([&] { made = new mmverify_array(built_array({maps, count}, index_bits)); });
+  return made;
+}
+
+void mmverify_array_free(mmverify_array* array) { delete array; }
+
+void mmverify_array_buffers(const mmverify_array* array, mmverify_buffers* buffers) {
+  const auto& [encoding, base, indices] = array->built.part;
+  const std::vector<std::uint8_t>& data = array->built.array.data;
+  *buffers = {array->records.data(),
+              array->records.size(),
+              data.data(),
+              data.size(),
+              indices.data(),
+              indices.size() / (micromap::width(encoding) / 8),
+              array->array_usage.data(),
+              array->array_usage.size(),
+              array->geometry_usage.data(),
+              array->geometry_usage.size()};
+}
+
+int mmverify_array_state(const mmverify_array* array, size_t triangle, float u, float v, uint8_t* state) {
+  return done([&] {
+    const auto found = array::state_at(array->built.array, array->built.part, triangle, u, v);
+    need(found.has_value(), "a triangle that the array does not have");
+    *state = static_cast<std::uint8_t>(*found);
   });
 }

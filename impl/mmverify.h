@@ -2,7 +2,8 @@
  *
  * Functions that can fail return 1 on success, and 0 on failure: an argument outside its domain, or no memory.
  * mmverify_error() then gives the reason.  A failed call writes nothing, and nothing is thrown.  All functions may
- * be called from several threads at once.
+ * be called from several threads at once; none starts a thread.  Memory is allocated by functions that make a
+ * tree, a baker, an array or a code, by failures, and by mmverify_bake with several mip levels.
  *
  * Levels are 0..16 of indices, 0..12 of maps.  A map of level n and format b is 4^n states of b bits in the
  * order of the index, packed from the least significant bit of each byte on: ceil(4^n b / 8) bytes, the bits
@@ -101,6 +102,14 @@ typedef struct mmverify_texture {
   uint32_t width, height;
 } mmverify_texture;
 
+/* One mip level of interleaved pixels of 8 bits a channel: alpha of texel (x, y) at pitch y + channels x + channel. */
+typedef struct mmverify_pixels {
+  const uint8_t* bytes;
+  uint32_t width, height;
+  size_t pitch;               /* in bytes, at least channels width */
+  uint32_t channels, channel; /* at most 16; RGBA8 has 4, and alpha in channel 3 */
+} mmverify_pixels;
+
 /* The sampling of a texture, and the rule by which alpha is opaque. */
 typedef struct mmverify_sampling {
   uint32_t texel;                  /* MMVERIFY_TEXEL_UNORM8, ... */
@@ -112,17 +121,67 @@ typedef struct mmverify_sampling {
   float margin; /* texels by which each micro-triangle is grown to either side along x and y */
 } mmverify_sampling;
 
-/* Mip levels in the order in which they are sampled, the largest first.  The texels must outlive the baker.
- * Null on failure. */
+/* Mip levels in the order in which they are sampled, the largest first.  The texels must outlive the baker; of pixels it
+ * copies the channel, and their sampling's texel is MMVERIFY_TEXEL_UNORM8.  Null on failure. */
 typedef struct mmverify_baker mmverify_baker;
 mmverify_baker* mmverify_baker_new(const mmverify_texture* mips, size_t count,
                                    const mmverify_sampling* sampling);
+mmverify_baker* mmverify_baker_of_pixels(const mmverify_pixels* mips, size_t count,
+                                         const mmverify_sampling* sampling);
 void mmverify_baker_free(mmverify_baker* baker);
 /* The 4-state map of the triangle with these texture coordinates, u and v of three vertices: O if alpha is opaque
  * on all of a closed micro-triangle in each mip, T if it is transparent on all of it in each mip; else unknown, UO or
  * UT by alpha at the centroid.  Exact.
  * Law: bake.conservative, bake.tight */
 int mmverify_bake(const mmverify_baker* baker, const float* uv, uint32_t level, uint8_t* map);
+
+/* level: the highest useful level of a triangle with these texture coordinates, the smallest at which no edge of a
+ * micro-triangle is longer than a texel; at most limit, and at most 12.
+ * Source: Succinct Opacity Micromaps, 3.1.1.
+ * Test: impl_c_face_test */
+int mmverify_useful_level(const float* uv, uint32_t width, uint32_t height, uint32_t limit, uint32_t* level);
+
+/* A triangle's packed map. */
+typedef struct mmverify_map {
+  uint32_t level, format;
+  const uint8_t* bytes;
+} mmverify_map;
+
+/* VkMicromapTriangleEXT, member by member. */
+typedef struct mmverify_record {
+  uint32_t offset;
+  uint16_t level, format;
+} mmverify_record;
+/* VkMicromapUsageEXT, member by member: how many records, or triangles, have a level and a format. */
+typedef struct mmverify_usage {
+  uint32_t count, level, format;
+} mmverify_usage;
+
+/* The buffers of an array of micromaps and of the geometry that refers to it; they live as long as the array. */
+typedef struct mmverify_buffers {
+  const mmverify_record* records;
+  size_t record_count;
+  const uint8_t* data;
+  size_t data_bytes;
+  const void* indices; /* one a triangle, of index_bits; -1 to -4 are special indices */
+  size_t index_count;
+  const mmverify_usage* array_usage; /* how many records have each level and format */
+  size_t array_usage_count;
+  const mmverify_usage* geometry_usage; /* how many triangles refer to records of each level and format */
+  size_t geometry_usage_count;
+} mmverify_buffers;
+
+/* The array of these maps, one a triangle.  A uniform map becomes a special index; equal maps share a record.
+ * index_bits: 8, 16 or 32.  Null on failure.
+ * Law: array.resolves, array.shares */
+typedef struct mmverify_array mmverify_array;
+mmverify_array* mmverify_array_new(const mmverify_map* maps, size_t count, uint32_t index_bits);
+void mmverify_array_free(mmverify_array* array);
+void mmverify_array_buffers(const mmverify_array* array, mmverify_buffers* buffers);
+
+/* state: that of the micro-triangle of a triangle that contains the barycentrics (u, v).
+ * Test: impl_c_face_test */
+int mmverify_array_state(const mmverify_array* array, size_t triangle, float u, float v, uint8_t* state);
 
 #ifdef __cplusplus
 }

@@ -134,9 +134,7 @@ Job job_of_source(const ProveOptions& options) {
         "--source: index.floats is proved of a source, and nothing else; write mmverify prove index.floats");
   if (!options.subjects.empty())
     throw UsageError("--source and --subject: give one of them; the source is the subject that is judged");
-  if (options.dialect == "published")
-    throw UsageError("--dialect published: a source's index is proved to be the exact one; leave it out");
-  SourceOptions of{*options.source, "index_of", options.flags};
+  SourceOptions of{*options.source, "index_of", options.flags, options.dialect == "published"};
   if (options.function) of.function = *options.function;
   const std::optional<Levels> levels =
       options.levels ? std::optional(parse_levels(*options.levels)) : std::nullopt;

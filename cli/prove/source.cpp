@@ -123,7 +123,9 @@ SubjectPtr subject_of(const SourceOptions& options, const std::string& name, dou
   dock.timeout_seconds = timeout_seconds;
   dock.called = name;
   dock.keeps = made.files();
-  dock.fingerprint = fmt::format("{} {:016x}", made.compiler(), hash_of(made.bitcode()));
+  // A journal of one dialect must not go on in the other.
+  dock.fingerprint = fmt::format("{} {:016x}{}", made.compiler(), hash_of(made.bitcode()),
+                                 options.published ? " published" : "");
   const auto library = [&] {
     try {
       return open_library(made.library(), dock);
@@ -146,13 +148,14 @@ std::string to_text(const SourceOptions& options) {
   std::string text =
       fmt::format("--source {} --function {}", shell_quoted(options.file), shell_quoted(options.function));
   for (const std::string& flag : options.flags) text += fmt::format(" --flag={}", shell_quoted(flag));
-  return text;
+  return text + (options.published ? " --dialect published" : "");
 }
 
 Job source_job(const SourceOptions& options, const std::optional<Levels>& levels, Tier tier,
                double timeout_seconds) {
   // The law lives as long as the program, as the registry's laws do.
-  static const Law of_source = law::law("mmverify prove index.floats " + to_text(options));
+  static const Law of_source = law::law(options.published ? law::Dialect::published : law::Dialect::exact,
+                                        "mmverify prove index.floats " + to_text(options));
   const std::string name = options.file + ":" + options.function;
   Job job{&of_source,
           nullptr,

@@ -13,6 +13,7 @@ namespace mmverify::cli {
 struct SourceOptions {
   std::string file, function = "index_of";
   std::vector<std::string> flags;
+  bool published = false;  ///< --dialect published
 };
 
 /// The arguments that name the source: "--source mine.c --function index_of".

@@ -4,6 +4,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "impl/micromap/append.hpp"
 #include "impl/micromap/histogram.hpp"
 #include "impl/micromap/words.hpp"
 
@@ -146,13 +147,6 @@ class Merger {
   std::array<std::vector<std::size_t>, highest + 1> open_;  ///< records that maps may join, by level
 };
 
-std::vector<UsageCount> as_counts(const Histogram& histogram) {
-  std::vector<UsageCount> counts;
-  for (const auto& [key, count] : histogram.sums())
-    counts.push_back({static_cast<std::uint32_t>(count), key.first, key.second});
-  return counts;
-}
-
 micromap::Geometry merged(micromap::Array& array, std::span<const PackedMap> before,
                           std::span<const PackedMap> maps, const BuildOptions& o) {
   Merger merger(o.base, o.bound);
@@ -177,7 +171,7 @@ micromap::Geometry merged(micromap::Array& array, std::span<const PackedMap> bef
     }
     std::memcpy(geometry.indices.data() + t * size, &code, size);
   }
-  geometry.counts = as_counts(histogram);
+  geometry.counts = histogram.counts();
   for (const Entry& e : merger.entries()) {
     const std::size_t bytes = static_cast<std::size_t>(packed_bytes(micro_triangles(e.level), e.format));
     if (array.data.size() > 0xffffffff) throw std::length_error("array::build: data beyond 2^32 bytes");

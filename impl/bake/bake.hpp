@@ -21,6 +21,16 @@ struct TexelView {
 };
 using AlphaView = TexelView<std::uint8_t>;
 
+/// Interleaved pixels of 8 bits a channel, not owned: alpha of texel (x, y) is bytes[pitch y + channels x + channel].
+/// Domain: 1..16 channels, channel < channels, pitch >= channels width.  RGBA8 has alpha in channel 3, which is linear in
+/// sRGB formats, too.
+struct PixelView {
+  const std::uint8_t* bytes;
+  std::uint32_t width, height;
+  std::size_t pitch;  ///< in bytes
+  std::uint32_t channels = 4, channel = 3;
+};
+
 /// A cutoff: alpha >= numerator / denominator is opaque.  Domain: denominator > 0.  If numerator > denominator, nothing
 /// is opaque.
 struct Cutoff {

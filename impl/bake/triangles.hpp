@@ -86,6 +86,10 @@ class TriangleBaker {
   /// no texel can store; a factor or margin below 0; a margin of 2^20 or more.
   /// Test: impl_bake_errors_test
   TriangleBaker(std::span<const Texels> mips, const AlphaMode& mode, const Sampling& sampling = {});
+  /// A baker of one channel of interleaved pixels, which it copies: a byte a texel.  The pixels need not outlive it.
+  /// Errors: as above; and channels, a channel or a pitch outside the domain of PixelView.
+  /// Test: impl_bake_engine_test
+  TriangleBaker(std::span<const PixelView> mips, const AlphaMode& mode, const Sampling& sampling = {});
   /// A baker for 8 bits, MASK, bilinear.
   /// Test: impl_bake_errors_test
   TriangleBaker(const AlphaView& texture, Cutoff cutoff, const Addressing& addressing = {});
@@ -99,11 +103,17 @@ class TriangleBaker {
   /// Time: linear in the micro-triangles that meet both opaque and other texels.  At worst one of these visits each
   /// texel of the texture, and each repeat that its edges cross before their texels repeat.  Texels and rows that
   /// addressing makes equal are visited once, however far they go.
+  /// Memory: none is allocated with one mip level.  With several, the map of each but the first goes to `room`, of
+  /// map.size() bytes; an empty room is allocated.
   /// Errors: std::invalid_argument outside the domain; nothing is written.
   /// Law: bake.conservative, bake.tight, bake.unknown_side, bake.equals_spec
-  BakeCounts bake(const BaseTriangle& uv, std::uint32_t level, std::span<std::uint8_t> map) const;
+  BakeCounts bake(const BaseTriangle& uv, std::uint32_t level, std::span<std::uint8_t> map,
+                  std::span<std::uint8_t> room = {}) const;
 
  private:
+  void prepare(std::span<const Texels> mips, const AlphaMode& mode, const Sampling& sampling);
+
+  std::vector<std::vector<std::uint8_t>> channels_;  ///< copies of interleaved pixels, by mip level
   std::vector<std::unique_ptr<const detail::MipBaker>> mips_;
 };
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "impl/micromap/array.hpp"
+
 namespace mmverify::impl::micromap::detail {
 
 class Histogram {
@@ -24,6 +26,12 @@ class Histogram {
     std::map<Key, std::uint64_t> all = rest_;
     for (std::uint32_t k = 0; k < usual_.size(); ++k)
       if (usual_[k] != 0) all[{k / formats, k % formats}] = usual_[k];
+    return all;
+  }
+  std::vector<UsageCount> counts() const {
+    std::vector<UsageCount> all;
+    for (const auto& [key, count] : sums())
+      all.push_back({static_cast<std::uint32_t>(count), key.first, key.second});
     return all;
   }
 

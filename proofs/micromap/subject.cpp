@@ -1,5 +1,6 @@
 #include "proofs/micromap/subject.hpp"
 
+#include "impl/micromap/append.hpp"
 #include "impl/micromap/level.hpp"
 #include "impl/micromap/validate.hpp"
 #include "spec/micromap/lossy.hpp"

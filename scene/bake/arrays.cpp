@@ -89,8 +89,7 @@ SceneArrays arrays(const Plan& plan, const Baked& baked) {
         histogram.add(record.level, record.format, 1);
       }
     }
-    for (const auto& [key, count] : histogram.sums())
-      indices.geometry.counts.push_back({static_cast<std::uint32_t>(count), key.first, key.second});
+    indices.geometry.counts = histogram.counts();
     all.primitives.push_back(std::move(indices));
   }
   return all;

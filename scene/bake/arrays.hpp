@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "impl/micromap/array.hpp"
+#include "impl/micromap/append.hpp"
 #include "scene/bake/bake.hpp"
 
 namespace mmverify::scene {

@@ -111,9 +111,11 @@ class Planner {
       const CornerAlphas alphas = corner_alphas(primitive, triangle);
       const auto found = duplicates_.add(planned.surface, uvs, periods(surface.sampler), alphas);
       if (found.is_new) {
-        const TexelTriangle texels = in_texels(uvs, image.width, image.height);
-        plan_.triangles.push_back(
-            {planned.surface, uvs, alphas, texels, uv_shape(uvs), useful_level(texels, level_limit_), 0, 0});
+        impl::bake::BaseTriangle base;
+        for (std::size_t k = 0; k < 3; ++k) base[k] = {uvs[k][0], uvs[k][1]};
+        plan_.triangles.push_back({planned.surface, uvs, alphas, in_texels(uvs, image.width, image.height),
+                                   uv_shape(uvs), useful_level(base, image.width, image.height, level_limit_),
+                                   0, 0});
       }
       PlannedTriangle& distinct = plan_.triangles[found.number];
       distinct.unique += 1;

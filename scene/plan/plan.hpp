@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "impl/bake/level.hpp"
 #include "scene/plan/texel_triangle.hpp"
 #include "scene/plan/uv_duplicates.hpp"
 #include "scene/scene.hpp"
@@ -56,7 +57,7 @@ struct PlannedTriangle {
   CornerAlphas vertex_alpha = one_alpha;  ///< factors besides the surface's, linear between the corners
   TexelTriangle texels;
   UvShape shape = UvShape::area;
-  UsefulLevel level;
+  impl::bake::UsefulLevel level;
   std::uint64_t unique = 0, placed = 0;  ///< triangles that it stands for, itself included
 
   /// Whether alpha is a product of two functions of the place, of which bounds alone are known.

@@ -1,6 +1,5 @@
 #include "scene/plan/texel_triangle.hpp"
 
-#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
@@ -25,19 +24,8 @@ Integer fixed(double x) {
   return shift >= 0 ? Integer(whole * power_of_two(shift)) : Integer(whole / power_of_two(-shift));
 }
 
-// The relative error of `square`, doubled: three roundings, and one of each difference, are less than 8 units
-// of 2^-53.
+// The relative error of a product of two differences, doubled: three roundings are less than 8 units of 2^-53.
 constexpr double slack = 0x1p-49;
-
-/// |b - a|^2 <= 4^n.
-bool at_most(const std::array<double, 2>& a, const std::array<double, 2>& b, unsigned n) {
-  const double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
-  const double bound = std::ldexp(1.0, 2 * static_cast<int>(n));
-  if (square * (1 + slack) <= bound) return true;
-  if (square * (1 - slack) > bound) return false;
-  const Integer x = fixed(b[0]) - fixed(a[0]), y = fixed(b[1]) - fixed(a[1]);
-  return x * x + y * y <= power_of_two(2 * static_cast<int>(n) + 2 * least_exponent);
-}
 
 }  // namespace
 
@@ -60,17 +48,6 @@ UvShape uv_shape(const UvTriangle& uvs) {
     return Integer(fixed(to[k]) - fixed(from[k]));
   };
   return exact(b, a, 0) * exact(c, a, 1) == exact(c, a, 0) * exact(b, a, 1) ? UvShape::line : UvShape::area;
-}
-
-UsefulLevel useful_level(const TexelTriangle& corners, unsigned limit) {
-  const unsigned most = std::min(finest_level, limit);
-  unsigned level = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    while (!at_most(corners[k], corners[(k + 1) % 3], level)) {
-      if (level == most) return {most, true};
-      ++level;
-    }
-  return {level, false};
 }
 
 }  // namespace mmverify::scene

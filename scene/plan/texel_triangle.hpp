@@ -1,4 +1,4 @@
-// A triangle on a texture: its corners in texels, its shape, and its highest useful level.
+// A triangle on a texture: its corners in texels, and its shape.
 #pragma once
 
 #include <array>
@@ -26,18 +26,5 @@ UvShape uv_shape(const UvTriangle& uvs);
 
 /// The finest level of the paper's tables and of our codecs.
 inline constexpr unsigned finest_level = 12;
-
-struct UsefulLevel {
-  unsigned level = 0;
-  bool limited = false;  ///< the useful level is above the limit
-  bool operator==(const UsefulLevel&) const = default;
-};
-
-/// The highest useful level: the smallest at which no edge of a micro-triangle is longer than a texel,
-///   min { n : 4^n >= max |e|^2 },  e over the three edges in texels; at most min(finest_level, limit)
-/// Exact: floats decide where their error bound lets them, else integers.  Domain: corners of in_texels().
-/// Source: succinct opacity micromaps, 3.1.1, equation (1).  It prints the quotient as >= 1 and its logarithm
-/// as <= n; this is the reading that fits the text above it.
-UsefulLevel useful_level(const TexelTriangle& corners, unsigned limit = finest_level);
 
 }  // namespace mmverify::scene

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "impl/micromap/array.hpp"
+#include "impl/micromap/append.hpp"
 #include "impl/micromap/level.hpp"
 #include "spec/micromap/array.hpp"
 #include "spec/micromap/level.hpp"

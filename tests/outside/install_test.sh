@@ -12,6 +12,13 @@ folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 fail() { echo "FAILED: $*"; exit 1; }
 
+# Of a build of other targets, such as ./run prove makes, it says what is missing, and installs nothing.
+mkdir "$folder/partly"
+sed "s|$build/cli/mmverify\"|$build/cli/no-mmverify\"|" "$build/cmake_install.cmake" >"$folder/partly/cmake_install.cmake"
+! cmake -D CMAKE_INSTALL_PREFIX="$folder/partly/installed" -P "$folder/partly/cmake_install.cmake" >"$folder/install.log" 2>&1 ||
+  fail "a build without the program is installed"
+grep -q 'not built' "$folder/install.log" && grep 'cli/no-mmverify' "$folder/install.log"
+[[ ! -e $folder/partly/installed ]] || fail "half of a build is installed"
 DESTDIR='' cmake --install "$build" --prefix "$folder/installed" >"$folder/install.log" || { cat "$folder/install.log"; exit 1; }
 "$folder/installed/bin/mmverify" --version
 for described in man/man1/mmverify.1 bash-completion/completions/mmverify zsh/site-functions/_mmverify fish/vendor_completions.d/mmverify.fish; do
@@ -40,14 +47,28 @@ code=0
 ((code == 1)) || fail "the gate on a wrong index function gives exit code $code"
 grep 'verdict proved -> refuted' "$folder/gate.log"
 
-# Where there is no Highway, all but the library.
+# A project of language C: the C compiler links, by CMake and by pkg-config.
+mkdir "$folder/of_c"
+cp "$tests/consumer/uses_the_c_face.c" "$folder/of_c"
+cat >"$folder/of_c/CMakeLists.txt" <<'CMAKE'
+cmake_minimum_required(VERSION 3.25)
+project(of_c LANGUAGES C)
+find_package(mmverify REQUIRED)
+add_executable(uses_the_c_face uses_the_c_face.c)
+target_link_libraries(uses_the_c_face PRIVATE mmverify::impl)
+CMAKE
+{ cmake -S "$folder/of_c" -B "$folder/of_c/build" -D CMAKE_PREFIX_PATH="$folder/installed" && cmake --build "$folder/of_c/build"; } \
+  >"$folder/build.log" 2>&1 || { cat "$folder/build.log"; exit 1; }
+"$folder/of_c/build/uses_the_c_face"
+
+# Where there is no Highway, all but the library, and an error that names it.
 mkdir "$folder/without"
 cp "$tests/../../examples/subject/subject.c" "$folder/without/my_index.c"
 cat >"$folder/without/CMakeLists.txt" <<'CMAKE'
 cmake_minimum_required(VERSION 3.25)
 project(without LANGUAGES C CXX)
 find_package(mmverify REQUIRED)
-if(TARGET mmverify::impl)
+if(mmverify_impl_FOUND)
   message(FATAL_ERROR "mmverify::impl is there")
 endif()
 enable_testing()
@@ -55,12 +76,21 @@ add_library(my_index MODULE my_index.c)
 target_link_libraries(my_index PRIVATE mmverify::subject)
 mmverify_add_proof(my_index_is_right SUBJECT my_index LAWS index.in_range LEVELS 0..2)
 CMAKE
-PKG_CONFIG_LIBDIR=/nowhere cmake -S "$folder/without" -B "$folder/without/build" -D CMAKE_PREFIX_PATH="$folder/installed" \
-  -D CMAKE_DISABLE_FIND_PACKAGE_hwy=ON \
-  >"$folder/configure.log" 2>&1 || { cat "$folder/configure.log"; exit 1; }
-grep 'mmverify::impl is left out' "$folder/configure.log"
+without_highway() {
+  PKG_CONFIG_LIBDIR=/nowhere cmake -S "$folder/without" -B "$folder/without/build" -D CMAKE_PREFIX_PATH="$folder/installed" \
+    -D CMAKE_DISABLE_FIND_PACKAGE_hwy=ON >"$folder/configure.log" 2>&1
+}
+without_highway || { cat "$folder/configure.log"; exit 1; }
 cmake --build "$folder/without/build" >"$folder/build.log" || { cat "$folder/build.log"; exit 1; }
 ctest --test-dir "$folder/without/build" --no-tests=error | tail -1
+cp "$folder/without/CMakeLists.txt" "$folder/fine.txt"
+for use in 'add_executable(uses my_index.c)\ntarget_link_libraries(uses PRIVATE mmverify::impl)' \
+  'find_package(mmverify REQUIRED COMPONENTS impl)'; do
+  echo -e "$use" >>"$folder/without/CMakeLists.txt"
+  ! without_highway || fail "without Highway CMake takes: $use"
+  grep -i 'needs.highway' "$folder/configure.log" || { cat "$folder/configure.log"; fail "the error does not name Highway"; }
+  cp "$folder/fine.txt" "$folder/without/CMakeLists.txt"
+done
 # A keyword that an unset variable left without its value would judge less than was asked.
 for left in 'LAWS LEVELS 0..2' 'LAWS index.in_range LEVELS'; do
   sed -i "s/ LAWS.*)/ $left)/" "$folder/without/CMakeLists.txt"
@@ -73,6 +103,9 @@ PKG_CONFIG_PATH=$(dirname "$(find "$folder/installed" -name mmverify.pc)")
 export PKG_CONFIG_PATH
 read -ra flags < <(pkg-config --cflags --libs mmverify)
 "$CXX" -std=c++20 "$tests/consumer/uses_the_library.cpp" -o "$folder/by_pkg_config" "${flags[@]}"
+"$folder/by_pkg_config"
+read -ra of_c < <(pkg-config --static --cflags --libs mmverify)
+"$CC" "$tests/consumer/uses_the_c_face.c" -o "$folder/by_pkg_config" "${of_c[@]}"
 "$folder/by_pkg_config"
 
 # Each installed header stands by itself, and docs/API.md offers them all and no other.

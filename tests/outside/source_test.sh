@@ -119,7 +119,19 @@ judged 2 'wrong_source.c:[0-9]+: load: memory is no constant' --source "$wrong" 
 judged 2 "no function is called 'index_off'; there are: .*index_of" --source "$wrong" --function index_off
 printf 'unsigned index_of(unsigned level, float u, float v) { return level; }\n' >no_language
 judged 2 'no_language: its name tells no language' --source no_language
-judged 2 'leave it out' --source "$wrong" --function right --dialect published
+# Both dialects on a pair where they differ, and functions that are of the other one.
+published=$root/examples/subject_published/published.c differing=1@u=0x1p-26,v=0x1.fffffep-2
+judged 0 '^holds index.floats level 1' --source "$published" --dialect published --case $differing
+judged 1 'expected [0-9]+ got ([0-9]+) \(the published code gives \1 here, too\)' --source "$published" --case $differing
+sed 's|return apart(b0)|if (u == 0x1.3c6ef2p-2f \&\& v == 0.25f) b0 ^= 1;\n  &|' "$published" >one_pair_off.c
+judged 1 '^refuted index.floats level 1 case u=0x1.3c6ef2p-2,v=0x1p-2 ' --source one_pair_off.c --dialect published --levels 1
+judged 1 . --source "$published" --levels 1 --journal one.journal
+judged 4 'the journal of another run' --source "$published" --levels 1 --journal one.journal --dialect published
+judged 1 'case .*: the published code gives [0-9]+ here, too; --dialect published' --source "$published" --levels 1
+judged 1 '^refuted index.floats level 1 .*--dialect published --case' --source "$root/examples/subject/subject.c" --dialect published --levels 1
+! grep -q 'here, too' said || fail 'the exact function is said to be the published code'
+judged 1 '^refuted index.floats level 1' --source "$wrong" --function one_pair --levels 1
+! grep -q 'here, too' said || fail 'a wrong function is said to be the published code'
 judged 2 'levels 0..16' --source "$wrong" --function right --levels 1 --case 17@u=0,v=0
 judged 2 'u \+ v <= 1 \+ 2\^-23' --source "$wrong" --function right --levels 1 --case 0@u=1,v=1
 judged 2 "'no_index' is float \(float, float\); due is uint32_t \(uint32_t level, float u, float v\)" --source "$wrong" --function no_index
@@ -179,6 +191,7 @@ MMVERIFY_SOURCE_READER=$folder/none judged 4 'mmverify: .*none: there is no prog
 if [[ ${3-} == --every ]]; then
   judged 0 '^proved \(bit vectors\) index.floats .* level 0 ' --source "$wrong" --function right --levels 0
   judged 0 '^proved \(bit vectors\) index.floats .* level 0 ' --source "$root/examples/subject/subject.c" --levels 0
+  judged 0 '^proved \(bit vectors\) index.floats .* level 1 ' --source "$published" --dialect published --levels 1
 fi
 ((failures == 0)) || { echo "$failures failed"; exit 1; }
 echo 'source_test: all refuted and named'

@@ -11,6 +11,7 @@
 #include "display/render/surface.hpp"
 #include "impl/bake/triangles.hpp"
 #include "impl/index/index.hpp"
+#include "impl/micromap/append.hpp"
 
 namespace {
 

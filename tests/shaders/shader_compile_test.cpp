@@ -90,6 +90,26 @@ TEST(SnippetFunctions, are_found_by_type_name_and_number_of_parameters) {
               testing::ElementsAre("vq2_region", "attribute_vertex_place"));
 }
 
+TEST(SnippetFunctions, take_arguments_in_the_order_of_the_text) {
+  const auto arguments = [](const std::string& text) {
+    const auto all = shaders::functions_in(text);
+    return all.size() == 1 ? all[0].arguments : "no function, or several";
+  };
+  EXPECT_EQ(arguments("uint index(uint level, float u, float v) { return 0u; }"), "$level, IN0, IN1");
+  EXPECT_EQ(arguments("uint index(float u, float v, uint level) { return 0u; }"), "IN0, IN1, $level");
+  EXPECT_EQ(arguments("uint index(in float u, const uint level,\n highp float v) { return 0u; }"),
+            "IN0, $level, IN1");
+  EXPECT_EQ(arguments("uint tree_lookup_at(float u, float v, uint level, uint format) { return 0u; }"),
+            "IN0, IN1, $level, $first");
+  EXPECT_EQ(arguments("uint dag_lookup_at(float u, float v, uint f, uint m) { return 0u; }"),
+            "uintBitsToFloat(IN1), uintBitsToFloat(IN2), $first, IN0");
+  // Parameters of one type, outputs and other types keep the declared order.
+  EXPECT_EQ(arguments("uint vq2_region(uint y, uint x) { return 0u; }"), "IN0, IN1");
+  EXPECT_EQ(arguments("void corners(uint l, uint k, out uvec2 a, out uvec2 b, out uvec2 c) {}"),
+            "$level, IN0");
+  EXPECT_EQ(arguments("uint index(int level, float u, float v) { return 0u; }"), "$level, IN0, IN1");
+}
+
 TEST(Module, that_is_none_is_refused) {
   EXPECT_THROW(shaders::read_module("abc"), std::runtime_error);
   EXPECT_THROW(shaders::read_module(std::string(20, 'x')), std::runtime_error);
@@ -243,6 +263,20 @@ TEST_F(ShaderFile, that_wants_what_nobody_gives_is_refused_by_name) {
                                "layout(set = 1, binding = 0) buffer Mine { uint more[]; };\n"
                                "uint index(uint level, float u, float v) { return more[0]; }\n")),
                    2, "own.glsl: index_f32: binding 0 of set 1 (`Mine`) is bound by nobody");
+}
+
+TEST_F(ShaderFile, that_answers_elsewhere_is_told_where) {
+  SKIP_A_REPEAT_UNDER_SANITIZERS();
+  if (!is_here({"spirv-cross", "--help"})) GTEST_SKIP() << "no spirv-cross (Debian: spirv-cross)";
+  const std::string elsewhere = R"(#version 450
+layout(local_size_x = 64) in;
+layout(std430, set = 0, binding = 0) readonly buffer U { float u[]; };
+layout(std430, set = 0, binding = 2) buffer Out { uint answer[]; };
+void main() { uint k = gl_GlobalInvocationID.x; answer[k] = uint(u[k]); }
+)";
+  expect_complaint(judge(write(folder_, "elsewhere.comp", elsewhere)), 2,
+                   "elsewhere.comp: index_f32: it does not use binding 3 of set 0, where answers go; it may "
+                   "write to binding 2 of set 0 (`Out`)");
 }
 
 TEST_F(ShaderFile, may_declare_what_it_does_not_use) {

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "impl/bake/exact/closing.hpp"
 #include "impl/bake/texture/properties.hpp"
@@ -27,7 +26,7 @@ class ExactBase {
   Answer operator()(std::uint32_t index, Marks known = 0) const;
 
   /// The closings of the edges of micro-triangles, and of lines along the axes.
-  const std::vector<Closing>& closings() const noexcept { return closings_; }
+  const Closings& closings() const noexcept { return closings_; }
 
  private:
   using Axis = std::array<Binary, 3>;
@@ -47,7 +46,7 @@ class ExactBase {
   Binary margin_;
   int below_point_ = 1;  ///< bits of u and v below the point, at least 1 for half a texel
   std::int64_t cells_;   ///< cells that a micro-triangle spans, at most
-  std::vector<Closing> closings_;
+  Closings closings_;
   int bits_;  ///< bits that impl/bake/exact/seen.hpp and positions need
 };
 

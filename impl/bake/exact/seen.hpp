@@ -42,7 +42,6 @@
 #include <cstdint>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "impl/bake/exact/closing.hpp"
 #include "impl/bake/texture/limits.hpp"
@@ -56,18 +55,22 @@ namespace mmverify::impl::bake::detail {
 /// The corners of a triangle, dilated or not, and the segments between them.
 template <class Int>
 struct Outline {
-  std::vector<Int> x, y;
-  std::vector<std::pair<std::size_t, std::size_t>> segments;
+  /// Corners of a square around each corner of the triangle.
+  static constexpr std::size_t around = 4;
+  using Along = Few<Int, 3 * around>;
+  Along x, y;
+  Few<std::array<std::size_t, 2>, 2 * 3 * around> segments;
 
   Outline(const std::array<Int, 3>& at_x, const std::array<Int, 3>& at_y, const Int& margin) {
     if (margin == Int(0)) {
-      x.assign(at_x.begin(), at_x.end());
-      y.assign(at_y.begin(), at_y.end());
-      segments = {{0, 1}, {1, 2}, {2, 0}};
+      for (std::size_t k = 0; k < 3; ++k) {
+        x.push_back(at_x[k]);
+        y.push_back(at_y[k]);
+        segments.push_back({k, (k + 1) % 3});
+      }
       return;
     }
     // The corners of the square around corner k: (-, -), (-, +), (+, +), (+, -).
-    constexpr std::size_t around = 4;
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t s = 0; s < around; ++s) {
         x.push_back(s < 2 ? at_x[k] - margin : at_x[k] + margin);
@@ -98,8 +101,7 @@ class Exact {
   /// Points are in units of 2^-fraction_bits from the origin of texel (column, row), none below 0 nor beyond
   /// `cells` texels.
   Exact(const TextureProperties& sides, const Question<Int>& question, std::int64_t column, std::int64_t row,
-        std::int64_t cells, int fraction_bits, const Outline<Int>& outline,
-        const std::vector<Closing>& closings)
+        std::int64_t cells, int fraction_bits, const Outline<Int>& outline, const Closings& closings)
       : sides_(sides),
         question_(question),
         column_(column),
@@ -159,16 +161,17 @@ class Exact {
   /// Takes the marks of texels row by row; columns(j) are columns of the texture, before wrapping.
   template <class Of>
   void rows(std::int64_t first, std::int64_t last, Of columns) {
-    std::vector<Bend> bends;
+    Few<Bend, 3 * Outline<Int>::around> bends;
     if (!down_.ends())
       for (const Int& y : y_) {
         const std::int64_t at = whole(y, unit_);
         bends.push_back({at - 1, at + 1});
       }
-    each_row(first, last, down_.period, bends, columns, [this](const Columns& at, std::int64_t j) {
-      if (!at.empty()) take(question_.of_texels(sides_.of(at.first, at.last, row_ + j, row_ + j)));
-      return !done();
-    });
+    each_row(first, last, down_.period, {bends.data(), bends.size()}, columns,
+             [this](const Columns& at, std::int64_t j) {
+               if (!at.empty()) take(question_.of_texels(sides_.of(at.first, at.last, row_ + j, row_ + j)));
+               return !done();
+             });
   }
 
   /// The greatest i with i size <= position.  Domain: size > 0, 0 <= position <= cells size.
@@ -370,8 +373,8 @@ class Exact {
   std::int64_t column_, row_, cells_;
   Int unit_;
   const Outline<Int>& outline_;
-  const std::vector<Int>&x_, &y_;
-  const std::vector<Closing>& closings_;
+  const typename Outline<Int>::Along &x_, &y_;
+  const Closings& closings_;
   Extent across_, down_;  ///< counted from (column, row)
   Marks marks_ = 0;
 };

@@ -4,6 +4,8 @@
 
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
+#include "proofs/index/floats/published.hpp"
+#include "proofs/index/judges/judges.hpp"
 #include "proofs/index/laws/parts.hpp"
 #include "proofs/index/picture.hpp"
 #include "proofs/induction/prover.hpp"
@@ -36,7 +38,8 @@ std::string answer_where_undefined(const IndexSubject& s, Level n, float u, floa
     return "no index";
   }
 }
-std::uint32_t due(Level n, float u, float v) {
+std::uint32_t due(Dialect dialect, Level n, float u, float v) {
+  if (dialect == Dialect::published) return published(n, u, v);
   return spec::index::reference(RationalPoint{rational(u), rational(v)}, n);
 }
 
@@ -75,8 +78,8 @@ Claimed claimed_by(const Solved& found, const Pair& pair, const Formula& formula
 /// The statements of one level, each settled once.
 class OfLevel {
  public:
-  OfLevel(const SourceSubject& subject, Level n)
-      : subject_(subject), level_(n), pairs_(pairs_of(n, subject.code.fields(n))) {}
+  OfLevel(const SourceSubject& subject, Dialect dialect, Level n)
+      : subject_(subject), dialect_(dialect), level_(n), pairs_(pairs_of(n, subject.code.fields(n))) {}
 
   std::uint64_t count() const { return pairs_.size(); }
 
@@ -85,7 +88,8 @@ class OfLevel {
     if (refuted_) return tally.break_off();
     const Pair& pair = pairs_[k];
     const Formula formula = subject_.code.formulas(level_, pair.u, pair.v);
-    const Statement witness = witness_of(level_, pair), statement = statement_of(level_, pair, formula);
+    const Statement witness = witness_of(level_, pair),
+                    statement = statement_of(level_, pair, formula, dialect_);
     if (const Solved found = induction::ask_words(witness); found.answer != Answer::sat)
       return undecided(witness.name + ": its hypotheses: " + said(found), tally);
     const Solved found = induction::ask_words(statement);
@@ -113,7 +117,7 @@ class OfLevel {
   }
 
   void refute(const Claimed& c, Tally& tally) {
-    const std::uint32_t want = due(level_, c.u, c.v);
+    const std::uint32_t want = due(dialect_, level_, c.u, c.v);
     const std::string at = pair_text(c.u, c.v);
     // The compiled function decides, but an undefined result may be right by chance.
     const std::string got = c.undefined ? answer_where_undefined(subject_, level_, c.u, c.v)
@@ -138,6 +142,7 @@ class OfLevel {
   }
 
   const SourceSubject& subject_;
+  Dialect dialect_;
   Level level_;
   std::vector<Pair> pairs_;
   std::atomic<bool> refuted_ = false;
@@ -145,14 +150,15 @@ class OfLevel {
   std::string failed_;
 };
 
-Tally judge(const Subject& any, Level n, const Run& run) {
+Tally judge(const Subject& any, Dialect dialect, Level n, const Run& run) {
   const SourceSubject& subject = of_source(any);
   Run quick = run;
   quick.options = {};
   quick.near = 0;
   quick.progress = nullptr;
   quick.division = nullptr;
-  if (const Tally sample = exact_on_floats(subject, n, quick, pairs_run); sample.mismatches() != 0) {
+  const auto on_sample = dialect == Dialect::exact ? exact_on_floats : equals_published;
+  if (const Tally sample = on_sample(subject, n, quick, pairs_run); sample.mismatches() != 0) {
     Tally tally(run.errors);
     for (Counterexample c : sample.found()) {
       tally.count(Kind::interior, 1);
@@ -160,13 +166,48 @@ Tally judge(const Subject& any, Level n, const Run& run) {
     }
     return tally;
   }
-  OfLevel level(subject, n);
+  OfLevel level(subject, dialect, n);
   const Tally tally = sweep(run, level.count(), 1, [&](Chunk chunk, Tally& part) {
     for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) level.judge(k, part);
   });
   if (interrupted()) return tally;
   level.settled(tally);
   return tally;
+}
+
+/// The numbers of a case's text.  Throws BadCase.
+FloatPair floats_of(const std::string& at) {
+  const Groups parts = groups_of(at, "(?:[a-z]:)?u=([^,=]+),v=([^,=]+)");
+  if (!parts) throw BadCase(fmt::format("{}: write u=...,v=..., for example u=0x1.8p-2,v=0.25", at));
+  const auto number = [&](const std::string& text) {
+    char* end = nullptr;
+    const float x = std::strtof(text.c_str(), &end);
+    if (*end == 0 && x >= 0 && x <= 1) return x;
+    // The text of a sample's case has fractions.
+    const RationalPoint p = parse_point("u=" + text + ",v=0");
+    const auto y = static_cast<float>(nearest(p.u));
+    if (rational(y) != p.u) throw BadCase(fmt::format("{}: no binary32 number in [-0, 1]", text));
+    return y;
+  };
+  return {number((*parts)[1]), number((*parts)[2])};
+}
+
+std::string published_here_too(const std::string& index) {
+  return fmt::format("the published code gives {} here, too", index);
+}
+
+/// The published code's index on the first counterexample of exact arithmetic.
+std::vector<std::string> beside_the_published_code(const Subject&, const std::vector<Result>& results) {
+  for (const Result& r : results)
+    for (const Counterexample& c : r.counterexamples) {
+      const auto [u, v] = floats_of(c.at);
+      const std::string code = fmt::format("{}", published(c.level, u, v));
+      return {fmt::format("level {} case {}: {}", c.level, c.at,
+                          c.got == code
+                              ? published_here_too(code) + "; --dialect published holds the function to it"
+                              : fmt::format("the published code gives {} here", code))};
+    }
+  return {};
 }
 
 /// The reason why the index of a pair is undefined, though it came out right; empty if it is defined.
@@ -179,8 +220,10 @@ std::string undefined_at(const IndexSubject& any, Level n, float u, float v) {
   };
   const Pair pair{range(u), range(v)};
   const Formula formula = subject->code.formulas(n, pair.u, pair.v);
+  // Either dialect shows what is undefined.
   const Solved found = induction::ask_words(
-      statement_of(n, pair, formula, Bits{std::bit_cast<std::uint32_t>(u), std::bit_cast<std::uint32_t>(v)}));
+      statement_of(n, pair, formula, Dialect::exact,
+                   Bits{std::bit_cast<std::uint32_t>(u), std::bit_cast<std::uint32_t>(v)}));
   const Claimed c = claimed_by(found, pair, formula);
   return found.answer == Answer::sat && c.undefined ? c.cause : "";
 }
@@ -192,12 +235,13 @@ SourceSubject::SourceSubject(std::string name, std::string about, Functions f, s
     : IndexSubject(std::move(name), std::move(about), std::move(f), std::move(fingerprint)),
       code(std::move(c)) {}
 
-Law law(std::string replayed_by) {
+Law law(Dialect dialect, std::string replayed_by) {
+  const bool exact = dialect == Dialect::exact;
   Law l{.id = "index.floats",
         .topic = "index",  // no registry fills it in: a source is the law's only subject
-        .says =
-            "for every pair of binary32 numbers the function's index is defined and that of the exact "
-            "reference",
+        .says = fmt::format(
+            "for every pair of binary32 numbers the function's index is defined and {}",
+            exact ? "that of the exact reference" : "bit for bit that of the published code in binary32"),
         .source = vulkan,
         .method = Method::bit_vectors,
         .tiers = {.fast = {9, 9}, .long_run = {0, highest}},
@@ -214,36 +258,30 @@ Law law(std::string replayed_by) {
           return of_source(s).code.not_known(n);
         },
         .divisible = true,
-        .judge = judge,
-        .replay = [](const Subject& s, Level n,
-                     const std::string& at) { return replay(subject_as<IndexSubject>(s), n, at); }};
+        .judge = [dialect](const Subject& s, Level n, const Run& run) { return judge(s, dialect, n, run); },
+        .replay = [dialect](
+                      const Subject& s, Level n,
+                      const std::string& at) { return replay(subject_as<IndexSubject>(s), dialect, n, at); },
+        .diagnose = exact ? beside_the_published_code : decltype(Law::diagnose)(),
+        .dialect = exact ? "" : "published"};
   l.replayed_by = std::move(replayed_by);
   return l;
 }
 
-Replayed replay(const IndexSubject& subject, Level n, const std::string& at) {
-  const Groups parts = groups_of(at, "(?:[a-z]:)?u=([^,=]+),v=([^,=]+)");
-  if (!parts) throw BadCase(fmt::format("{}: write u=...,v=..., for example u=0x1.8p-2,v=0.25", at));
-  const auto number = [&](const std::string& text) {
-    char* end = nullptr;
-    const float x = std::strtof(text.c_str(), &end);
-    if (*end == 0 && x >= 0 && x <= 1) return x;
-    // The text of a sample's case has fractions.
-    const RationalPoint p = parse_point("u=" + text + ",v=0");
-    const auto y = static_cast<float>(nearest(p.u));
-    if (rational(y) != p.u) throw BadCase(fmt::format("{}: no binary32 number in [-0, 1]", text));
-    return y;
-  };
+Replayed replay(const IndexSubject& subject, Dialect dialect, Level n, const std::string& at) {
   if (n > highest) throw BadCase(fmt::format("{}: levels 0..{}", at, highest));
-  const float u = number((*parts)[1]), v = number((*parts)[2]);
+  const auto [u, v] = floats_of(at);
   if (static_cast<double>(u) + static_cast<double>(v) > 1 + 0x1p-23)
     throw BadCase(fmt::format("{}: the law is about u + v <= 1 + 2^-23", at));
-  const std::uint32_t want = due(n, u, v);
+  const std::uint32_t want = due(dialect, n, u, v);
   const std::string expected = fmt::format("{}", want), first = answer_where_undefined(subject, n, u, v);
   const std::string cause = first == expected || first == "no index" ? undefined_at(subject, n, u, v) : "";
   if (!cause.empty()) return {false, expected, fmt::format("{}, undefined: {}", first, cause), {}};
   const std::string got = first == "no index" ? fmt::format("{}", asked(subject, n, u, v)) : first;
-  return {got == expected, expected, got, {}};
+  const bool here_too =
+      dialect == Dialect::exact && got != expected && got == fmt::format("{}", published(n, u, v));
+  return {
+      got == expected, expected, here_too ? fmt::format("{} ({})", got, published_here_too(got)) : got, {}};
 }
 
 }  // namespace mmverify::proofs::index::source

@@ -22,9 +22,9 @@ class SourceSubject : public IndexSubject {
 };
 
 /// For every pair of binary32 numbers of the domain, level by level.  `replayed_by`: as of a Law.
-Law law(std::string replayed_by = {});
+Law law(Dialect dialect, std::string replayed_by = {});
 
-/// The compiled function on one pair, "u=0x1.8p-2,v=-0x0p+0", beside the exact reference.  Throws BadCase.
-Replayed replay(const IndexSubject& subject, Level n, const std::string& at);
+/// The compiled function on one pair, "u=0x1.8p-2,v=-0x0p+0", beside the dialect's index.  Throws BadCase.
+Replayed replay(const IndexSubject& subject, Dialect dialect, Level n, const std::string& at);
 
 }  // namespace mmverify::proofs::index::source

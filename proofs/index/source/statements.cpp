@@ -101,7 +101,18 @@ Coordinates declare_coordinates(Script& script, const Pair& pair) {
   return c;
 }
 
-Term index_of(Script& script, Level n, const Coordinates& c) {
+/// The grid square of a dialect, given by uN and vN.
+spec::index::Quantised<W> square_of(Dialect dialect, const Q& un, const Q& vn, const W& N) {
+  if (dialect == Dialect::exact) return spec::index::quantise_scaled<W>(un, vn, N);
+  const W iu = whole(un), iv = whole(vn);
+  const Exact hair(apply("bvshl",
+                         {Word<Exact::bits>(1).term, Word<Exact::bits>(Exact::fraction_bits - 25).term},
+                         Exact::sort()));
+  const Q sum = un - Q(iu) + (vn - Q(iv)), least(Exact(1) - hair);
+  return spec::index::grid_square<W>(iu, iv, !(sum < least), N);
+}
+
+Term index_of(Script& script, Level n, const Coordinates& c, Dialect dialect) {
   const auto scaled = [&](const char* name, const Term& bits) {
     const Q x(script.define(std::string("exact_") + name, exactly(size_of(bits))));
     const auto clamped = every_path([&] { return spec::index::within_unit(x); });
@@ -112,7 +123,7 @@ Term index_of(Script& script, Level n, const Coordinates& c) {
   const Q un = scaled("u", c.u), vn = scaled("v", c.v);
   const W N(spec::side(n));
   using Square = spec::index::Quantised<W>;
-  const auto squares = every_path([&] { return spec::index::quantise_scaled<W>(un, vn, N); });
+  const auto squares = every_path([&] { return square_of(dialect, un, vn, N); });
   const Square square{W(script.define("iu", as_formula(squares, [](const Square& q) { return q.iu.term; }))),
                       W(script.define("iv", as_formula(squares, [](const Square& q) { return q.iv.term; }))),
                       W(script.define("iw", as_formula(squares, [](const Square& q) { return q.iw.term; })))};
@@ -141,20 +152,22 @@ std::uint64_t count_of_pairs(Level n) {
   return ranges * ranges - 45;
 }
 
-Statement statement_of(Level n, const Pair& pair, const Formula& formula, const std::optional<Bits>& at) {
+Statement statement_of(Level n, const Pair& pair, const Formula& formula, Dialect dialect,
+                       const std::optional<Bits>& at) {
   Script script(
       fmt::format("level_{}_u_{}_{}_v_{}_{}", n, pair.u.negative ? "minus" : "from", pair.u.first,
                   pair.v.negative ? "minus" : "from", pair.v.first),
       Answer::unsat,
-      fmt::format("Level {}, {}, {}: the function's index is defined and that of the exact reference.", n,
-                  words_for("u", pair.u), words_for("v", pair.v)));
+      fmt::format("Level {}, {}, {}: the function's index is defined and that of {}.", n,
+                  words_for("u", pair.u), words_for("v", pair.v),
+                  dialect == Dialect::exact ? "the exact reference" : "the published code in binary32"));
   const Coordinates c = declare_coordinates(script, pair);
   if (at) {
     script.require(equal(c.u, constant(at->u)));
     script.require(equal(c.v, constant(at->v)));
   }
   script.comment("The specification.");
-  const Term wanted = index_of(script, n, c);
+  const Term wanted = index_of(script, n, c, dialect);
   script.comment("The function.");
   script.raw(formula.declarations);
   script.raw(fmt::format("(declare-const {} (_ BitVec 32))\n", claimed_index));

@@ -54,10 +54,15 @@ std::vector<Pair> pairs_of(Level n, const std::vector<unsigned>& fields = {});
 /// The number of these pairs: (n+29)^2 - 45.  Domain: n <= 16.
 std::uint64_t count_of_pairs(Level n);
 
-/// The statement that for every u and v of the pair's ranges and the domain the index is defined, and that of the
-/// exact reference: spec::index::within_unit, quantise_scaled and curve, run on names.  `at`: for these two numbers
-/// only.
-induction::Statement statement_of(Level n, const Pair& pair, const Formula& formula,
+/// The rule that an index follows: exact arithmetic, or the published code run in binary32.
+enum class Dialect { exact, published };
+
+/// The statement that for every u and v of the pair's ranges and the domain the index is defined, and the dialect's:
+///   exact      spec::index::within_unit, quantise_scaled and curve, run on names
+///   published  the same with the upper half from uf + vf >= 1 - 2^-25 on: by index.published_differs_where the
+///              published code, which adds uf and vf in binary32, has this index for every pair
+/// `at`: for these two numbers only.
+induction::Statement statement_of(Level n, const Pair& pair, const Formula& formula, Dialect dialect,
                                   const std::optional<Bits>& at = std::nullopt);
 
 /// Constants of a statement that a counterexample gives values: the function's index, a word of 32 bits; whether it

@@ -5,7 +5,7 @@
 #include "display/render/vectors.hpp"
 #include "impl/bake/square/map.hpp"
 #include "impl/bake/triangles.hpp"
-#include "impl/micromap/array.hpp"
+#include "impl/micromap/append.hpp"
 
 namespace mmverify::proofs::traverse {
 namespace {

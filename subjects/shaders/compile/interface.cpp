@@ -46,6 +46,7 @@ class Reader {
       else if (buffer.contains("array"))
         fault(fmt::format("{} is an array of storage buffers, and one is bound there", here));
     }
+    read_answers();
     for (const Group& its : foreign)
       for (const json& resource : group(its.key))
         fault(fmt::format("{} is {}, and what is bound are storage buffers, at bindings 0 to {} of set 0",
@@ -75,6 +76,18 @@ class Reader {
   static std::string place(const json& resource) {
     return fmt::format("binding {} of set {}{}", resource.value("binding", 0u), resource.value("set", 0u),
                        name_of(resource));
+  }
+
+  /// An entry point that does not use the answers' binding writes them elsewhere, if it can write at all.
+  void read_answers() {
+    std::string writable;
+    for (const json& buffer : group("ssbos")) {
+      if (buffer.value("set", 0u) == 0 && buffer.value("binding", 0u) == answer_binding) return;
+      if (writable.empty() && !buffer.value("readonly", false)) writable = place(buffer);
+    }
+    if (!writable.empty())
+      fault(fmt::format("it does not use binding {} of set 0, where answers go; it may write to {}",
+                        answer_binding, writable));
   }
 
   /// The name of a block's type: spirv-cross numbers the variable of a block without a name.

@@ -156,6 +156,40 @@ const std::vector<SnippetFunction>& snippet_functions() {
   return table;
 }
 
+namespace {
+
+std::vector<std::string> comma_separated(const std::string& text) {
+  static const std::regex comma(R"(\s*,\s*)");
+  return {std::sregex_token_iterator(text.begin(), text.end(), comma, -1), {}};
+}
+
+/// The type of a parameter, without qualifiers; empty if it is neither uint nor float.
+std::string type_of(const std::string& parameter) {
+  static const std::regex number(R"(^\s*(?:(?:in|const|highp)\s+)*(uint|float)\b)");
+  std::smatch found;
+  return std::regex_search(parameter, found, number) ? found[1].str() : "";
+}
+
+/// The function's arguments in the order of the text's parameters: those of each type keep their order.  Unchanged where
+/// the types are others.
+std::string arguments_for(const SnippetFunction& f, const std::string& parameters) {
+  const auto due = comma_separated(f.parameters), own = comma_separated(parameters),
+             arguments = comma_separated(f.arguments);
+  if (due.size() != arguments.size()) return f.arguments;
+  std::vector<bool> used(due.size());
+  std::vector<std::string> ordered;
+  for (const std::string& parameter : own)
+    for (std::size_t k = 0; k < due.size(); ++k)
+      if (!used[k] && type_of(due[k]) == type_of(parameter)) {
+        used[k] = true;
+        ordered.push_back(arguments[k]);
+        break;
+      }
+  return ordered.size() == due.size() ? fmt::format("{}", fmt::join(ordered, ", ")) : f.arguments;
+}
+
+}  // namespace
+
 std::vector<SnippetFunction> functions_in(const std::string& preprocessed) {
   std::vector<SnippetFunction> found;
   for (const SnippetFunction& f : snippet_functions()) {
@@ -164,9 +198,13 @@ std::vector<SnippetFunction> functions_in(const std::string& preprocessed) {
     std::string parameters = "[^,(){};]+";
     for (auto k = commas; k > 0; --k) parameters += ",[^,(){};]+";
     const std::string returns = fmt::format("(?:{}|{})", f.returns, in_hlsl(f.returns));
-    if (std::regex_search(preprocessed, std::regex(fmt::format(R"(\b{}\s+{}\s*\({}\)\s*\{{)", returns, f.name,
-                                                               parameters))))
+    std::smatch definition;
+    if (std::regex_search(
+            preprocessed, definition,
+            std::regex(fmt::format(R"(\b{}\s+{}\s*\(({})\)\s*\{{)", returns, f.name, parameters)))) {
       found.push_back(f);
+      found.back().arguments = arguments_for(f, definition[1]);
+    }
   }
   return found;
 }

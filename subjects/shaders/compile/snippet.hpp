@@ -19,14 +19,15 @@ struct SnippetFunction {
   const char* returns;  ///< the type in GLSL; a void function writes three uvec2
   const char* name;
   const char* parameters;  ///< in GLSL, as docs/SUBJECTS.md declares them
-  const char* arguments;   ///< the arguments of the call: IN0, IN1, IN2 are this element's inputs
+  std::string arguments;   ///< the arguments of the call: IN0, IN1, IN2 are this element's inputs
   const char* inputs;      ///< the inputs' type
 };
 
 /// All functions, in the order of the header.
 const std::vector<SnippetFunction>& snippet_functions();
 
-/// The known functions that the text defines. Domain: preprocessed text, without comments.
+/// The known functions that the text defines, with the arguments in the text's order: parameters of different types may
+/// stand in any order, such as (float u, float v, uint level). Domain: preprocessed text, without comments.
 std::vector<SnippetFunction> functions_in(const std::string& preprocessed);
 /// Whether the text is a whole shader: it defines main.
 bool defines_main(const std::string& preprocessed);
