@@ -194,13 +194,13 @@ Law walk_law() {
   cases.kind = Kind::vertex;
   cases.check = [](const AttributeSubject& s, Level n, std::size_t order, std::span<const Vertex> at,
                    std::span<Outcome> out) {
-    const auto walks = vertex_walks(n);
+    const VertexWalks& walks = vertex_walks(n);
     const auto index = indices_of(s, vertex_orders[order], n, at);
     for (std::size_t k = 0; k < at.size(); ++k)
-      out[k] = {index[k], index[k] == walks->index(vertex_orders[order], at[k])};
+      out[k] = {index[k], index[k] == walks.index(vertex_orders[order], at[k])};
   };
   cases.words = [](const AttributeSubject& s, Level n, std::size_t order, const Vertex& at) {
-    return Words{fmt::format("{}", vertex_walks(n)->index(vertex_orders[order], at)),
+    return Words{fmt::format("{}", vertex_walks(n).index(vertex_orders[order], at)),
                  fmt::format("{}", indices_of(s, vertex_orders[order], n, {&at, 1})[0])};
   };
   return on_batches(

@@ -48,18 +48,15 @@ std::uint32_t VertexWalks::index(VertexOrder order, const Vertex& at) const {
   return bird_[columns_[at.i] + at.j];
 }
 
-std::shared_ptr<const VertexWalks> vertex_walks(Level n) {
-  static std::mutex mutex;
-  static std::map<Level, std::shared_ptr<const VertexWalks>> made;
-  const std::lock_guard lock(mutex);
-  auto& found = made[n];
-  if (found == nullptr) {
-    // One large table at a time.
-    if (n > 9)
-      std::erase_if(made, [](const auto& other) { return other.first > 9 && other.second != nullptr; });
-    made[n] = std::make_shared<const VertexWalks>(n);
-  }
-  return made[n];
+const VertexWalks& vertex_walks(Level n) {
+  struct Made {
+    std::once_flag once;
+    std::optional<VertexWalks> walks;
+  };
+  static std::array<Made, 14> made;
+  Made& level = made.at(n);
+  std::call_once(level.once, [&] { level.walks.emplace(n); });
+  return *level.walks;
 }
 
 namespace {
