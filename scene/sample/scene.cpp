@@ -138,10 +138,14 @@ class Sample {
     file_.place(mesh("pane", Json::array({file_.primitive(lying_square(0.4f, 0.3f), glass_)})), "pane",
                 {-1.8f, 0, 0.9f});
 
-    Json withered = file_.primitive(fallen(), leaf_);
-    withered["attributes"]["COLOR_0"] = file_.add_vectors(std::vector<std::array<float, 4>>{
-        {1, 1, 1, 1}, {1, 0.9f, 0.7f, 1}, {1, 0.8f, 0.5f, 1.5f}, {1, 0.8f, 0.5f, 1.5f}});
-    file_.place(mesh("withered leaf", Json::array({std::move(withered)})), "withered leaf", {0.3f, 0, 1.2f});
+    Json withering = file_.primitive(fallen(), leaf_);
+    using Colors = std::vector<std::array<float, 4>>;
+    withering["attributes"]["COLOR_0"] = file_.add_vectors(Colors(4, {1, 1, 1, 1}));
+    const std::size_t brown = file_.add_vectors(
+        Colors{{0, 0, 0, 0}, {0, -0.1f, -0.3f, 0}, {0, -0.2f, -0.5f, -0.5f}, {0, -0.2f, -0.5f, -0.5f}});
+    withering["targets"] = Json::array({{{"COLOR_0", brown}}});
+    file_.place(mesh("withering leaf", Json::array({std::move(withering)})), "withering leaf",
+                {0.3f, 0, 1.2f});
 
     Json turning = file_.primitive(fallen(), leaf_);
     turning["extensions"]["KHR_materials_variants"]["mappings"] =
