@@ -159,8 +159,8 @@ struct Law {
   /// The law that runs with it on an inexact subject, whose other inputs its cases do not decide.  The companion of
   /// that law runs as well.
   std::string companion = {};
-  std::string dialect = {};    ///< as in Result
-  std::string undecided = {};  ///< as in Result
+  std::string dialect = {};    ///< as the Result's
+  std::string undecided = {};  ///< as the Result's
   /// Laws that replace this one on subjects that they fit, by the dialect of a run.
   std::vector<std::pair<std::string, std::string>> in_dialect = {};
   /// Whether it runs only in another law's place, or if its id is requested.
