@@ -52,7 +52,7 @@ struct Result {
   std::string
       dialect;  ///< "exact", "published" or "either": the rule that answers on floats follow; mostly empty
   std::string replayed_by;  ///< as the law's
-  /// Which cases are declined, if it is not the subject that declines them: "whose vertex alpha varies, ..."
+  /// The declined cases, if it is not the subject that declines them: "whose vertex alpha varies, ..."
   std::string undecided;
   Verdict verdict = Verdict::incomplete;
   std::string reason;               ///< why broken, not applicable or incomplete

@@ -12,7 +12,7 @@ folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 fail() { echo "FAILED: $*"; exit 1; }
 
-# Of a build of other targets, such as ./run prove makes, it says what is missing, and installs nothing.
+# A build of other targets, such as ./run prove makes, installs nothing: it says what is missing.
 mkdir "$folder/partly"
 sed "s|$build/cli/mmverify\"|$build/cli/no-mmverify\"|" "$build/cmake_install.cmake" >"$folder/partly/cmake_install.cmake"
 ! cmake -D CMAKE_INSTALL_PREFIX="$folder/partly/installed" -P "$folder/partly/cmake_install.cmake" >"$folder/install.log" 2>&1 ||
@@ -61,7 +61,7 @@ CMAKE
   >"$folder/build.log" 2>&1 || { cat "$folder/build.log"; exit 1; }
 "$folder/of_c/build/uses_the_c_face"
 
-# Where there is no Highway, all but the library, and an error that names it.
+# Without Highway all but the library is there, and an error names it.
 mkdir "$folder/without"
 cp "$tests/../../examples/subject/subject.c" "$folder/without/my_index.c"
 cat >"$folder/without/CMakeLists.txt" <<'CMAKE'
