@@ -170,6 +170,7 @@ Law blend_law() {
         const TwoColumns all = answers_to(s, c, [](const TraverseSubject& subject, Operation o, Code first) {
           const auto [payload, value] = of_pairs(with_alpha, first);
           CodeWords right;
+          right.reserve(payload.size());
           for (std::size_t k = 0; k < payload.size(); ++k)
             right.push_back(word_of(spec::traverse::blend(o, colour_of(payload[k]), colour_of(value[k]))));
           return CodeSheet{blended(subject, o, payload, value), right};

@@ -342,14 +342,20 @@ constexpr std::uint32_t w_minor_row(std::uint32_t index) {
   return static_cast<std::uint32_t>(row);
 }
 
-/// The corners of the micro-triangle with an index of row order, in the order v0, v1, v2 of the source.
+/// The corners of the micro-triangle with an index of row order in its row, in the order v0, v1, v2 of the source.
 /// A (row, column) vertex lies at i = row - column along u, j = column along v.
-/// Domain: index in [0, 4^n).  Source: Color and Attribute Micromaps, figure 4, wminor_uv2vertex_index.
-constexpr Corners w_minor_corners(std::uint32_t index) {
-  const std::uint32_t row = w_minor_row(index), col = index - row * row;
+/// Domain: index in [0, 4^n), row = w_minor_row(index).
+/// Source: Color and Attribute Micromaps, figure 4, wminor_uv2vertex_index.
+constexpr Corners w_minor_corners_in(std::uint32_t row, std::uint32_t index) {
+  const std::uint32_t col = index - row * row;
   const auto at = [](std::uint32_t r, std::uint32_t c) { return Vertex{r - c, c}; };
   if (col % 2 == 0) return {at(row, col / 2), at(row + 1, col / 2), at(row + 1, col / 2 + 1)};
   return {at(row, col / 2), at(row + 1, col / 2 + 1), at(row, col / 2 + 1)};
+}
+
+/// The same from the index alone.
+constexpr Corners w_minor_corners(std::uint32_t index) {
+  return w_minor_corners_in(w_minor_row(index), index);
 }
 
 }  // namespace mmverify::spec::index

@@ -17,6 +17,7 @@ Encoded2 encode_optimal(const Map2& map) {
     const Sets& v = vectors[vector];
     if (v.uniform()) continue;
     const std::uint32_t q = quadrant_of_vector(vector), place = found[q]++;
+    sources.of_quadrant[q] += std::max(size(v.t), size(v.o));
     sources.all += std::max(size(v.t), size(v.o));
     for (std::uint32_t t = 0; t < (q == 0 ? 1 : 8); ++t) {
       const Sets as_stored = stored(t, v);

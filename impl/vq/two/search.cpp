@@ -47,14 +47,16 @@ HWY_INLINE void try_shared(const Sources& s, const std::array<Entry, 3>& shared,
   std::array<std::uint32_t, 4> most{};
   std::uint32_t sum = 0;
   const auto have = [&](const Kept& kept) { return kept[shared[0]] | kept[shared[1]] | kept[shared[2]]; };
+  std::uint32_t rest = s.all;  // no later quadrant keeps more than its regions
   for (std::size_t q = 0; q < 4; ++q) {
     for (std::size_t t = 0; t < (q == 0 ? 1 : 8); ++t) {
       limit[q][t] = bound(s, s.kept[q][t], have(s.kept[q][t]));
       most[q] = std::max(most[q], limit[q][t]);
     }
     sum += most[q];
+    rest -= s.of_quadrant[q];
+    if (sum + rest <= best.kept) return;
   }
-  if (sum <= best.kept) return;
   Choice now{.shared = shared, .own = {}, .transform = {}, .kept = 0};
   for (std::size_t q = 0; q < 4; ++q) {
     std::uint32_t kept = 0;

@@ -22,9 +22,10 @@ using Entry = std::uint8_t;
 using Kept = std::array<std::uint64_t, entries>;
 
 struct Sources {
-  std::array<std::array<Kept, 8>, 4> kept;  ///< by quadrant and transform; TL has the identity alone
-  std::vector<Entry> useful;                ///< entries that keep anything anywhere; at least one
-  std::uint32_t all;                        ///< regions kept without loss
+  std::array<std::array<Kept, 8>, 4> kept;   ///< by quadrant and transform; TL has the identity alone
+  std::vector<Entry> useful;                 ///< entries that keep anything anywhere; at least one
+  std::array<std::uint32_t, 4> of_quadrant;  ///< its regions, kept without loss
+  std::uint32_t all;                         ///< their sum
 };
 
 struct Choice {
