@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
+
 namespace mmverify::cli::describe {
 namespace {
 
@@ -42,6 +44,32 @@ std::string manual_option(const Option& option) {
   return text + "\n";
 }
 
+/// An example for each command that has one.
+std::string example(const std::string& command) {
+  static const std::map<std::string, const char*> lines{
+      {"list", "mmverify list tree"},
+      {"prove", "mmverify prove index --subject ./mine.so --no-mutants"},
+      {"merge", "mmverify merge shard-1.json shard-2.json -o whole.json"},
+      {"replay", "mmverify replay index.equals_reference --level 3 --case u=3/8,v=1/4 --subject ./mine.so"},
+      {"bench", "mmverify bench tree --levels 4..6"},
+      {"scene", "mmverify scene garden.gltf -o garden.glb"},
+      {"attributes", "mmverify attributes leaf.gltf"},
+      {"render", "mmverify render garden.gltf --level 2..6 --heat heat.png"},
+      {"views", "mmverify views leaf.gltf"},
+      {"gate", "mmverify gate --baseline baseline.json result.json"},
+      {"report", "mmverify report result.json -o report.html"},
+      {"gen", "mmverify gen index --level 5 | my-program | mmverify check index --level 5"},
+      {"check", "mmverify check maps garden.glb"},
+      {"validate", "mmverify validate assets --api khr --sarif findings.sarif"},
+      {"repair", "mmverify repair garden.glb -o repaired.glb"},
+      {"vectors", "mmverify vectors -o vectors"},
+      {"schema", "mmverify schema bench"},
+      {"completion", "source <(mmverify completion bash)"},
+      {"man", "mmverify man | man -l -"}};
+  const auto line = lines.find(command);
+  return line == lines.end() ? std::string() : line->second;
+}
+
 std::string manual_command(const std::string& program, const Command& command) {
   std::string text = fmt::format(".SS {} {}\n{}.\n.PP\n\\fB{} {}\\fR", program, command.name,
                                  roff(command.says), program, command.name);
@@ -53,6 +81,8 @@ std::string manual_command(const std::string& program, const Command& command) {
   for (const Option& option : command.positionals) text += manual_option(option);
   for (const Option& option : command.options) text += manual_option(option);
   if (!command.more.empty()) text += ".PP\n" + roff(command.more) + "\n";
+  if (const std::string line = example(command.name); !line.empty())
+    text += fmt::format(".PP\nExample:\n.PP\n.nf\n{}\n.fi\n", roff(line));
   return text;
 }
 
@@ -84,10 +114,18 @@ std::string manual(const Program& program, const std::string& version, const std
       ".TP\n.B 2\nUsage, or nothing to run.\n"
       ".TP\n.B 3\nInterrupted.\n"
       ".TP\n.B 4\nThe environment, or a bad file.\n"
-      ".SH EXAMPLES\n.nf\n"
-      "mmverify prove index \\-\\-subject ./mine.so \\-\\-no\\-mutants\n"
-      "mmverify gen index \\-\\-level 5 | my\\-program | mmverify check index \\-\\-level 5\n"
-      "mmverify validate leaves.glb\n.fi\n";
+      ".SH ENVIRONMENT\n"
+      ".TP\n.B MMVERIFY_CLANG\nThe compiler of \\-\\-source; clang where it is not set.\n"
+      ".TP\n.B MMVERIFY_SHADER_LIBRARY\nThe library that runs shaders; the installed one where it is not "
+      "set.\n"
+      ".TP\n.B MMVERIFY_UNCONFINED\n1: a library under test may start programs, as a driver\\(aqs compiler "
+      "does.\n"
+      ".TP\n.B MMVERIFY_WORKER_MEMORY\nThe memory of a library under test, in MiB; 4096 where it is not "
+      "set.\n"
+      ".TP\n.B SOURCE_DATE_EPOCH\nThe date of this page, in seconds since 1970.\n"
+      ".SH FILES\n"
+      ".TP\n.I share/doc/mmverify/docs\nThe documents; begin with README.md in the folder above.\n"
+      ".TP\n.I share/doc/mmverify/examples\nSubjects in C, programs on a pipe, the library in an engine.\n";
   return text;
 }
 

@@ -43,6 +43,12 @@ for command in "${commands[@]}"; do
   mmverify "$command" --help | grep -oE '^  (-[a-z],)?--[a-z0-9-]+(,--[a-z0-9-]+)?|^  -[a-z]\b' | tr -d ' ' | tr , '\n' >options
   diff <(sort options) <(complete_words mmverify "$command" - | sort) || fail "$command: --help's options (<), bash's (>)"
   page=$(sed "1,/^\.SS mmverify $command\$/d" mmverify.1 | sed '/^\.S[SH]/,$d')
+  # Its example has no option but its own.
+  example=$(sed -n '/^Example:$/,$p' <<<"$page" | sed -n '/^.nf$/{n;s/\\-/-/g;s/ | .*//;p}')
+  [[ $example == *"mmverify $command"* ]] || fail "$command has no example on the manual page"
+  for option in $(grep -oE -- ' --?[a-z][a-z-]*' <<<"$example"); do
+    grep -qx -- "$option" options || fail "$command: its example has $option"
+  done
   zsh=$(sed -n "/^    $command)\$/,/^      ;;/p" in.zsh)
   fish=$(grep "__fish_seen_subcommand_from $command'" in.fish)
   while read -r option; do

@@ -25,6 +25,22 @@ for described in man/man1/mmverify.1 bash-completion/completions/mmverify zsh/si
   grep -q -- validate "$folder/installed/share/$described" || fail "no share/$described, or not this program's"
 done
 
+# Each link of an installed document leads to an installed file, and the manual page names no other document.
+/usr/bin/python3 - "$tests/../../docs/site/stage" "$folder/installed/share/doc/mmverify" "$folder/installed/share/man/man1/mmverify.1" <<'PYTHON' ||
+import importlib.machinery, importlib.util, pathlib, re, sys
+loader = importlib.machinery.SourceFileLoader("stage", sys.argv[1])
+stage = importlib.util.module_from_spec(importlib.util.spec_from_loader("stage", loader))
+loader.exec_module(stage)
+documents = pathlib.Path(sys.argv[2])
+links = [(page, link) for page in documents.rglob("*.md") for _, link in stage.links(page.read_text(encoding="utf-8"))]
+dead = [f"{page}: {link}" for page, link in links if not (page.parent / link).exists()]
+named = re.findall(r"docs/[A-Z_]+\.md", pathlib.Path(sys.argv[3]).read_text(encoding="utf-8"))
+dead += [f"the manual page: {name}" for name in named if not (documents / name).exists()]
+print(f"{len(links)} links, {len(named)} names on the manual page")
+sys.exit("\n".join(dead) if dead or len(links) < 200 or not named else 0)
+PYTHON
+  fail "links of installed documents"
+
 # As the user's project: the example's source is theirs.
 cp -r "$tests/consumer" "$folder/consumer"
 cp "$tests/../../examples/subject/subject.c" "$folder/consumer/my_index.c"

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# docs/SUBJECTS.md, "From nothing to a gate", pasted: every command of it, in order; and a baker that then goes wrong is
+# docs/BAKERS.md, "From nothing to a gate", pasted: every command of it, in order; and a baker that then goes wrong is
 # red by the same commands.
 # usage: tests/outside/subjects_walk_test.sh
 set -euo pipefail
 
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../.."
 # shellcheck disable=SC2016  # the marks of code in Markdown
-script=$(sed -n '/^### From nothing to a gate/,/^### Finished maps/p' docs/SUBJECTS.md | sed -n '/^```sh$/,/^```$/{/^```/d;p}')
-[[ $(grep -c . <<<"$script") -ge 10 ]] || { echo "FAILED: docs/SUBJECTS.md has no walk"; exit 1; }
+script=$(sed -n '/^## From nothing to a gate/,/^## Finished maps/p' docs/BAKERS.md | sed -n '/^```sh$/,/^```$/{/^```/d;p}')
+[[ $(grep -c . <<<"$script") -ge 10 ]] || { echo "FAILED: docs/BAKERS.md has no walk"; exit 1; }
 TMPDIR=$(mktemp -d)
 export TMPDIR
 trap 'rm -r "$TMPDIR"' EXIT
