@@ -4,6 +4,7 @@
 #include "bench/attribute/tables.hpp"
 #include "bench/bake/tables.hpp"
 #include "bench/baker/tables.hpp"
+#include "bench/codec/tables.hpp"
 #include "bench/dag/tables.hpp"
 #include "bench/index/tables.hpp"
 #include "bench/scene/astcenc.hpp"
@@ -132,11 +133,19 @@ std::vector<Result> examples_of_topics() {
           array_tables({ArrayFigures{}}, {})};
 }
 
+/// A row with every figure.
+CodecRow codec_row() {
+  CodecRow row{.of = {.of = "leaves", .level = 3}, .encode_ratio = 1, .decode_ratio = 1, .look_up_ratio = 1};
+  for (CodecFigures* f : {&row.theirs, &row.ours}) *f = {1, 0, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+  return row;
+}
+
 std::vector<Result> other_examples() {
   const scene::TextureCoder astc{.blocks = {std::begin(astc_blocks), std::end(astc_blocks)}};
   const scene::TextureCoder bc7{.blocks = {bc7_block}, .key = "bc7", .format = "BC7"};
   return {sweep_tables({}),
           subject_tables({}),
+          codec_tables({codec_row()}, {"m.so", "impl", 5}),
           scene_bake_tables({}, {}),
           scene_dag(),
           baker_tables({"b", "f", {{}}}),

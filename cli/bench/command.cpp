@@ -10,6 +10,8 @@
 #include "bench/scene/tables.hpp"
 #include "cli/arguments/arguments.hpp"
 #include "cli/bench/baker.hpp"
+#include "cli/bench/codec/codec.hpp"
+#include "cli/bench/csv.hpp"
 #include "cli/bench/shaders.hpp"
 #include "cli/bench/subject.hpp"
 #include "cli/bench/sweep.hpp"
@@ -27,18 +29,22 @@
 namespace mmverify::cli {
 namespace {
 
-/// The outputs of a bench: stdout, and files for JSON and the picture, opened before the work.
+/// The outputs of a bench: stdout, and files for JSON, CSV and the picture, opened before the work.
 class Outputs {
  public:
-  explicit Outputs(const BenchOptions& options) : json_(options.json) {
-    refuse_same_file({{"--json", options.json}, {"--plot", options.plot}});
+  explicit Outputs(const BenchOptions& options) : json_(options.json), csv_(options.csv) {
+    refuse_same_file({{"--json", options.json}, {"--csv", options.csv}, {"--plot", options.plot}});
+    if (options.json == "-" && options.csv == "-")
+      throw UsageError("--json and --csv: only one of them can be stdout");
     if (!options.plot.empty()) picture_.emplace(options.plot);
   }
 
   /// Prints one bench's result; called once for each.
   void print(const bench::Result& result) {
-    if (!results_.empty()) say(json_.text(), "\n");
-    print_result(json_.text(), result);
+    std::FILE* const text = csv_.text() == stderr ? stderr : json_.text();
+    if (!results_.empty()) say(text, "\n");
+    print_result(text, result);
+    values_ += (values_.empty() ? "" : "\n") + result_csv(result);
     results_ += (results_.empty() ? "" : ",\n") + result_json(result);
     if (picture_ && !result.drawn) throw UsageError("--plot: these figures have no drawing; leave it out");
     drawn_ = result.drawn;
@@ -46,15 +52,17 @@ class Outputs {
 
   int commit(bool several) {
     json_.write([&] { return several ? "[\n" + results_ + "]\n" : results_; });
+    csv_.write([&] { return values_; });
     if (picture_) picture_->commit(*drawn_);
     return ExitCode::complete;
   }
 
  private:
   JsonOutput json_;
+  JsonOutput csv_;
   std::optional<PlotFile> picture_;
   std::optional<bench::picture::Picture> drawn_;
-  std::string results_;
+  std::string results_, values_;
 };
 
 /// Runs a bench that belongs to no topic; its figures have no picture.
@@ -229,7 +237,8 @@ int run_bench(const BenchOptions& options) {
     return topics.size() == 1 && topics.front()->name == std::string(name);
   };
   const std::string for_textures = "--textures: only for " + names_of_topics(true, " and ");
-  const bool other_bench = options.sweep || !(options.subject + options.scene).empty();
+  const bool other_bench =
+      options.sweep || !options.scene.empty() || (!options.subject.empty() && !only("vq"));
   if (options.maps != 0 && (other_bench || std::none_of(topics.begin(), topics.end(),
                                                         [](const BenchTopic* t) { return t->makes_maps; })))
     throw UsageError(
@@ -248,11 +257,13 @@ int run_bench(const BenchOptions& options) {
     return run_scene_bench(options);
   }
   if (!options.subject.empty() || options.sweep) {
-    const char* const option = options.sweep ? "--sweep" : "--subject";
-    if (topics.front()->name != std::string("index") || options.topics.size() > 1)
-      throw UsageError(
-          fmt::format("{}: only for bench index{}", option, options.sweep ? "" : " and bench bake"));
-    if (!options.textures.empty()) throw UsageError(for_textures);
+    if (options.sweep ? !only("index") : topics.size() != 1)
+      throw UsageError(options.sweep ? "--sweep: only for bench index"
+                                     : "--subject: name one topic, as in bench tree --subject ./mine.so");
+    if (!options.textures.empty() && !topics.front()->reads_textures) throw UsageError(for_textures);
+    if (!options.sweep && !only("index")) {
+      return run_table(options, [&] { return codec_result(topics.front()->name, options); });
+    }
     return options.sweep ? run_sweep_bench(options) : run_subject_bench(options);
   }
   if (!options.textures.empty() &&
@@ -280,9 +291,10 @@ Action add_bench(CLI::App& program) {
                    "points a level, of each kind of inputs; lookups a level and format")
       ->check(whole_within(1, std::uint64_t{1} << 40));
   command
-      ->add_option("--subject", options->subject,
-                   "index: measure what judging this library costs instead; bake: what this baker gets wrong "
-                   "of --scene or --textures, and its time, beside ours")
+      ->add_option(
+          "--subject", options->subject,
+          "tree, dag, vq, array, attribute: this library's codec beside ours; index: what judging it "
+          "costs; bake: what this baker gets wrong of --scene or --textures, and its time")
       ->type_name("NAME|FILE.so");
   auto* const textures = command
                              ->add_option("--textures", options->textures,
@@ -312,6 +324,8 @@ Action add_bench(CLI::App& program) {
       ->check(whole_within(0, 9999));
   command->add_option("--seed", options->index.seed, "seed of the points")->check(fits_64_bits);
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
+  command->add_option("--csv", options->csv, "write the figures as comma-separated values; - is stdout")
+      ->type_name("FILE|-");
   command->add_option("--plot", options->plot, "draw them, with gnuplot")->type_name("FILE.svg|FILE.png");
   command->add_flag("--quiet", options->quiet, "no progress on stderr");
   return [options] { return run_bench(*options); };

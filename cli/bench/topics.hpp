@@ -16,7 +16,7 @@ namespace mmverify::cli {
 /// The options of mmverify bench.
 struct BenchOptions {
   std::vector<std::string> topics;
-  std::string json, plot, levels, subject, scene, textures;
+  std::string json, csv, plot, levels, subject, scene, textures;
   bench::IndexBenchOptions index;
   std::size_t maps = 0;      ///< 0 for the topic's default
   std::uint64_t memory = 0;  ///< for bench dag --scene; 0 for its default

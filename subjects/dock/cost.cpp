@@ -1,18 +1,14 @@
 #include "subjects/dock/cost.hpp"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstring>
-#include <filesystem>
 #include <random>
 
 #include "subjects/dock/broken.hpp"
-#include "subjects/dock/load_error.hpp"
-#include "subjects/dock/sanitizer.hpp"
-#include "subjects/sdk/mmverify_subject.h"
+#include "subjects/dock/trusted.hpp"
 
 namespace mmverify::dock {
 namespace {
@@ -29,29 +25,14 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-const mmverify_subject_t& load_here(const std::string& library) {
-  if (const std::string runtime = runtime_to_load_first(library); !runtime.empty())
-    throw CannotLoad(
-        fmt::format("{}: it needs {} before all else, and times of it would mean little; hand over one that "
-                    "is built without sanitizers",
-                    library, runtime));
-  const std::string file = std::filesystem::absolute(library).string();
-  void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) throw CannotLoad(fmt::format("{}: {}", library, load_error(file)));
-  using Get = const mmverify_subject_t* (*)();
-  const auto get = reinterpret_cast<Get>(dlsym(handle, "mmverify_subject_v1"));
-  if (get == nullptr || get() == nullptr || get()->index_f32 == nullptr)
-    throw std::runtime_error(
-        fmt::format("{}: no entry point {}", library, entry_point(Call::index_f32).name));
-  return *get();
-}
-
 }  // namespace
 
 Cost measure_cost(const std::string& library, std::uint32_t level, const Options& options) {
-  // The worker checks the library first, so that only a subject is loaded into this process.
+  const mmverify_subject_t& subject = load_trusted(library, options);
+  if (subject.index_f32 == nullptr)
+    throw std::runtime_error(
+        fmt::format("{}: no entry point {}", library, entry_point(Call::index_f32).name));
   Worker worker(library, options);
-  const mmverify_subject_t& subject = load_here(library);
 
   std::vector<float> u(capacity), v(capacity);
   std::vector<std::uint32_t> index(capacity);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/bench/csv.hpp"
 #include "cli/bench/plot.hpp"
 #include "cli/bench/tables.hpp"
 
@@ -191,6 +192,30 @@ TEST(BenchPlot, SaysWhatThePictureHolds) {
   EXPECT_THAT(plot_script({.width = 400, .height = 300, .rows = {{crowded()}}}, PlotFormat::svg),
               HasSubstr("'none'"));
   EXPECT_THAT(plot_script(drawn, PlotFormat::png), HasSubstr("pngcairo size 800,600"));
+}
+
+TEST(Csv, HasALineARowAndNamesOfTablesWithin) {
+  const Column form{.key = "form"}, bits{.key = "bits"};
+  Table table{.key = "rows"};
+  table.columns = {
+      {.key = "of"}, {.key = "count"}, {.key = "forms", .columns = {form, bits}}, {.heading = "printed"}};
+  const auto within = [](double flat, double tree) {
+    return std::vector<Row>{{Value(std::string("flat")), Value(flat)},
+                            {Value(std::string("tree")), Value(tree)}};
+  };
+  table.rows = {{Value(std::string("a, \"b\"")), Value(std::uint64_t{3}), Value(within(2, 0.5)), Value(1.0)},
+                {Value(std::string("c")), Value(), Value(within(2, 1.25)), Value(1.0)}};
+  Table more{.key = "more"};
+  more.columns = {{.key = "x"}};
+  more.rows = {{Value(0.1)}};
+  Table drawn{.form = Form::printed};
+  EXPECT_EQ(result_csv({.topic = "t", .settings = {}, .about = "", .tables = {table, more, drawn}}),
+            "of,count,forms.flat.form,forms.flat.bits,forms.tree.form,forms.tree.bits\n"
+            "\"a, \"\"b\"\"\",3,flat,2,tree,0.5\n"
+            "c,,flat,2,tree,1.25\n"
+            "\n"
+            "x\n"
+            "0.1\n");
 }
 
 }  // namespace

@@ -1,0 +1,84 @@
+#include "cli/bench/codec/codec.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <random>
+
+#include "bench/codec/tables.hpp"
+#include "cli/arguments/arguments.hpp"
+#include "cli/output/exit_code.hpp"
+#include "subjects/dock/trusted.hpp"
+
+namespace mmverify::cli {
+namespace {
+
+struct CodecTopic {
+  const char* name;
+  const char* ours;
+  proofs::Levels levels;  ///< where none are given
+  proofs::Level highest;
+  void (*cases)(const codec::Asked&);
+};
+
+constexpr CodecTopic codec_topics[] = {
+    {"tree", "impl/tree's form", {3, 9}, 12, codec::of_tree::cases},
+    {"dag", "impl/dag's graph", {3, 8}, 10, codec::of_dag::cases},
+    {"vq", "impl/vq: the optimum for VQ2, balanced for VQ4", {0, 0}, 0, codec::of_vq::cases},
+    {"array", "impl/array", {2, 6}, 8, codec::of_array::cases},
+    {"attribute", "impl/attribute", {2, 8}, 12, codec::of_attribute::cases},
+};
+
+}  // namespace
+
+bench::Result codec_result(const std::string& topic, const BenchOptions& options) {
+  const CodecTopic* chosen = nullptr;
+  for (const CodecTopic& t : codec_topics)
+    if (topic == t.name) chosen = &t;
+  if (chosen == nullptr) throw UsageError(fmt::format("--subject: bench {} compares no library", topic));
+  proofs::Levels levels = chosen->levels;
+  if (!options.levels.empty()) {
+    levels = parse_levels(options.levels, "--levels");
+    if (levels.last > chosen->highest)
+      throw UsageError(
+          fmt::format("--levels {}: the highest level here is {}", options.levels, chosen->highest));
+  }
+  constexpr std::size_t rounds = 5;
+  dock::Options walls;
+  walls.stop_if_asked = stop_if_asked;
+  const auto progress = progress_of(chosen->name, options);
+  std::vector<bench::CodecRow> rows;
+  try {
+    const mmverify_subject_t& subject = dock::load_trusted(options.subject, walls);
+    chosen->cases({subject, options, levels, [&](const bench::CodecCase& of) {
+                     progress(of.level ? fmt::format("{}, level {}, {} states", of.of, *of.level, of.states)
+                                       : of.of);
+                     rows.push_back(bench::measured_codec(of, rounds));
+                   }});
+  } catch (const std::runtime_error& error) {
+    throw EnvironmentError(error.what());
+  }
+  return bench::codec_tables(rows, {options.subject, chosen->ours, rounds});
+}
+
+namespace codec {
+
+std::vector<std::uint32_t> random_below(std::uint32_t end, std::size_t count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<std::uint32_t> all(count);
+  for (std::uint32_t& k : all) k = static_cast<std::uint32_t>(random() % end);
+  return all;
+}
+
+std::uint64_t differing(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b,
+                        unsigned bits) {
+  std::uint64_t count = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const unsigned apart = a[k] ^ b[k];
+    count += static_cast<std::uint64_t>(std::popcount(bits == 1 ? apart : (apart | apart >> 1) & 0x55u));
+  }
+  return count;
+}
+
+}  // namespace codec
+}  // namespace mmverify::cli
