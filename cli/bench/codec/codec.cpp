@@ -8,7 +8,6 @@
 #include "bench/codec/tables.hpp"
 #include "cli/arguments/arguments.hpp"
 #include "cli/output/exit_code.hpp"
-#include "subjects/dock/trusted.hpp"
 
 namespace mmverify::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include "bench/codec/measure.hpp"
 #include "bench/result.hpp"
 #include "cli/bench/topics.hpp"
-#include "subjects/sdk/mmverify_subject.h"
+#include "subjects/dock/trusted.hpp"
 
 namespace mmverify::cli {
 
