@@ -1,0 +1,181 @@
+#include "bench/papers/measured.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "impl/vq/vq.hpp"
+#include "scene/bake/surface_baker.hpp"
+#include "scene/read/bad_scene.hpp"
+#include "scene/read/load.hpp"
+#include "scene/sample/scene.hpp"
+
+namespace mmverify::bench::papers {
+namespace {
+
+namespace micromap = impl::micromap;
+
+constexpr std::size_t generated_leaves = 60;
+constexpr std::uint64_t most_map_bytes = std::uint64_t{1} << 30;
+constexpr char own_scene[] = "own scene";
+
+PlannedScene planned(std::string name, const std::string& file) {
+  PlannedScene one{.name = std::move(name), .file = file, .scene = {}, .plan = {}, .uses = {}};
+  if (file.empty()) {
+    const scene::Bytes bytes = scene::sample_scene();
+    one.scene = scene::load(own_scene, bytes);
+    one.uses = scene::load_uses(own_scene, bytes);
+  } else {
+    one.scene = scene::load(file);
+    one.uses = scene::load_uses(file);
+  }
+  one.plan = scene::plan(one.scene);
+  return one;
+}
+
+std::uint32_t lost_of(VqEncoder encoder, const OpacityMaps& maps, std::uint32_t& transforms) {
+  const auto taken = [&](const auto& encoded, std::size_t at) {
+    transforms = (encoded.block[at] | std::uint32_t{encoded.block[at + 1]} << 8) & 511;
+    return encoded.substitutions;
+  };
+  // The transforms stand behind the 64 indices of 3 and of 4 bits.
+  constexpr std::size_t of_vq2 = 24, of_vq4 = 32;
+  switch (encoder) {
+    case VqEncoder::vq2_paper:
+      return taken(impl::vq::encode_paper(maps.regions_16), of_vq2);
+    case VqEncoder::vq2_optimal:
+      return taken(impl::vq::encode_optimal(maps.regions_16), of_vq2);
+    case VqEncoder::vq4_paper:
+      return taken(impl::vq::encode_paper(maps.regions_32), of_vq4);
+    case VqEncoder::vq4_balanced:
+      break;
+  }
+  return taken(encode(maps.regions_32), of_vq4);
+}
+
+}  // namespace
+
+void Measured::begins(const std::string& step) const {
+  if (sources_.progress) sources_.progress(step);
+  stop();
+}
+
+void Measured::stop() const {
+  if (sources_.stop) sources_.stop();
+}
+
+const std::vector<PlannedScene>& Measured::scenes() {
+  if (!scenes_.empty()) return scenes_;
+  if (sources_.scenes.empty()) scenes_.push_back(planned(own_scene, ""));
+  for (const std::string& file : sources_.scenes) {
+    begins(file);
+    try {
+      PlannedScene one = planned(std::filesystem::path(file).stem().string(), file);
+      if (!one.plan.triangles.empty()) scenes_.push_back(std::move(one));
+    } catch (const scene::BadScene& error) {
+      if (sources_.note) sources_.note(std::string("left out: ") + error.what());
+    }
+  }
+  if (scenes_.empty()) throw std::runtime_error("no scene has a triangle whose alpha a texture decides");
+  return scenes_;
+}
+
+const std::optional<scene::Sizes>& Measured::sizes(std::size_t at, unsigned level) {
+  const auto known = sizes_.find({at, level});
+  if (known != sizes_.end()) return known->second;
+  const PlannedScene& of = scenes()[at];
+  std::optional<scene::Sizes> found;
+  if (scene::map_bytes_at_level(of.plan, level) <= most_map_bytes) {
+    begins(of.name + ", level " + std::to_string(level));
+    found = scene::sizes_at_level(
+        of.scene, of.plan, level,
+        {.threads = sources_.threads, .two_state = false, .margin = 0, .done = [this](std::uint64_t) {
+           stop();
+         }});
+  }
+  return sizes_.emplace(std::pair(at, level), std::move(found)).first->second;
+}
+
+const std::pair<scene::VqFootprint, scene::VqFootprint>& Measured::squares(std::size_t at) {
+  const auto known = squares_.find(at);
+  if (known != squares_.end()) return known->second;
+  const PlannedScene& of = scenes()[at];
+  begins(of.name + ", pairs of triangles");
+  const scene::SquareMaps maps = square_maps(
+      of.scene, of.plan, scene::pairs(of.scene, of.plan),
+      {.threads = sources_.threads, .two_state = false, .margin = 0, .done = [this](std::uint64_t) {
+         stop();
+       }});
+  const auto stops = [this] { stop(); };
+  return squares_.emplace(at, std::pair(vq2_footprint(maps, stops), vq4_footprint(maps, stops)))
+      .first->second;
+}
+
+const scene::AttributeFigures& Measured::attributes(std::size_t at) {
+  const auto known = attributes_.find(at);
+  if (known != attributes_.end()) return known->second;
+  const PlannedScene& of = scenes()[at];
+  begins(of.name + ", attributes");
+  const scene::Bytes sample = of.file.empty() ? scene::sample_scene() : scene::Bytes();
+  const scene::AttributeScene read =
+      of.file.empty() ? scene::load_attributes(own_scene, sample) : scene::load_attributes(of.file);
+  scene::AttributeOptions options;
+  options.averaging = scene::Averaging::codes;
+  options.threads = sources_.threads;
+  options.stop = [this] { stop(); };
+  return attributes_.emplace(at, measure(read, options)).first->second;
+}
+
+const std::vector<OpacityMaps>& Measured::textures() {
+  if (!textures_.empty()) return textures_;
+  begins("textures");
+  textures_ = sources_.textures.empty() ? leaf_opacity_maps(generated_leaves, 1)
+                                        : opacity_maps(alpha_textures(sources_.textures));
+  if (textures_.empty())
+    throw std::runtime_error(sources_.textures + ": no texture has alpha of 1/2 anywhere");
+  return textures_;
+}
+
+const VqLoss& Measured::loss(VqEncoder encoder) {
+  const auto known = losses_.find(encoder);
+  if (known != losses_.end()) return known->second;
+  VqLoss loss;
+  textures();
+  begins("encoders of square maps");
+  for (const OpacityMaps& maps : textures()) {
+    stop();
+    loss.lost.push_back(lost_of(encoder, maps, loss.transforms.emplace_back()));
+  }
+  return losses_.emplace(encoder, std::move(loss)).first->second;
+}
+
+std::vector<double> by_scene(Measured& measured, const std::function<double(std::size_t)>& figure) {
+  std::vector<double> all;
+  for (std::size_t k = 0; k < measured.scenes().size(); ++k) all.push_back(figure(k));
+  return all;
+}
+
+TriangleMap twig_map(Measured& measured, std::size_t at, unsigned level, bool two_state) {
+  const PlannedScene& of = measured.scenes()[at];
+  const std::uint64_t states = micromap::micro_triangles(level);
+  for (const scene::PlannedTriangle& triangle : of.plan.triangles) {
+    measured.stop();
+    const impl::bake::TriangleBaker baker = surface_baker(of.scene, of.plan.surfaces[triangle.surface]);
+    const auto corner = [&](std::size_t k) {
+      return impl::bake::TexturePoint{triangle.uvs[k][0], triangle.uvs[k][1]};
+    };
+    TriangleMap map{micromap::Format::four_state,
+                    micromap::Bytes(micromap::packed_bytes(states, micromap::Format::four_state))};
+    baker.bake({corner(0), corner(1), corner(2)}, level, map.packed);
+    const micromap::StateCounts counts = micromap::count_states(map.packed, map.format, states);
+    if (counts[0] == 0 || counts[1] == 0) continue;
+    if (!two_state) return map;
+    TriangleMap two{micromap::Format::two_state,
+                    micromap::Bytes(micromap::packed_bytes(states, micromap::Format::two_state))};
+    micromap::force2(map.packed, states, two.packed);
+    return two;
+  }
+  throw std::runtime_error(of.name + ": no map of level " + std::to_string(level) + " has T and O");
+}
+
+}  // namespace mmverify::bench::papers
