@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "bench/papers/pieces.hpp"
+#include "bench/textures/leaf_texture.hpp"
 #include "impl/vq/vq.hpp"
 #include "scene/bake/surface_baker.hpp"
 #include "scene/read/bad_scene.hpp"
@@ -18,6 +20,14 @@ namespace micromap = impl::micromap;
 constexpr std::size_t generated_leaves = 60;
 constexpr std::uint64_t most_map_bytes = std::uint64_t{1} << 30;
 constexpr char own_scene[] = "own scene";
+constexpr double least_part = 0.03;
+
+std::vector<AlphaTexture> read_textures(const Sources& sources) {
+  if (!sources.textures.empty()) return alpha_textures(sources.textures);
+  std::vector<AlphaTexture> leaves;
+  for (std::uint64_t seed = 1; seed <= generated_leaves; ++seed) leaves.push_back(leaf_texture(seed));
+  return leaves;
+}
 
 PlannedScene planned(std::string name, const std::string& file) {
   PlannedScene one{.name = std::move(name), .file = file, .scene = {}, .plan = {}, .uses = {}};
@@ -64,19 +74,24 @@ void Measured::stop() const {
   if (sources_.stop) sources_.stop();
 }
 
+scene::BakeOptions Measured::options() const {
+  return {.threads = sources_.threads, .two_state = false, .margin = 0, .done = [this](std::uint64_t) {
+            stop();
+          }};
+}
+
 const std::vector<PlannedScene>& Measured::scenes() {
   if (!scenes_.empty()) return scenes_;
   if (sources_.scenes.empty()) scenes_.push_back(planned(own_scene, ""));
   for (const std::string& file : sources_.scenes) {
     begins(file);
     try {
-      PlannedScene one = planned(std::filesystem::path(file).stem().string(), file);
-      if (!one.plan.triangles.empty()) scenes_.push_back(std::move(one));
+      scenes_.push_back(planned(std::filesystem::path(file).stem().string(), file));
     } catch (const scene::BadScene& error) {
       if (sources_.note) sources_.note(std::string("left out: ") + error.what());
     }
   }
-  if (scenes_.empty()) throw std::runtime_error("no scene has a triangle whose alpha a texture decides");
+  if (scenes_.empty()) throw std::runtime_error("no scene can be read");
   return scenes_;
 }
 
@@ -87,28 +102,22 @@ const std::optional<scene::Sizes>& Measured::sizes(std::size_t at, unsigned leve
   std::optional<scene::Sizes> found;
   if (scene::map_bytes_at_level(of.plan, level) <= most_map_bytes) {
     begins(of.name + ", level " + std::to_string(level));
-    found = scene::sizes_at_level(
-        of.scene, of.plan, level,
-        {.threads = sources_.threads, .two_state = false, .margin = 0, .done = [this](std::uint64_t) {
-           stop();
-         }});
+    found = scene::sizes_at_level(of.scene, of.plan, level, options());
   }
   return sizes_.emplace(std::pair(at, level), std::move(found)).first->second;
 }
 
-const std::pair<scene::VqFootprint, scene::VqFootprint>& Measured::squares(std::size_t at) {
+const Squares& Measured::squares(std::size_t at) {
   const auto known = squares_.find(at);
   if (known != squares_.end()) return known->second;
   const PlannedScene& of = scenes()[at];
   begins(of.name + ", pairs of triangles");
-  const scene::SquareMaps maps = square_maps(
-      of.scene, of.plan, scene::pairs(of.scene, of.plan),
-      {.threads = sources_.threads, .two_state = false, .margin = 0, .done = [this](std::uint64_t) {
-         stop();
-       }});
+  Squares found;
+  found.maps = square_maps(of.scene, of.plan, scene::pairs(of.scene, of.plan), options());
   const auto stops = [this] { stop(); };
-  return squares_.emplace(at, std::pair(vq2_footprint(maps, stops), vq4_footprint(maps, stops)))
-      .first->second;
+  found.vq2 = vq2_footprint(found.maps, stops);
+  found.vq4 = vq4_footprint(found.maps, stops);
+  return squares_.emplace(at, std::move(found)).first->second;
 }
 
 const scene::AttributeFigures& Measured::attributes(std::size_t at) {
@@ -129,29 +138,45 @@ const scene::AttributeFigures& Measured::attributes(std::size_t at) {
 const std::vector<OpacityMaps>& Measured::textures() {
   if (!textures_.empty()) return textures_;
   begins("textures");
-  textures_ = sources_.textures.empty() ? leaf_opacity_maps(generated_leaves, 1)
-                                        : opacity_maps(alpha_textures(sources_.textures));
+  textures_ = opacity_maps(read_textures(sources_));
   if (textures_.empty())
     throw std::runtime_error(sources_.textures + ": no texture has alpha of 1/2 anywhere");
   return textures_;
 }
 
-const VqLoss& Measured::loss(VqEncoder encoder) {
-  const auto known = losses_.find(encoder);
+const std::vector<OpacityMaps>& Measured::parts() {
+  if (!parts_.empty()) return parts_;
+  begins("parts of textures");
+  for (const AlphaTexture& texture : read_textures(sources_)) {
+    stop();
+    for (OpacityMaps& maps : opacity_maps(pieces(texture, least_part))) parts_.push_back(std::move(maps));
+  }
+  return parts_;
+}
+
+const VqLoss& Measured::loss(VqEncoder encoder, bool of_parts) {
+  const auto known = losses_.find({encoder, of_parts});
   if (known != losses_.end()) return known->second;
-  VqLoss loss;
-  textures();
+  const std::vector<OpacityMaps>& all = of_parts ? parts() : textures();
   begins("encoders of square maps");
-  for (const OpacityMaps& maps : textures()) {
+  VqLoss loss;
+  for (const OpacityMaps& maps : all) {
     stop();
     loss.lost.push_back(lost_of(encoder, maps, loss.transforms.emplace_back()));
   }
-  return losses_.emplace(encoder, std::move(loss)).first->second;
+  return losses_.emplace(std::pair(encoder, of_parts), std::move(loss)).first->second;
+}
+
+std::vector<std::size_t> masked(Measured& measured) {
+  std::vector<std::size_t> all;
+  for (std::size_t k = 0; k < measured.scenes().size(); ++k)
+    if (!measured.scenes()[k].plan.triangles.empty()) all.push_back(k);
+  return all;
 }
 
 std::vector<double> by_scene(Measured& measured, const std::function<double(std::size_t)>& figure) {
   std::vector<double> all;
-  for (std::size_t k = 0; k < measured.scenes().size(); ++k) all.push_back(figure(k));
+  for (const std::size_t k : masked(measured)) all.push_back(figure(k));
   return all;
 }
 

@@ -35,9 +35,14 @@ struct PlannedScene {
   std::vector<scene::MeshUse> uses;
 };
 
-/// One encoder on all textures.
+struct Squares {
+  scene::SquareMaps maps;
+  scene::VqFootprint vq2, vq4;
+};
+
+/// One encoder on all textures, or on all parts.
 struct VqLoss {
-  std::vector<std::uint32_t> lost, transforms;  ///< by texture
+  std::vector<std::uint32_t> lost, transforms;  ///< by map
 };
 enum class VqEncoder : std::uint8_t { vq2_paper, vq2_optimal, vq4_paper, vq4_balanced };
 
@@ -48,29 +53,35 @@ class Measured {
   const Sources& sources() const { return sources_; }
   void begins(const std::string& step) const;
   void stop() const;
+  /// Those of a bake that can be stopped.
+  scene::BakeOptions options() const;
 
-  /// Scenes with triangles to bake.  Errors: scene::BadScene; std::runtime_error if no scene has one.
+  /// All scenes that can be read.  Errors: std::runtime_error if none can.
   const std::vector<PlannedScene>& scenes();
-  /// The sizes with every triangle at one level; none beyond 1 GiB of flat maps.
+  /// The sizes with every triangle at one level; none beyond 1 GiB of flat maps.  Domain: a scene of masked().
   const std::optional<scene::Sizes>& sizes(std::size_t scene, unsigned level);
-  /// The bytes of both codecs' blocks, and of the pairs' regions.
-  const std::pair<scene::VqFootprint, scene::VqFootprint>& squares(std::size_t scene);
+  /// The square maps of a scene's pairs, and the bytes of both codecs' blocks.  Domain: a scene of masked().
+  const Squares& squares(std::size_t scene);
   /// Attribute maps of levels 0 to 5, codes averaged.
   const scene::AttributeFigures& attributes(std::size_t scene);
   const std::vector<OpacityMaps>& textures();
-  const VqLoss& loss(VqEncoder encoder);
+  /// The maps of the textures' connected parts, of those with 3 % of a texture's opaque texels at least.
+  const std::vector<OpacityMaps>& parts();
+  const VqLoss& loss(VqEncoder encoder, bool of_parts = false);
 
  private:
   Sources sources_;
   std::vector<PlannedScene> scenes_;
   std::map<std::pair<std::size_t, unsigned>, std::optional<scene::Sizes>> sizes_;
-  std::map<std::size_t, std::pair<scene::VqFootprint, scene::VqFootprint>> squares_;
+  std::map<std::size_t, Squares> squares_;
   std::map<std::size_t, scene::AttributeFigures> attributes_;
-  std::vector<OpacityMaps> textures_;
-  std::map<VqEncoder, VqLoss> losses_;
+  std::vector<OpacityMaps> textures_, parts_;
+  std::map<std::pair<VqEncoder, bool>, VqLoss> losses_;
 };
 
-/// figure(scene's number) for each scene.
+/// The numbers of the scenes that have triangles to bake.
+std::vector<std::size_t> masked(Measured& measured);
+/// figure(scene's number) for each of these.
 std::vector<double> by_scene(Measured& measured, const std::function<double(std::size_t)>& figure);
 
 /// A map of a plan's triangle at a level.

@@ -29,6 +29,13 @@ Ours constant(double value) {
   return [value](Measured&) { return std::vector<double>{value}; };
 }
 
+/// figure(scene's number) for each scene, masked or not.
+std::vector<double> by_asset(Measured& m, const std::function<double(std::size_t)>& figure) {
+  std::vector<double> all;
+  for (std::size_t k = 0; k < m.scenes().size(); ++k) all.push_back(figure(k));
+  return all;
+}
+
 /// The least and the greatest count of distinct maps of an attribute, over the levels and scenes; empty without one.
 Ours counts(Attribute attribute, MapKind kind) {
   return [=](Measured& m) {
@@ -46,7 +53,7 @@ Ours counts(Attribute attribute, MapKind kind) {
 /// All maps of a kind over the textures, in %.
 Ours memory(MapKind kind, unsigned level) {
   return [=](Measured& m) {
-    return by_scene(m, [&](std::size_t k) {
+    return by_asset(m, [&](std::size_t k) {
       const AttributeFigures& f = m.attributes(k);
       return 100 * static_cast<double>(f.bytes(level, kind)) / static_cast<double>(f.texture_bytes);
     });
@@ -56,7 +63,7 @@ Ours memory(MapKind kind, unsigned level) {
 /// Mean FLIP of base colours in texture space.
 Ours flip(MapKind kind, unsigned level) {
   return [=](Measured& m) {
-    return by_scene(m, [&](std::size_t k) {
+    return by_asset(m, [&](std::size_t k) {
       double sum = 0, sets = 0;
       for (const scene::AttributeSetFigures& set : m.attributes(k).sets)
         for (const scene::MapsAtLevel& at : set.levels)
@@ -147,19 +154,19 @@ std::vector<Item> maps() {
          {2, 1115, 23'133, 95'155, 262'267, 606'376},
          "",
          [](Measured& m) {
-           return by_scene(m, [&](std::size_t k) { return static_cast<double>(m.attributes(k).triangles); });
+           return by_asset(m, [&](std::size_t k) { return static_cast<double>(m.attributes(k).triangles); });
          }},
         {"textures",
          {2, 3, 3, 18, 73, 148},
          "",
          [](Measured& m) {
-           return by_scene(m, [&](std::size_t k) { return static_cast<double>(m.attributes(k).images); });
+           return by_asset(m, [&](std::size_t k) { return static_cast<double>(m.attributes(k).images); });
          }},
         {"instances, meshes",
          {1, 2, 2, 7, 1, 517},
          "",
          [](Measured& m) {
-           return by_scene(m, [&](std::size_t k) { return static_cast<double>(m.scenes()[k].uses.size()); });
+           return by_asset(m, [&](std::size_t k) { return static_cast<double>(m.scenes()[k].uses.size()); });
          }},
         {"opacity micromaps",
          {0, 3801},
@@ -282,7 +289,7 @@ std::vector<Item> results_of_attributes() {
          {},
          "",
          [](Measured& m) {
-           return by_scene(m, [&](std::size_t k) {
+           return by_asset(m, [&](std::size_t k) {
              double levels = 0;
              for (unsigned level = 0; level <= 5; ++level)
                levels += flip(MapKind::faces, level)(m)[k] < flip(MapKind::vertices, level)(m)[k] ? 1 : 0;

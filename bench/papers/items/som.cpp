@@ -92,14 +92,13 @@ Ours bits_read(unsigned level) {
 }
 
 /// How many times smaller the tree of a twig is than its flat map.
+double twig_ratio(Measured& m, std::size_t at, unsigned level) {
+  const TriangleMap map = twig_map(m, at, level, true);
+  const impl::tree::Stream tree = impl::tree::encode_stream(level, map.format, map.packed);
+  return real(map.packed.size()) / real(tree.tree.size() + tree.data.size());
+}
 Ours twig_ratio(unsigned level) {
-  return [level](Measured& m) {
-    return by_scene(m, [&](std::size_t k) {
-      const TriangleMap map = twig_map(m, k, level, true);
-      const impl::tree::Stream tree = impl::tree::encode_stream(level, map.format, map.packed);
-      return real(map.packed.size()) / real(tree.tree.size() + tree.data.size());
-    });
-  };
+  return [=](Measured& m) { return by_scene(m, [&](std::size_t k) { return twig_ratio(m, k, level); }); };
 }
 
 /// The tree of the map of figure 10, T and O in turn: its internal nodes, and the bits that it adds to the flat map.
@@ -130,7 +129,7 @@ Grid sizes_by_level(Measured& m) {
   Grid grid{{"scene", "level", "2-state, kB", "tree", "tree, %", "4-state, kB", "tree", "tree, %",
              "bitmask, 4-state", "texture", "area that calls a shader, %"},
             {}};
-  for (std::size_t k = 0; k < m.scenes().size(); ++k)
+  for (const std::size_t k : masked(m))
     for (unsigned level = 1; level <= 9; ++level) {
       const auto& sizes = m.sizes(k, level);
       if (!sizes) continue;
@@ -422,8 +421,7 @@ std::vector<Item> results() {
          {},
          "x",
          [](Measured& m) {
-           const std::vector<double> last = twig_ratio(12)(m), before = twig_ratio(11)(m);
-           return by_scene(m, [&](std::size_t k) { return last[k] / before[k]; });
+           return by_scene(m, [&](std::size_t k) { return twig_ratio(m, k, 12) / twig_ratio(m, k, 11); });
          }}}},
       {"figure 9",
        "bits of the tree that a ray reads, 2-state, levels 4 and 9",
