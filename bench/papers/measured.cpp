@@ -135,10 +135,20 @@ const scene::AttributeFigures& Measured::attributes(std::size_t at) {
   return attributes_.emplace(at, measure(read, options)).first->second;
 }
 
+const std::map<std::string, AlphaTexture>& Measured::alpha() {
+  if (!alpha_.empty()) return alpha_;
+  begins("textures");
+  for (AlphaTexture& one : read_textures(sources_)) {
+    const std::string name = one.file;
+    alpha_.emplace(name, std::move(one));
+  }
+  return alpha_;
+}
+
 const std::vector<OpacityMaps>& Measured::textures() {
   if (!textures_.empty()) return textures_;
-  begins("textures");
-  textures_ = opacity_maps(read_textures(sources_));
+  for (const auto& [name, texture] : alpha())
+    for (OpacityMaps& maps : opacity_maps({texture})) textures_.push_back(std::move(maps));
   if (textures_.empty())
     throw std::runtime_error(sources_.textures + ": no texture has alpha of 1/2 anywhere");
   return textures_;
@@ -147,7 +157,7 @@ const std::vector<OpacityMaps>& Measured::textures() {
 const std::vector<OpacityMaps>& Measured::parts() {
   if (!parts_.empty()) return parts_;
   begins("parts of textures");
-  for (const AlphaTexture& texture : read_textures(sources_)) {
+  for (const auto& [name, texture] : alpha()) {
     stop();
     for (OpacityMaps& maps : opacity_maps(pieces(texture, least_part))) parts_.push_back(std::move(maps));
   }

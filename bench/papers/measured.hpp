@@ -64,6 +64,8 @@ class Measured {
   const Squares& squares(std::size_t scene);
   /// Attribute maps of levels 0 to 5, codes averaged.
   const scene::AttributeFigures& attributes(std::size_t scene);
+  /// The alpha textures by name, and their maps.
+  const std::map<std::string, AlphaTexture>& alpha();
   const std::vector<OpacityMaps>& textures();
   /// The maps of the textures' connected parts, of those with 3 % of a texture's opaque texels at least.
   const std::vector<OpacityMaps>& parts();
@@ -75,6 +77,7 @@ class Measured {
   std::map<std::pair<std::size_t, unsigned>, std::optional<scene::Sizes>> sizes_;
   std::map<std::size_t, Squares> squares_;
   std::map<std::size_t, scene::AttributeFigures> attributes_;
+  std::map<std::string, AlphaTexture> alpha_;
   std::vector<OpacityMaps> textures_, parts_;
   std::map<std::pair<VqEncoder, bool>, VqLoss> losses_;
 };

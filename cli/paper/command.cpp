@@ -5,17 +5,22 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "bench/papers/page.hpp"
+#include "bench/papers/pictures.hpp"
 #include "cli/arguments/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/output/exit_code.hpp"
 #include "cli/output/output_file.hpp"
+#include "cli/output/plot_file.hpp"
 #include "cli/output/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
+#include "scene/write/png.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -60,10 +65,10 @@ papers::Measured measured_for(const PaperOptions& options) {
   return papers::Measured(std::move(sources));
 }
 
-/// Whether an item is asked for: "--figure 5" takes "figure 5", "--table 2" also "table 2, units".
+/// Whether an item is asked for: "--table 2" takes "table 2, units" as well, "--item 4" also "4 a" and "4 b".
 bool asked(const papers::Item& item, const PaperOptions& options) {
   const auto begins = [&](const std::string& name) {
-    return item.id == name || item.id.starts_with(name + ",");
+    return item.id == name || item.id.starts_with(name + ",") || item.id.starts_with(name + " ");
   };
   return (!options.figure.empty() && begins("figure " + options.figure)) ||
          (!options.table.empty() && begins("table " + options.table)) ||
@@ -86,13 +91,35 @@ void print(const std::vector<const papers::Paper*>& chosen, const PaperOptions& 
   throw UsageError(fmt::format("paper: no such item; there are: {}", ids));
 }
 
+/// The bytes of a PNG; none where gnuplot is needed and missing, which is said.
+std::optional<std::string> png_of(const papers::Drawn& drawn) {
+  if (const auto* pixels = std::get_if<render::Picture>(&drawn.picture)) {
+    const std::vector<unsigned char> bytes = mmverify::scene::png(pixels->width, pixels->height, pixels->rgb);
+    return std::string(bytes.begin(), bytes.end());
+  }
+  try {
+    return plotted_png(std::get<bench::picture::Picture>(drawn.picture));
+  } catch (const EnvironmentError& error) {
+    say(stderr, "paper: {} is left out: {}\n", drawn.name, error.what());
+    return std::nullopt;
+  }
+}
+
 /// Makes all pages before it writes the first file.
 void write(const std::vector<const papers::Paper*>& chosen, const PaperOptions& options,
            papers::Measured& measured) {
   need_folder("-o", options.folder);
   std::vector<std::pair<std::string, std::string>> files;
-  for (const papers::Paper* paper : chosen)
-    files.emplace_back(paper->id + ".md", papers::page(*paper, measured, {}));
+  for (const papers::Paper* paper : chosen) {
+    std::vector<papers::PictureLink> links;
+    for (const papers::Drawn& drawn : papers::pictures(*paper, measured))
+      if (const auto bytes = png_of(drawn)) {
+        const std::string name = paper->id + "_" + drawn.name + ".png";
+        files.emplace_back(name, *bytes);
+        links.push_back({drawn.item, name, drawn.caption});
+      }
+    files.emplace_back(paper->id + ".md", papers::page(*paper, measured, links));
+  }
   for (const auto& [name, text] : files) {
     OutputFile((fs::path(options.folder) / name).string()).commit(text);
     say(stdout, "{}\n", (fs::path(options.folder) / name).generic_string());

@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "bench/papers/drawings.hpp"
 #include "bench/papers/item.hpp"
+#include "bench/papers/pictures.hpp"
 #include "bench/tree/cache.hpp"
 #include "impl/tree/stream.hpp"
 
@@ -124,6 +127,29 @@ double catalan_share(double n) {
 
 std::string shortest(double value) { return std::isnan(value) ? "" : fmt::format("{:.4g}", value); }
 
+/// Figure 11: how many distinct triangles lie over the texels of each texture.
+Grid overlaps(Measured& m) {
+  constexpr std::uint32_t most = 5;
+  Grid grid{{"scene", "texture", "triangles", "texels under none, %", "1", "2", "3", "4", "5 or more"}, {}};
+  for (const std::size_t k : masked(m)) {
+    const PlannedScene& of = m.scenes()[k];
+    for (std::uint32_t surface = 0; surface < of.plan.surfaces.size(); ++surface) {
+      m.stop();
+      const PixelNumbers over = triangles_over(of, surface);
+      std::array<double, most + 1> texels{};
+      for (const std::uint32_t count : over.of) ++texels[std::min(count, most)];
+      const auto on_it = std::count_if(of.plan.triangles.begin(), of.plan.triangles.end(),
+                                       [&](const scene::PlannedTriangle& t) { return t.surface == surface; });
+      std::vector<std::string> row{of.name, of.scene.images[of.plan.surfaces[surface].image].name,
+                                   std::to_string(on_it)};
+      for (const double count : texels)
+        row.push_back(fmt::format("{:.1f}", 100 * count / real(over.of.size())));
+      grid.rows.push_back(std::move(row));
+    }
+  }
+  return grid;
+}
+
 /// Figure 5: bytes of each form by level, of each scene.
 Grid sizes_by_level(Measured& m) {
   Grid grid{{"scene", "level", "2-state, kB", "tree", "tree, %", "4-state, kB", "tree", "tree, %",
@@ -172,9 +198,8 @@ std::vector<Item> background() {
        "values merged in a 4-way tree, a twig by level",
        Status::differs,
        "scene FILE --sizes 1..9; render FILE --level 1..6 --method flat -o OUT.png",
-       "the paper's 75 % is of a drawn map of level 2; a map of one twig depends on its outline",
-       {{"tree of the drawn map over flat", {75}, "%", {}},
-        {"tree over flat, level 6, 4-state", {}, "%", tree_share(four)}}},
+       "the paper's 75 % is of a drawn map; ours is the mean of a scene, 29 % at level 6",
+       {{"tree over flat, 4-state, level 4", {75}, "%", tree_share(four, 4)}}},
       {"figure 2", "two subdivision schemes, ties at edges and corners", Status::ok,
        "prove index.rounding index.row_order", "INDEX.md; Gruen's rows are `w-minor`"},
       {"3.1 a", "the states' numbers, 2-state and 4-state", Status::ok, "prove micromap.packing",
@@ -354,8 +379,12 @@ std::vector<Item> results() {
       {"figure 6", "one twig at levels 1 to 12: frame times, and 2-state pictures", Status::differs,
        "render FILE --level 1..9 --repeat 7",
        "no graphics card; the pages draw our twig in 2-state, by level"},
-      {"figure 7", "frame times by level, RTX 4080", Status::not_here, "render FILE --level 0..9 --repeat 7",
-       no_graphics_card},
+      {.id = "figure 7",
+       .what = "frame times by level, RTX 4080",
+       .status = Status::not_here,
+       .show = "render FILE --level 0..9 --repeat 7",
+       .why = no_graphics_card,
+       .on_this_machine = frame_times},
       {"figure 8", "frame times by level, RTX 3080", Status::not_here, "render FILE --level 0..9 --repeat 7",
        no_graphics_card},
       {"6.1 a", "fast-trace builds a little faster than fast-build, of one size", Status::not_here, "",
@@ -438,8 +467,13 @@ std::vector<Item> results() {
        {{"internal nodes", {5}, "", internal_nodes}, {"bits more than flat", {5}, "", added_bits}}},
       {"6.2.1", "subtrees encoded in the place of leaves", Status::ok, "prove dag; bench dag --scene FILE",
        "the graph of a scene's maps (DAG.md)"},
-      {"figure 11", "an atlas with all triangles' UVs, and how many overlap", Status::differs,
-       "scene FILE --details", "CryTek's atlas is not shipped; the pages draw each texture of ours"},
+      {"figure 11",
+       "an atlas with all triangles' UVs, and how many overlap",
+       Status::differs,
+       "scene FILE --details",
+       "CryTek's atlas is not shipped; the pages draw each texture of ours",
+       {},
+       overlaps},
       {"figure 12", "leaves in segments on one texture", Status::differs, "scene FILE --picture FOLDER",
        "two textures of scenes that are not shipped; the pages draw ours with the states of their maps"},
       {"7 a", "the index in other dimensions, shapes and subdivisions", Status::not_here, "",
