@@ -9,10 +9,8 @@
 #include <type_traits>
 #include <variant>
 
-#include "bench/tree/cache.hpp"
 #include "bench/vq/maps.hpp"
 #include "impl/index/index.hpp"
-#include "impl/tree/stream.hpp"
 
 namespace mmverify::bench::papers {
 namespace {
@@ -105,6 +103,23 @@ double PixelNumbers::mean() const {
   return count == 0 ? 0 : std::accumulate(of.begin(), of.end(), 0.0) / static_cast<double>(count);
 }
 
+std::vector<std::uint32_t> bits_read_by_index(unsigned level, const impl::tree::Stream& tree) {
+  std::vector<std::uint32_t> bits;
+  bits.reserve(impl::micromap::micro_triangles(level));
+  std::uint32_t at = 0;
+  const auto subtree = [&](const auto& self, unsigned height) -> void {
+    const bool internal = (tree.tree[at / 8] >> at % 8 & 1) != 0;
+    ++at;
+    if (!internal) {
+      bits.insert(bits.end(), impl::micromap::micro_triangles(height), at);
+      return;
+    }
+    for (int child = 0; child < 4; ++child) self(self, height - 1);
+  };
+  subtree(subtree, level);
+  return bits;
+}
+
 PixelNumbers bits_read(Measured& measured, const PlannedScene& of, std::uint32_t surface, unsigned level) {
   std::vector<unsigned> levels(of.plan.triangles.size(), 0);
   for (std::size_t k = 0; k < levels.size(); ++k)
@@ -118,17 +133,18 @@ PixelNumbers bits_read(Measured& measured, const PlannedScene& of, std::uint32_t
     if (of.plan.triangles[k].surface != surface) continue;
     measured.stop();
     const scene::BakedTriangle& one = baked.triangles[k];
-    impl::tree::Stream tree;
+    std::vector<std::uint32_t> bits;  // empty: a special index, no tree
     if (!one.uniform)
-      tree =
-          impl::tree::encode_stream(level, one.format, impl::micromap::Bytes(one.map.begin(), one.map.end()));
+      bits = bits_read_by_index(
+          level, impl::tree::encode_stream(level, one.format,
+                                           impl::micromap::Bytes(one.map.begin(), one.map.end())));
     for_texels(
         in_texels(of.plan.triangles[k].uvs, image), [&](std::int64_t x, std::int64_t y, double u, double v) {
           if (x < 0 || y < 0 || x >= image.width || y >= image.height) return;
           const std::uint32_t index =
               impl::index::from_barycentrics(static_cast<float>(u), static_cast<float>(v), level);
           numbers.of[static_cast<std::size_t>(x) + std::size_t{image.width} * static_cast<std::size_t>(y)] =
-              one.uniform ? 1 : static_cast<std::uint32_t>(stream_reads(level, tree, index).tree_bits);
+              bits.empty() ? 1 : bits[index];
         });
   }
   return numbers;

@@ -8,6 +8,7 @@
 #include "bench/papers/measured.hpp"
 #include "bench/textures/alpha_textures.hpp"
 #include "display/render/picture.hpp"
+#include "impl/tree/stream.hpp"
 #include "impl/vq/vq.hpp"
 
 namespace mmverify::bench::papers {
@@ -22,6 +23,11 @@ struct PixelNumbers {
   /// The mean of those above 0; 0 without any.
   double mean() const;
 };
+
+/// The bits of a tree that Algorithm 3 reads for each index, bits 0 to that of the leaf, as stream_reads() counts them one
+/// by one.  Time: linear in the tree and in 4^level.
+/// Domain: a stream of encode_stream() of this level.
+std::vector<std::uint32_t> bits_read_by_index(unsigned level, const impl::tree::Stream& tree);
 
 /// The bits of the tree that Algorithm 3 reads at each pixel of a texture, from 2-state maps of the triangles on a
 /// surface.  A triangle is moved by whole repeats, so that its centroid lies in the texture.

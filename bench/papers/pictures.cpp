@@ -67,7 +67,8 @@ Pictures atlases(Measured& m, std::size_t at) {
   for (std::uint32_t surface = 0; surface < of.plan.surfaces.size(); ++surface) {
     m.stop();
     const PixelNumbers over = triangles_over(of, surface);
-    const std::uint32_t times = std::max(1u, 512 / std::max(over.width, over.height)), most = over.most();
+    const std::uint32_t times = std::max(1u, 512 / std::max(over.width, over.height)),
+                        most = std::max(2u, over.most());
     const std::string name = of.scene.images[of.plan.surfaces[surface].image].name;
     all.push_back(
         {"figure 11", fmt::format("atlas_{}", surface),

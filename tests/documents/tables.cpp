@@ -304,8 +304,8 @@ int main(int argc, char** argv) {
       fmt::print(stderr, "{}: the marks of table {} are missing\n", table.document, table.name);
       code = 4;
     } else if (before != after && asked == "--check") {
-      fmt::print(stderr, "{}: table {} is not what is computed; if the change is meant, run ./run tables\n",
-                 table.document, table.name);
+      fmt::print(stderr, "{}: {} {} is not what is computed; if the change is meant, run ./run tables\n",
+                 table.document, *table.name == 0 ? "the page" : "table", table.name);
       code = 1;
     } else if (before != after) {
       std::ofstream(table.document) << after;

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "bench/papers/drawings.hpp"
 #include "bench/papers/item.hpp"
 #include "bench/papers/pictures.hpp"
-#include "bench/tree/cache.hpp"
 #include "impl/tree/stream.hpp"
 
 namespace mmverify::bench::papers {
@@ -84,12 +84,8 @@ Ours bits_read(unsigned level) {
     return by_scene(m, [&](std::size_t k) {
       const TriangleMap map = twig_map(m, k, level, true);
       const impl::tree::Stream tree = impl::tree::encode_stream(level, map.format, map.packed);
-      double bits = 0;
-      for (std::uint64_t index = 0; index < micromap::micro_triangles(level); ++index) {
-        if (index % 1024 == 0) m.stop();
-        bits += real(stream_reads(level, tree, index).tree_bits);
-      }
-      return bits / real(micromap::micro_triangles(level));
+      const std::vector<std::uint32_t> bits = bits_read_by_index(level, tree);
+      return std::accumulate(bits.begin(), bits.end(), 0.0) / real(bits.size());
     });
   };
 }
