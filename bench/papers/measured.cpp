@@ -43,6 +43,18 @@ PlannedScene planned(std::string name, const std::string& file) {
   return one;
 }
 
+/// The 4-state map of a triangle of the plan.
+micromap::Bytes map_of(const PlannedScene& of, std::size_t number, unsigned level) {
+  const scene::PlannedTriangle& triangle = of.plan.triangles[number];
+  const impl::bake::TriangleBaker baker = surface_baker(of.scene, of.plan.surfaces[triangle.surface]);
+  const auto corner = [&](std::size_t k) {
+    return impl::bake::TexturePoint{triangle.uvs[k][0], triangle.uvs[k][1]};
+  };
+  micromap::Bytes map(micromap::packed_bytes(micromap::micro_triangles(level), micromap::Format::four_state));
+  baker.bake({corner(0), corner(1), corner(2)}, level, map);
+  return map;
+}
+
 std::uint32_t lost_of(VqEncoder encoder, const OpacityMaps& maps, std::uint32_t& transforms) {
   const auto taken = [&](const auto& encoded, std::size_t at) {
     transforms = (encoded.block[at] | std::uint32_t{encoded.block[at + 1]} << 8) & 511;
@@ -164,6 +176,21 @@ const std::vector<OpacityMaps>& Measured::parts() {
   return parts_;
 }
 
+std::optional<std::size_t> Measured::twig(std::size_t at) {
+  constexpr unsigned level = 5;
+  const auto known = twigs_.find(at);
+  if (known != twigs_.end()) return known->second;
+  const PlannedScene& of = scenes()[at];
+  std::optional<std::size_t>& found = twigs_[at];
+  for (std::size_t k = 0; k < of.plan.triangles.size() && !found; ++k) {
+    stop();
+    const micromap::StateCounts counts = micromap::count_states(
+        map_of(of, k, level), micromap::Format::four_state, micromap::micro_triangles(level));
+    if (counts[0] != 0 && counts[1] != 0) found = k;
+  }
+  return found;
+}
+
 const VqLoss& Measured::loss(VqEncoder encoder, bool of_parts) {
   const auto known = losses_.find({encoder, of_parts});
   if (known != losses_.end()) return known->second;
@@ -190,27 +217,16 @@ std::vector<double> by_scene(Measured& measured, const std::function<double(std:
   return all;
 }
 
-TriangleMap twig_map(Measured& measured, std::size_t at, unsigned level, bool two_state) {
-  const PlannedScene& of = measured.scenes()[at];
+std::optional<TriangleMap> twig_map(Measured& measured, std::size_t at, unsigned level) {
+  const auto twig = measured.twig(at);
+  if (!twig) return std::nullopt;
+  measured.stop();
   const std::uint64_t states = micromap::micro_triangles(level);
-  for (const scene::PlannedTriangle& triangle : of.plan.triangles) {
-    measured.stop();
-    const impl::bake::TriangleBaker baker = surface_baker(of.scene, of.plan.surfaces[triangle.surface]);
-    const auto corner = [&](std::size_t k) {
-      return impl::bake::TexturePoint{triangle.uvs[k][0], triangle.uvs[k][1]};
-    };
-    TriangleMap map{micromap::Format::four_state,
-                    micromap::Bytes(micromap::packed_bytes(states, micromap::Format::four_state))};
-    baker.bake({corner(0), corner(1), corner(2)}, level, map.packed);
-    const micromap::StateCounts counts = micromap::count_states(map.packed, map.format, states);
-    if (counts[0] == 0 || counts[1] == 0) continue;
-    if (!two_state) return map;
-    TriangleMap two{micromap::Format::two_state,
-                    micromap::Bytes(micromap::packed_bytes(states, micromap::Format::two_state))};
-    micromap::force2(map.packed, states, two.packed);
-    return two;
-  }
-  throw std::runtime_error(of.name + ": no map of level " + std::to_string(level) + " has T and O");
+  const micromap::Bytes four = map_of(measured.scenes()[at], *twig, level);
+  TriangleMap two{micromap::Format::two_state,
+                  micromap::Bytes(micromap::packed_bytes(states, micromap::Format::two_state))};
+  micromap::force2(four, states, two.packed);
+  return two;
 }
 
 }  // namespace mmverify::bench::papers

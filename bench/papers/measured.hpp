@@ -69,6 +69,8 @@ class Measured {
   const std::vector<OpacityMaps>& textures();
   /// The maps of the textures' connected parts, of those with 3 % of a texture's opaque texels at least.
   const std::vector<OpacityMaps>& parts();
+  /// The number of that triangle in the plan.
+  std::optional<std::size_t> twig(std::size_t scene);
   const VqLoss& loss(VqEncoder encoder, bool of_parts = false);
 
  private:
@@ -76,6 +78,7 @@ class Measured {
   std::vector<PlannedScene> scenes_;
   std::map<std::pair<std::size_t, unsigned>, std::optional<scene::Sizes>> sizes_;
   std::map<std::size_t, Squares> squares_;
+  std::map<std::size_t, std::optional<std::size_t>> twigs_;
   std::map<std::size_t, scene::AttributeFigures> attributes_;
   std::map<std::string, AlphaTexture> alpha_;
   std::vector<OpacityMaps> textures_, parts_;
@@ -92,7 +95,7 @@ struct TriangleMap {
   impl::micromap::Format format;
   impl::micromap::Bytes packed;
 };
-/// The map of the first triangle of a scene whose map has both states.
-TriangleMap twig_map(Measured& measured, std::size_t scene, unsigned level, bool two_state);
+/// The 2-state map of the first triangle of a scene that has T and O in 4-state at level 5; none without one.
+std::optional<TriangleMap> twig_map(Measured& measured, std::size_t scene, unsigned level);
 
 }  // namespace mmverify::bench::papers

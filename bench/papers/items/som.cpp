@@ -82,9 +82,10 @@ Ours range_of(std::uint64_t Footprint::*count) {
 Ours bits_read(unsigned level) {
   return [level](Measured& m) {
     return by_scene(m, [&](std::size_t k) {
-      const TriangleMap map = twig_map(m, k, level, true);
-      const impl::tree::Stream tree = impl::tree::encode_stream(level, map.format, map.packed);
-      const std::vector<std::uint32_t> bits = bits_read_by_index(level, tree);
+      const auto map = twig_map(m, k, level);
+      if (!map) return std::nan("");
+      const std::vector<std::uint32_t> bits =
+          bits_read_by_index(level, impl::tree::encode_stream(level, map->format, map->packed));
       return std::accumulate(bits.begin(), bits.end(), 0.0) / real(bits.size());
     });
   };
@@ -92,9 +93,10 @@ Ours bits_read(unsigned level) {
 
 /// How many times smaller the tree of a twig is than its flat map.
 double twig_ratio(Measured& m, std::size_t at, unsigned level) {
-  const TriangleMap map = twig_map(m, at, level, true);
-  const impl::tree::Stream tree = impl::tree::encode_stream(level, map.format, map.packed);
-  return real(map.packed.size()) / real(tree.tree.size() + tree.data.size());
+  const auto map = twig_map(m, at, level);
+  if (!map) return std::nan("");
+  const impl::tree::Stream tree = impl::tree::encode_stream(level, map->format, map->packed);
+  return real(map->packed.size()) / real(tree.tree.size() + tree.data.size());
 }
 Ours twig_ratio(unsigned level) {
   return [=](Measured& m) { return by_scene(m, [&](std::size_t k) { return twig_ratio(m, k, level); }); };
