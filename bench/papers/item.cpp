@@ -26,6 +26,12 @@ const std::vector<Paper>& all() {
   return papers;
 }
 
+std::vector<Item> joined(const std::vector<std::vector<Item>>& parts) {
+  std::vector<Item> all;
+  for (const std::vector<Item>& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
 double ratio(const Number& number, double ours) {
   const auto [least, most] = std::minmax_element(number.theirs.begin(), number.theirs.end());
   return ours < *least ? ours / *least : ours > *most ? ours / *most : 1;

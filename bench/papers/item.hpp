@@ -53,6 +53,9 @@ struct Paper {
 /// All papers, in the order of the documents.
 const std::vector<Paper>& all();
 
+/// The items of all parts of a paper, in order.
+std::vector<Item> joined(const std::vector<std::vector<Item>>& parts);
+
 std::vector<Item> succinct_micromaps();
 std::vector<Item> compressed_maps();
 std::vector<Item> attribute_micromaps();

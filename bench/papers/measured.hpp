@@ -53,7 +53,7 @@ class Measured {
   const Sources& sources() const { return sources_; }
   void begins(const std::string& step) const;
   void stop() const;
-  /// Those of a bake that can be stopped.
+  /// The options of a bake that stop() ends.
   scene::BakeOptions options() const;
 
   /// All scenes that can be read.  Errors: std::runtime_error if none can.

@@ -89,6 +89,8 @@ render::Picture blended_by_max(Measured& m, std::size_t at) {
 
 std::vector<Drawn> views(Measured& m, std::size_t at, const std::vector<unsigned>& levels) {
   constexpr std::uint32_t rays = 2;  ///< along each side of a pixel
+  constexpr std::uint64_t most_shown =
+      10'000;  ///< triangles: each is baked at each level, seconds for a thousand
   const PlannedScene& of = m.scenes()[at];
   const Traced traced(of);
   const scene::AttributeScene attributes = attributes_of(of);
@@ -102,7 +104,7 @@ std::vector<Drawn> views(Measured& m, std::size_t at, const std::vector<unsigned
   const render::Views shown(of.scene, traced.world, attributes, shading, frame, traced.camera,
                             {.rays = rays, .sun = trace.light, .threads = m.sources().threads, .stop = stop});
   std::vector<Drawn> all;
-  if (shown.triangles() == 0) return all;
+  if (shown.triangles() == 0 || shown.triangles() > most_shown) return all;
   const render::Picture textures = shown.picture(render::ShownFrom::textures);
   for (const unsigned level : levels)
     for (const render::ShownFrom from : {render::ShownFrom::faces, render::ShownFrom::vertices}) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bench/papers/item.hpp"
 #include "scene/attribute/footprint.hpp"
@@ -47,6 +48,23 @@ Ours counts(Attribute attribute, MapKind kind) {
     if (all.empty()) return all;
     const auto [least, most] = std::minmax_element(all.begin(), all.end());
     return std::vector<double>{*least, *most};
+  };
+}
+
+Ours each_asset(double (*figure)(Measured&, std::size_t)) {
+  return [=](Measured& m) { return by_asset(m, [&](std::size_t k) { return figure(m, k); }); };
+}
+double triangles_of(Measured& m, std::size_t at) { return static_cast<double>(m.attributes(at).triangles); }
+double textures_of(Measured& m, std::size_t at) { return static_cast<double>(m.attributes(at).images); }
+double uses_of(Measured& m, std::size_t at) { return static_cast<double>(m.scenes()[at].uses.size()); }
+
+/// A count of opacity micromaps at level 5.
+Ours opacity(std::uint64_t scene::Footprint::*count) {
+  return [=](Measured& m) {
+    return by_scene(m, [&](std::size_t k) {
+      const auto& sizes = m.sizes(k, 5);
+      return sizes ? static_cast<double>(sizes->footprint.*count) : std::nan("");
+    });
   };
 }
 
@@ -96,6 +114,17 @@ Ours flip(MapKind kind, unsigned level) {
   };
 }
 
+/// The number of levels from 0 to 5 at which faces have the lower FLIP.
+std::vector<double> levels_where_faces_win(Measured& m) {
+  std::vector<double> levels(m.scenes().size(), 0);
+  for (unsigned level = 0; level <= 5; ++level) {
+    const std::vector<double> faces = flip(MapKind::faces, level)(m),
+                              vertices = flip(MapKind::vertices, level)(m);
+    for (std::size_t k = 0; k < levels.size(); ++k) levels[k] += faces[k] < vertices[k] ? 1 : 0;
+  }
+  return levels;
+}
+
 /// The lower levels of a map of faces over the map, in %.
 double lower_levels(MapKind kind, unsigned level) {
   double lower = 0;
@@ -123,7 +152,7 @@ Grid by_level(Measured& m) {
 constexpr char other_assets[] =
     "three of the six scenes are free: ATTRIBUTE_SCENES.md, Counts, has them; here our own";
 
-std::vector<Item> maps() {
+std::vector<Item> introduction_of_attributes() {
   return {
       {"figure 1",
        "the Shoe by vertices' maps, in a share of its textures",
@@ -138,6 +167,11 @@ std::vector<Item> maps() {
        "plans keep it for vertices (ATTRIBUTE_SCENES.md)"},
       {"figure 3", "edge decimation of the first two levels", Status::ok,
        "prove attribute.decimation_watertight", "ATTRIBUTE.md, Decimation, draws it"},
+  };
+}
+
+std::vector<Item> lookups_and_mips() {
+  return {
       {"4.1 a", "barycentrics remapped by a 3x3 system", Status::differs, "prove paper.cramer_in_binary32",
        "exact in rationals; in binary32 two bits lost a level (ERRATA.md)"},
       {"4.1 b", "the closest triplet", Status::differs, "prove paper.triplet_is_not_closest",
@@ -165,46 +199,28 @@ std::vector<Item> maps() {
       {"figure 8", "level of detail by ray cones", Status::ok,
        "prove attribute.lod_level attribute.lod_blend",
        "ATTRIBUTE.md, Mips and level of detail; values jump at edges (ERRATA.md); not rendered"},
+  };
+}
+
+std::vector<Item> counts_of_maps() {
+  return {
       {"table 2",
        "counts of distinct maps: Quad, Avocado, Shoe, Flight helmet, Sponza, Sun Temple",
        Status::differs,
        "attributes FILE --level 0..5 --codes",
        other_assets,
-       {{"triangles",
-         {2, 1115, 23'133, 95'155, 262'267, 606'376},
-         "",
-         [](Measured& m) {
-           return by_asset(m, [&](std::size_t k) { return static_cast<double>(m.attributes(k).triangles); });
-         }},
-        {"textures",
-         {2, 3, 3, 18, 73, 148},
-         "",
-         [](Measured& m) {
-           return by_asset(m, [&](std::size_t k) { return static_cast<double>(m.attributes(k).images); });
-         }},
-        {"instances, meshes",
-         {1, 2, 2, 7, 1, 517},
-         "",
-         [](Measured& m) {
-           return by_asset(m, [&](std::size_t k) { return static_cast<double>(m.scenes()[k].uses.size()); });
-         }},
+       {{"triangles", {2, 1115, 23'133, 95'155, 262'267, 606'376}, "", each_asset(triangles_of)},
+        {"textures", {2, 3, 3, 18, 73, 148}, "", each_asset(textures_of)},
+        {"instances, meshes", {1, 2, 2, 7, 1, 517}, "", each_asset(uses_of)},
         {"opacity micromaps",
          {0, 3801},
          "",
-         [](Measured& m) {
-           return by_scene(m, [&](std::size_t k) {
-             return m.sizes(k, 5) ? static_cast<double>(m.sizes(k, 5)->footprint.records) : 0;
-           });
-         },
+         opacity(&scene::Footprint::records),
          "0 to 2; 0; 0; 0; 0 to 3801; 0 to 569"},
         {"special indices",
          {0, 338'783},
          "",
-         [](Measured& m) {
-           return by_scene(m, [&](std::size_t k) {
-             return m.sizes(k, 5) ? static_cast<double>(m.sizes(k, 5)->footprint.special) : 0;
-           });
-         },
+         opacity(&scene::Footprint::special),
          "0 to 2; 0; 0; 0; 19 to 3820; 334,038 to 338,783"},
         {"faces, colours",
          {2, 85'570},
@@ -237,6 +253,11 @@ std::vector<Item> maps() {
          counts(Attribute::metallic_roughness, MapKind::vertices),
          "0; 22 to 382; 21,144 to 22,310; 90,174 to 91,090; 34,443 to 40,179; 0"}},
        counts_by_scene},
+  };
+}
+
+std::vector<Item> measured_attributes() {
+  return {
       {"table 2, 433",
        "triangles beyond the assets' 682, 22,700 and 94,722",
        Status::differs,
@@ -248,11 +269,6 @@ std::vector<Item> maps() {
          [](Measured&) {
            return std::vector<double>{1115 - 682, 23'133 - 22'700, 95'155 - 94'722};
          }}}},
-  };
-}
-
-std::vector<Item> results_of_attributes() {
-  return {
       {"5.1", "faces by averaged pixels, vertices by bilinear samples", Status::differs,
        "attributes FILE --level 0..5 --codes",
        "its words leave the codes open in six questions (ERRATA.md); ours by area, in light"},
@@ -278,6 +294,11 @@ std::vector<Item> results_of_attributes() {
         {"vertices of level 4", {}, "FLIP", flip(MapKind::vertices, 4)}}},
       {"5.2", "unlit renders, world-space normals", Status::differs, "views FILE --shading unlit",
        "unlit is here; normals are not drawn"},
+  };
+}
+
+std::vector<Item> claims_of_attributes() {
+  return {
       {"6.1 a",
        "footprints consistently low for levels 0 to 5",
        Status::differs,
@@ -306,17 +327,7 @@ std::vector<Item> results_of_attributes() {
        Status::ok,
        "attributes FILE --level 0..6",
        "ATTRIBUTE_SCENES.md, Quality; at equal bytes vertices often win",
-       {{"levels 0 to 5 where they have",
-         {},
-         "",
-         [](Measured& m) {
-           return by_asset(m, [&](std::size_t k) {
-             double levels = 0;
-             for (unsigned level = 0; level <= 5; ++level)
-               levels += flip(MapKind::faces, level)(m)[k] < flip(MapKind::vertices, level)(m)[k] ? 1 : 0;
-             return levels;
-           });
-         }}}},
+       {{"levels 0 to 5 where they have", {}, "", levels_where_faces_win}}},
       {"6.3 b",
        "Shoe and Flight helmet, levels 2 to 4, over the textures",
        Status::differs,
@@ -350,10 +361,8 @@ std::vector<Item> results_of_attributes() {
 }  // namespace
 
 std::vector<Item> attribute_micromaps() {
-  std::vector<Item> all = maps();
-  const std::vector<Item> more = results_of_attributes();
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
+  return joined({introduction_of_attributes(), lookups_and_mips(), counts_of_maps(), measured_attributes(),
+                 claims_of_attributes()});
 }
 
 }  // namespace mmverify::bench::papers

@@ -200,7 +200,7 @@ constexpr char textures_command[] = "bench vq --textures FOLDER";
 constexpr char other_scenes[] =
     "San Miguel and Landscape are not shipped; ours: the share of the pairs' area that a block decides";
 
-std::vector<Item> maps_and_vectors() {
+std::vector<Item> introduction_of_maps() {
   return {
       {"figure 1",
        "San Miguel: alpha tests of primary rays, 17.5 M to 4.6 M",
@@ -249,6 +249,11 @@ std::vector<Item> maps_and_vectors() {
          }}}},
       {"2 b", "with a continuous filter T and O never meet", Status::ok, "prove vq.vectors",
        "closed regions of bilinear alpha that share a point are never O and T (VQ.md, The maps)"},
+  };
+}
+
+std::vector<Item> maps_of_pairs() {
+  return {
       {"figure 3", "square maps of 16x16 on pairs", Status::ok, "scene FILE --picture FOLDER",
        "VQ.md, The maps"},
       {"3 a",
@@ -285,6 +290,11 @@ std::vector<Item> maps_and_vectors() {
          "%",
          [](Measured& m) { return uniform_of(m.parts()); }},
         {"T; C; O, pairs of the scenes", {11, 29}, "%", uniform_of_pairs}}},
+  };
+}
+
+std::vector<Item> vq2_form() {
+  return {
       {"figure 5", "quadrants and their symmetry", Status::ok, "prove vq.transforms",
        "VQ.md; the pages draw source and blocks"},
       {"table 1", "eight transforms from three", Status::differs, "prove vq.transforms",
@@ -312,7 +322,7 @@ std::vector<Item> maps_and_vectors() {
   };
 }
 
-std::vector<Item> vq2_and_vq4() {
+std::vector<Item> vq2_results() {
   return {
       {"4.3 a",
        "170 alpha textures, de-noised and cropped",
@@ -356,6 +366,11 @@ std::vector<Item> vq2_and_vq4() {
        {{"8x8, mean", {}, "%", mean_of(sources_8)},
         {"16x16, mean", {}, "%", mean_of(sources_16)},
         {"32x32, mean", {}, "%", mean_of(sources_32)}}},
+  };
+}
+
+std::vector<Item> vq4_form() {
+  return {
       {"5.1 a",
        "4x4 vectors without O beside T, of 3^16",
        Status::ok,
@@ -375,6 +390,11 @@ std::vector<Item> vq2_and_vq4() {
        "its loop is open to readings (ERRATA.md)"},
       {"5.2", "more 20-bit vectors than entries: never met", Status::ok, textures_command,
        "nor here, on 36 free textures (VQ.md, The encoders)"},
+  };
+}
+
+std::vector<Item> vq4_results() {
+  return {
       {"figure 9",
        "a maple leaf's VQ4: O and T that became C, 85 of 834",
        Status::differs,
@@ -398,6 +418,11 @@ std::vector<Item> vq2_and_vq4() {
        "as a share of the savings without a codec; on 36 free textures 18 % (ERRATA.md)",
        {{"gain over their savings", {10}, "%", relative_gain(VqEncoder::vq4_paper)},
         {"gain, points", {10}, "", gain(VqEncoder::vq4_paper)}}},
+  };
+}
+
+std::vector<Item> future_maps() {
+  return {
       {"6 a", "compressors with fewer substitutions", Status::ok, "bench vq",
        "VQ2 optimal, VQ4 within a proved bound (VQ.md, The encoders)"},
       {"6 b", "three states read as two, by a hash", Status::ok, "bench vq",
@@ -432,10 +457,8 @@ std::vector<Item> vq2_and_vq4() {
 }  // namespace
 
 std::vector<Item> compressed_maps() {
-  std::vector<Item> all = maps_and_vectors();
-  const std::vector<Item> more = vq2_and_vq4();
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
+  return joined({introduction_of_maps(), maps_of_pairs(), vq2_form(), vq2_results(), vq4_form(),
+                 vq4_results(), future_maps()});
 }
 
 }  // namespace mmverify::bench::papers

@@ -10,7 +10,7 @@ constexpr unsigned level = 10;  ///< of the paper's sizes
 constexpr double mib = 1024.0 * 1024.0;
 
 /// Bytes of a flat map, and flat over compressed, of the paper's sizes in MiB.
-constexpr double flat_bytes = 131'072;  // check-magic: 131072 == 4 ** 10 // 8
+constexpr double flat_bytes = (1 << 2 * level) / 8.0;
 constexpr double bytes_a_map(double flat, double merged) { return merged * mib / (flat * mib / flat_bytes); }
 
 Ours of_two_states(std::function<double(const scene::ModeFootprint&)> figure) {

@@ -190,7 +190,7 @@ constexpr char their_scenes[] =
 constexpr char no_graphics_card[] =
     "a frame time of a graphics card; this project times a processor (RENDER.md, Frame times)";
 
-std::vector<Item> background() {
+std::vector<Item> introduction_and_micromaps() {
   return {
       {"figure 1",
        "values merged in a 4-way tree, a twig by level",
@@ -218,6 +218,11 @@ std::vector<Item> background() {
        "prove tree.sizes",
        "closed form: log2 of the Catalan number of 1000 over 2000",
        {{"bits over 2n", {1}, "", constant(catalan_share(1000))}}},
+  };
+}
+
+std::vector<Item> algorithms() {
+  return {
       {"figure 4", "a map of level 2 as a tree", Status::ok, "prove tree.equals_spec",
        "TREE.md has another map by hand"},
       {"algorithm 1", "the perfect tree", Status::ok, "prove tree.equals_spec tree.all_levels",
@@ -252,7 +257,7 @@ std::vector<Item> background() {
   };
 }
 
-std::vector<Item> tables() {
+std::vector<Item> table_1_and_2() {
   return {
       {"table 1",
        "properties of the scenes; maps and special indices over the levels",
@@ -300,6 +305,11 @@ std::vector<Item> tables() {
         {"vertex data", {1.258, 1.315, 52.706, 51.910, 422.197}, "MiB", mib_of(&Footprint::vertex_data)},
         {"triangle index", {0.133, 0.082, 5.167, 1.923, 35.083}, "MiB", mib_of(&Footprint::index_bytes)},
         {"metadata", {0.029, 0.001, 0.000, 0.376, 0.128}, "MiB", mib_of(&Footprint::record_bytes)}}},
+  };
+}
+
+std::vector<Item> table_2_divided() {
+  return {
       {"table 2, units",
        "what its MB and its metadata are",
        Status::ok,
@@ -334,6 +344,11 @@ std::vector<Item> tables() {
        "a picture without numbers; SCENE.md has five free scenes at levels 1 to 9",
        {{"tree over micromap, levels 1 to 9, 4-state", {}, "%", tree_shares}},
        sizes_by_level},
+  };
+}
+
+std::vector<Item> table_3() {
+  return {
       {"table 3",
        "frame times of each method, level 6",
        Status::not_here,
@@ -364,7 +379,7 @@ std::vector<Item> tables() {
   };
 }
 
-std::vector<Item> results() {
+std::vector<Item> runtime() {
   return {
       {"5", "maps up to level 6, six methods", Status::differs, "render FILE --level 0..6",
        "micromap, tree and texture are rendered here; Vulkan's two builds need a graphics card, a bitmask is "
@@ -385,6 +400,11 @@ std::vector<Item> results() {
        .on_this_machine = frame_times},
       {"figure 8", "frame times by level, RTX 3080", Status::not_here, "render FILE --level 0..9 --repeat 7",
        no_graphics_card},
+  };
+}
+
+std::vector<Item> runtime_claims() {
+  return {
       {"6.1 a", "fast-trace builds a little faster than fast-build, of one size", Status::not_here, "",
        "a driver's own builds"},
       {"6.1 b",
@@ -432,6 +452,11 @@ std::vector<Item> results() {
                   [](const Footprint& f) {
                     return 100 * (real(f.mode[four].our_tree) / real(f.mode[four].tree) - 1);
                   })}}},
+  };
+}
+
+std::vector<Item> compression_claims() {
+  return {
       {"6.2 a",
        "trees typically over the flat map",
        Status::differs,
@@ -465,6 +490,11 @@ std::vector<Item> results() {
        {{"internal nodes", {5}, "", internal_nodes}, {"bits more than flat", {5}, "", added_bits}}},
       {"6.2.1", "subtrees encoded in the place of leaves", Status::ok, "prove dag; bench dag --scene FILE",
        "the graph of a scene's maps (DAG.md)"},
+  };
+}
+
+std::vector<Item> overlap_and_future_work() {
+  return {
       {"figure 11",
        "an atlas with all triangles' UVs, and how many overlap",
        Status::differs,
@@ -489,9 +519,8 @@ std::vector<Item> results() {
 }  // namespace
 
 std::vector<Item> succinct_micromaps() {
-  std::vector<Item> all = background();
-  for (const auto& more : {tables(), results()}) all.insert(all.end(), more.begin(), more.end());
-  return all;
+  return joined({introduction_and_micromaps(), algorithms(), table_1_and_2(), table_2_divided(), table_3(),
+                 runtime(), runtime_claims(), compression_claims(), overlap_and_future_work()});
 }
 
 }  // namespace mmverify::bench::papers
