@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
 
 #include "bench/papers/drawings.hpp"
 #include "bench/papers/rays.hpp"
+#include "bench/papers/square_pictures.hpp"
 #include "bench/scene/attribute_tables.hpp"
 #include "bench/scene/size_panels.hpp"
-#include "bench/vq/tables.hpp"
 #include "display/render/tracer.hpp"
 #include "scene/attribute/mip_errors.hpp"
 #include "scene/attribute/picture.hpp"
@@ -104,86 +103,6 @@ Pictures som(Measured& m, std::size_t at) {
   return all;
 }
 
-/// The texture whose 32x32 map has most nearly as many O and T as the paper's maple leaf.
-std::size_t like_the_maple_leaf(Measured& m) {
-  constexpr double known_of_maple = 834.0 / 1024;
-  const auto distance = [](const OpacityMaps& maps) {
-    return std::abs(savings(maps.regions_32) - known_of_maple);
-  };
-  const auto& all = m.textures();
-  return static_cast<std::size_t>(
-      std::min_element(all.begin(), all.end(),
-                       [&](const auto& a, const auto& b) { return distance(a) < distance(b); }) -
-      all.begin());
-}
-
-/// Figures 3, 5, 8 and 9: a texture, its square maps, its blocks, and the regions that they lose in red.
-render::Picture blocks_of(Measured& m, std::size_t number) {
-  constexpr std::uint32_t side = 256;
-  const OpacityMaps& maps = m.textures()[number];
-  const auto at_16 = [&](const impl::vq::Map2& decoded, bool vectors) {
-    return square_picture(maps.regions_16, decoded, 16, side / 16, vectors);
-  };
-  const auto at_32 = [&](const impl::vq::Map4& decoded) {
-    return square_picture(maps.regions_32, decoded, 32, side / 32);
-  };
-  const impl::vq::Encoded2 paper_2 = impl::vq::encode_paper(maps.regions_16),
-                           best_2 = impl::vq::encode_optimal(maps.regions_16);
-  const impl::vq::Encoded4 paper_4 = impl::vq::encode_paper(maps.regions_32),
-                           ours_4 = encode(maps.regions_32);
-  const auto title = [](const char* codec, std::uint32_t lost) {
-    return fmt::format("{}: {} lost", codec, lost);
-  };
-  return render::side_by_side(
-      {alpha_picture(m.alpha().at(maps.of), side), at_16(maps.regions_16, false),
-       at_16(impl::vq::decode(paper_2.block), false), at_16(impl::vq::decode(best_2.block), false),
-       at_16(maps.regions_16, true), at_32(maps.regions_32), at_32(impl::vq::decode(paper_4.block)),
-       at_32(impl::vq::decode(ours_4.block))},
-      {"alpha", "source, 16x16", title("VQ2, algorithm 1", paper_2.substitutions),
-       title("VQ2, optimal", best_2.substitutions), "vectors that are not uniform", "source, 32x32",
-       title("VQ4, algorithm 2", paper_4.substitutions), title("VQ4, default", ours_4.substitutions)},
-      0);
-}
-
-/// Rows of bench vq with the encoders that are drawn.
-std::vector<VqRow> drawn_rows(Measured& m) {
-  std::vector<VqRow> rows;
-  for (std::size_t k = 0; k < m.textures().size(); ++k) {
-    const OpacityMaps& maps = m.textures()[k];
-    VqRow& row = rows.emplace_back();
-    row.savings_64x2 = savings(maps.sub_triangles_64x2);
-    row.savings_8 = savings(maps.regions_8);
-    row.savings_16 = savings(maps.regions_16);
-    row.savings_32 = savings(maps.regions_32);
-    const auto lost = [&](VqEncoder encoder) { return m.loss(encoder).lost[k]; };
-    row.vq2[static_cast<std::size_t>(Vq2Encoder::paper)].substitutions = lost(VqEncoder::vq2_paper);
-    row.vq2[static_cast<std::size_t>(Vq2Encoder::optimal)].substitutions = lost(VqEncoder::vq2_optimal);
-    row.vq4[static_cast<std::size_t>(Vq4Encoder::paper)].substitutions = lost(VqEncoder::vq4_paper);
-    row.vq4[static_cast<std::size_t>(Vq4Encoder::balanced)].substitutions = lost(VqEncoder::vq4_balanced);
-  }
-  return rows;
-}
-
-Pictures com(Measured& m, std::size_t at) {
-  const std::vector<picture::Panel> panels = vq_savings_panels(drawn_rows(m));
-  const auto plot = [&](std::size_t k) {
-    return picture::Picture{.width = 700, .height = 480, .rows = {{panels[k]}}};
-  };
-  const std::size_t leaf = like_the_maple_leaf(m);
-  Pictures all{
-      {"figure 2", "mask", "Our leaves with masks of 64 sub-triangles", maps_by_level(m, at, {3}, false)},
-      {"figure 6", "savings_vq2", "Savings of VQ2, texture by texture", plot(0)},
-      {"figure 7", "savings_resolution", "Savings of the sources by resolution", plot(2)},
-      {"figure 9", "blocks", m.textures()[leaf].of + ": T blue, C orange, O green; red: T or O that became C",
-       blocks_of(m, leaf)},
-      {"figure 10", "savings_vq4", "Savings of VQ4, texture by texture", plot(1)}};
-  if (render::has_embree())
-    all.push_back({"figure 1", "heat",
-                   m.scenes()[at].name + ": any-hit calls of a pixel's primary and shadow ray",
-                   heat_maps(m, at)});
-  return all;
-}
-
 /// Figure 7: mips of the first image whose colours are drawn.
 Pictures mips(Measured& m, std::size_t at) {
   const PlannedScene& of = m.scenes()[at];
@@ -217,6 +136,17 @@ Pictures cam(Measured& m, std::size_t at) {
   all.push_back(
       {"figure 6", "max", "Hits that blend by max, colours of faces of level 3", blended_by_max(m, at)});
   for (Drawn& view : views(m, at, {0, 2, 4, 6})) all.push_back(std::move(view));
+  return all;
+}
+
+Pictures com(Measured& m, std::size_t at) {
+  Pictures all{
+      {"figure 2", "mask", "Our leaves with masks of 64 sub-triangles", maps_by_level(m, at, {3}, false)}};
+  for (Drawn& one : square_map_pictures(m)) all.push_back(std::move(one));
+  if (render::has_embree())
+    all.push_back({"figure 1", "heat",
+                   m.scenes()[at].name + ": any-hit calls of a pixel's primary and shadow ray",
+                   heat_maps(m, at)});
   return all;
 }
 

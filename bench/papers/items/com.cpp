@@ -254,8 +254,7 @@ std::vector<Item> introduction_of_maps() {
 
 std::vector<Item> maps_of_pairs() {
   return {
-      {"figure 3", "square maps of 16x16 on pairs", Status::ok, "scene FILE --picture FOLDER",
-       "VQ.md, The maps"},
+      {"figure 3", "square maps of 16x16 on pairs", Status::ok, "paper com -o FOLDER", "VQ.md, The maps"},
       {"3 a",
        "bits a region, bytes a map",
        Status::ok,
@@ -295,8 +294,8 @@ std::vector<Item> maps_of_pairs() {
 
 std::vector<Item> vq2_form() {
   return {
-      {"figure 5", "quadrants and their symmetry", Status::ok, "prove vq.transforms",
-       "VQ.md; the pages draw source and blocks"},
+      {"figure 5", "quadrants and their symmetry", Status::ok, "paper com -o FOLDER; prove vq.transforms",
+       "VQ.md; the page draws a texture's vectors"},
       {"table 1", "eight transforms from three", Status::differs, "prove vq.transforms",
        "two readings of their order (ERRATA.md)"},
       {"4.1 a",

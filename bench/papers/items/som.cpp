@@ -428,7 +428,7 @@ std::vector<Item> runtime_claims() {
       {"6.1 e", "a bitmask hardly better than a texture", Status::not_here, "bench vq",
        "not rendered; VQ of square maps is the compression that it asks for (VQ.md)"},
       {"6.1 f", "the tree comparable at levels 3 or 4", Status::ok, "render FILE --level 0..9 --repeat 7",
-       "on a processor within 1.16 of the texture's frame up to level 4 (RENDER.md, Frame times)"},
+       "on a processor at most 1.21 of the texture's frame there (RENDER.md, Frame times)"},
       {"6.1 g",
        "subtrees to scan roughly quadruple with each level",
        Status::ok,
