@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -275,7 +276,8 @@ std::vector<Item> maps_of_pairs() {
        Status::ok,
        "prove vq.vectors",
        "counted",
-       {{"vectors", {31}, "", [](Measured&) { return std::vector<double>{continuous_vectors(2)}; }}}},
+       {{"vectors", {31}, "", [](Measured&) { return std::vector<double>{continuous_vectors(2)}; }},
+        {"bits for all 3^4", {7}, "", constant(std::ceil(4 * std::log2(3.0)))}}},
       {"figure 4", "a vector's code of 5 bits", Status::ok, "prove vq.codes",
        "the bits' order is ours (VQ.md)"},
       {"4 b",

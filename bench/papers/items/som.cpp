@@ -200,6 +200,17 @@ std::vector<Item> introduction_and_micromaps() {
        {{"tree over flat, 4-state, level 4", {75}, "%", tree_share(four, 4)}}},
       {"figure 2", "two subdivision schemes, ties at edges and corners", Status::ok,
        "prove index.rounding index.row_order", "INDEX.md; Gruen's rows are `w-minor`"},
+      {"2",
+       "compressed opacity maps, over the original",
+       Status::ok,
+       "paper com --item 7",
+       "of Compressed Opacity Maps, 7",
+       {{"VQ2, VQ4",
+         {50, 25},
+         "%",
+         [](Measured&) {
+           return std::vector<double>{100 * 256 / 512.0, 100 * 512 / 2048.0};
+         }}}},
       {"3.1 a", "the states' numbers, 2-state and 4-state", Status::ok, "prove micromap.packing",
        "MICROMAP.md"},
       {"3.1 b", "unknowns read as two states", Status::ok, "prove micromap.force2", "MICROMAP.md"},
