@@ -21,6 +21,7 @@ constexpr std::size_t generated_leaves = 60;
 constexpr std::uint64_t most_map_bytes = std::uint64_t{1} << 30;
 constexpr char own_scene[] = "own scene";
 constexpr double least_part = 0.03;
+constexpr std::uint64_t most_triangles_at_level_5 = 30'000;  ///< above, the level takes minutes
 
 std::vector<AlphaTexture> read_textures(const Sources& sources) {
   if (!sources.textures.empty()) return alpha_textures(sources.textures);
@@ -141,6 +142,7 @@ const scene::AttributeFigures& Measured::attributes(std::size_t at) {
   const scene::AttributeScene read =
       of.file.empty() ? scene::load_attributes(own_scene, sample) : scene::load_attributes(of.file);
   scene::AttributeOptions options;
+  options.last = read.triangles > most_triangles_at_level_5 ? 4 : 5;
   options.averaging = scene::Averaging::codes;
   options.threads = sources_.threads;
   options.stop = [this] { stop(); };

@@ -100,6 +100,8 @@ Pictures som(Measured& m, std::size_t at) {
                    fmt::format("Bits of the 2-state tree that a lookup reads on our leaves, level {}", level),
                    bits_by_level(m, at, level)});
   for (Drawn& atlas : atlases(m, at)) all.push_back(std::move(atlas));
+  if (render::has_embree())
+    for (Drawn& rays : bits_of_rays(m, at)) all.push_back(std::move(rays));
   return all;
 }
 

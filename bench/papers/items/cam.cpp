@@ -93,6 +93,7 @@ Ours memory(MapKind kind, unsigned level) {
   return [=](Measured& m) {
     return by_asset(m, [&](std::size_t k) {
       const AttributeFigures& f = m.attributes(k);
+      if (f.texture_bytes == 0 || f.sets.front().levels.back().level < level) return std::nan("");
       return 100 * static_cast<double>(f.bytes(level, kind)) / static_cast<double>(f.texture_bytes);
     });
   };
@@ -109,7 +110,7 @@ Ours flip(MapKind kind, unsigned level) {
             sum += at.error.flip.value_or(0);
             ++sets;
           }
-      return sets > 0 ? sum / sets : 0;
+      return sets > 0 ? sum / sets : std::nan("");
     });
   };
 }
