@@ -239,7 +239,7 @@ std::vector<Item> introduction_of_maps() {
        "three states in less than 2 bits: five in 8",
        Status::ok,
        textures_command,
-       "five regions in 8 bits are one of the rivals (VQ.md)",
+       "3^5 = 243 states fit; a map of 16x16 takes 416 bits so (VQ.md)",
        {{"bits of five states",
          {8},
          "",
