@@ -26,6 +26,7 @@ Action add_scene(CLI::App& program);
 Action add_attributes(CLI::App& program);
 Action add_render(CLI::App& program);
 Action add_views(CLI::App& program);
+Action add_paper(CLI::App& program);
 Action add_gate(CLI::App& program);
 Action add_report(CLI::App& program);
 Action add_gen(CLI::App& program);

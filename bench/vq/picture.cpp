@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "bench/vq/encoders.hpp"
 #include "bench/vq/tables.hpp"
@@ -67,27 +68,34 @@ Panel error_against_time(const std::vector<VqRow>& rows) {
 
 }  // namespace
 
-Picture vq_picture(const VqFigures& figures) {
+std::vector<Panel> vq_savings_panels(const std::vector<VqRow>& rows) {
   using R = VqRow;
   const Panel vq2 = savings_panel(
-      "VQ2: 16x16 regions in 256 bits", figures.rows,
+      "VQ2: 16x16 regions in 256 bits", rows,
       {{"source", grey, Shape::disc, [](const R& r) { return r.savings_16; }},
        {"VQ2 optimal", green, Shape::square, [](const R& r) { return r.savings(Vq2Encoder::optimal); }},
        {"Algorithm 1", vermilion, Shape::triangle, [](const R& r) { return r.savings(Vq2Encoder::paper); }},
        {"two of 64 sub-triangles, 2 bits each", blue, Shape::diamond,
         [](const R& r) { return r.savings_64x2; }}});
   const Panel vq4 = savings_panel(
-      "VQ4: 32x32 regions in 512 bits", figures.rows,
+      "VQ4: 32x32 regions in 512 bits", rows,
       {{"source", grey, Shape::disc, [](const R& r) { return r.savings_32; }},
        {"VQ4 balanced", green, Shape::square, [](const R& r) { return r.savings(Vq4Encoder::balanced); }},
        {"Algorithm 2", vermilion, Shape::triangle, [](const R& r) { return r.savings(Vq4Encoder::paper); }},
        {"16x16, 2 bits each", blue, Shape::diamond, [](const R& r) { return r.savings_16; }}});
   const Panel sources =
-      savings_panel("Sources: resolution", figures.rows,
+      savings_panel("Sources: resolution", rows,
                     {{"32x32", green, Shape::square, [](const R& r) { return r.savings_32; }},
                      {"16x16", blue, Shape::diamond, [](const R& r) { return r.savings_16; }},
                      {"8x8", vermilion, Shape::triangle, [](const R& r) { return r.savings_8; }}});
-  return {.width = 1200, .height = 960, .rows = {{vq2, vq4}, {sources, error_against_time(figures.rows)}}};
+  return {vq2, vq4, sources};
+}
+
+Picture vq_picture(const VqFigures& figures) {
+  const std::vector<Panel> panels = vq_savings_panels(figures.rows);
+  return {.width = 1200,
+          .height = 960,
+          .rows = {{panels[0], panels[1]}, {panels[2], error_against_time(figures.rows)}}};
 }
 
 }  // namespace mmverify::bench

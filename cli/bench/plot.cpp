@@ -84,7 +84,8 @@ class PanelScript {
       : panel_(panel), frame_(frame), size_(size), none_(place_of_none(panel)) {}
 
   std::string text() const {
-    return frame() + ticks('x', panel_.x) + ticks('y', panel_.y) + key() + texts() + series();
+    // Scales come before ranges: gnuplot misreads a range from 0 while the last panel's axis is logarithmic.
+    return ticks('x', panel_.x) + ticks('y', panel_.y) + frame() + key() + texts() + series();
   }
 
  private:

@@ -17,17 +17,20 @@ std::string run_gnuplot(const std::string& script, const char* end_of_picture) {
       throw EnvironmentError(fmt::format("gnuplot drew nothing: {}", end.errors));
     return std::move(end.out);
   } catch (const program::NoProgram&) {
-    throw EnvironmentError("--plot needs gnuplot, which is not here: install the Debian package gnuplot-nox");
+    throw EnvironmentError("a plot needs gnuplot, which is not here: install the Debian package gnuplot-nox");
   }
 }
 
 }  // namespace
 
+std::string plotted_png(const bench::picture::Picture& picture) {
+  return run_gnuplot(plot_script(picture, PlotFormat::png), "IEND");
+}
+
 PlotFile::PlotFile(const std::string& path) : file_(path), is_png_(path.ends_with(".png")) {}
 
 void PlotFile::commit(const bench::picture::Picture& picture) {
-  file_.commit(is_png_ ? run_gnuplot(plot_script(picture, PlotFormat::png), "IEND")
-                       : run_gnuplot(plot_script(picture, PlotFormat::svg), "</svg>"));
+  file_.commit(is_png_ ? plotted_png(picture) : run_gnuplot(plot_script(picture, PlotFormat::svg), "</svg>"));
 }
 
 }  // namespace mmverify::cli

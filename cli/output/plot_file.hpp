@@ -8,6 +8,9 @@
 
 namespace mmverify::cli {
 
+/// The picture as a PNG, drawn with gnuplot.  Throws EnvironmentError as PlotFile::commit() does.
+std::string plotted_png(const bench::picture::Picture& picture);
+
 class PlotFile {
  public:
   /// The file at `path`: PNG if the name ends in .png, else SVG. Errors: as OutputFile.

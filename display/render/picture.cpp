@@ -153,7 +153,7 @@ std::uint32_t scale_of(const Frame& frame) {
 }
 
 Picture side_by_side(const std::vector<Picture>& pictures, const std::vector<std::string>& titles,
-                     std::uint32_t most) {
+                     std::uint32_t most, const std::string& unit) {
   std::uint32_t cell_width = 0, cell_height = 0;
   for (const Picture& p : pictures) {
     cell_width = std::max(cell_width, p.width + gap);
@@ -163,11 +163,12 @@ Picture side_by_side(const std::vector<Picture>& pictures, const std::vector<std
   const auto count = static_cast<std::uint32_t>(pictures.size());
   const std::uint32_t columns = std::clamp(count, 1u, most_columns), rows = (count + columns - 1) / columns;
   const std::uint32_t below = rows * cell_height + gap;
-  const std::string left = "0", right = std::to_string(most) + " any-hit calls a pixel or more";
+  const std::string left = "0", right = std::to_string(most) + " " + unit;
   constexpr std::uint32_t bar = 160;
   const std::uint32_t from = gap + text_width(left),
-                      legend_width = from + bar + gap + text_width(right) + gap;
-  Picture all = blank(std::max(gap + columns * cell_width, legend_width), below + text_height + 3 * gap, 255);
+                      legend_width = most == 0 ? 0 : from + bar + gap + text_width(right) + gap;
+  Picture all = blank(std::max(gap + columns * cell_width, legend_width),
+                      most == 0 ? below : below + text_height + 3 * gap, 255);
   for (std::uint32_t k = 0; k < count; ++k) {
     const Picture& p = pictures[k];
     const std::uint32_t x = gap + k % columns * cell_width, y = k / columns * cell_height;
@@ -177,6 +178,7 @@ Picture side_by_side(const std::vector<Picture>& pictures, const std::vector<std
                   all.rgb.begin() + static_cast<std::ptrdiff_t>(
                                         3 * (std::size_t{y + 2 * gap + text_height + row} * all.width + x)));
   }
+  if (most == 0) return all;
   write(all, gap, below + gap / 2, left);
   for (std::uint32_t k = 0; k < bar; ++k)
     for (std::uint32_t row = 0; row < text_height + gap; ++row)

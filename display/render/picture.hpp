@@ -32,10 +32,10 @@ std::array<std::uint8_t, 3> heat_colour(std::uint32_t calls, std::uint32_t most)
 /// least 1.
 std::uint32_t scale_of(const Frame& frame);
 
-/// Pictures side by side, four a row, each below its title, and a scale from 0 to `most` below all.  The
-/// picture is as wide as the texts need.
+/// Pictures side by side, four a row, each below its title, and below all a scale from 0 to `most`, whose end
+/// `unit` names; none if most is 0.  The picture is as wide as the texts need.
 /// Letters have 3 x 5 dots of 2 x 2 pixels: A to Z, 0 to 9 and -.,:/%; others are blank.
 Picture side_by_side(const std::vector<Picture>& pictures, const std::vector<std::string>& titles,
-                     std::uint32_t most);
+                     std::uint32_t most, const std::string& unit = "any-hit calls a pixel or more");
 
 }  // namespace mmverify::render

@@ -1,4 +1,4 @@
-// The tables of docs/ that are computed, each between marks that name it.
+// The tables of docs/ that are computed, each between marks that name it, and docs/PAPERS.md, which is computed whole.
 //   document_tables            prints them
 //   document_tables --update   puts them into docs/
 //   document_tables --check    fails where docs/ says something else
@@ -14,6 +14,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bench/papers/page.hpp"
 #include "delivery/vectors/families.hpp"
 #include "delivery/vectors/forms/forms.hpp"
 #include "impl/micromap/level.hpp"
@@ -247,12 +248,17 @@ std::string vector_families() {
   return text + fmt::format("| all | | | {} | {} |\n", all, all_bytes);
 }
 
+std::string papers() {
+  mmverify::bench::papers::Measured measured({});
+  return mmverify::bench::papers::index(measured);
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Into the documents
 // ---------------------------------------------------------------------------------------------------------------------
 
 struct Table {
-  const char *name, *document;
+  const char *name, *document;  ///< an empty name: the whole document
   std::string (*make)();
 };
 constexpr Table tables[] = {{"readings", MMVERIFY_DOCS "/ERRATA.md", readings},
@@ -261,7 +267,8 @@ constexpr Table tables[] = {{"readings", MMVERIFY_DOCS "/ERRATA.md", readings},
                             {"undefined", MMVERIFY_DOCS "/TRAVERSE.md", undefined_ones},
                             {"issues", MMVERIFY_DOCS "/ISSUES.md", issues},
                             {"vuids", MMVERIFY_DOCS "/ISSUES.md", vuids},
-                            {"vectors", MMVERIFY_DOCS "/VECTORS.md", vector_families}};
+                            {"vectors", MMVERIFY_DOCS "/VECTORS.md", vector_families},
+                            {"", MMVERIFY_DOCS "/PAPERS.md", papers}};
 
 std::string read(const char* path) {
   std::ifstream in(path);
@@ -270,6 +277,7 @@ std::string read(const char* path) {
 
 /// The document with the table as it is now; empty where the marks are missing.
 std::string renewed(std::string text, const Table& table) {
+  if (*table.name == 0) return table.make();
   const std::string begin = fmt::format("<!-- table {} -->\n", table.name), end = "<!-- end of table -->\n";
   const auto from = text.find(begin);
   const auto to = text.find(end, from == std::string::npos ? from : from + begin.size());
@@ -296,8 +304,8 @@ int main(int argc, char** argv) {
       fmt::print(stderr, "{}: the marks of table {} are missing\n", table.document, table.name);
       code = 4;
     } else if (before != after && asked == "--check") {
-      fmt::print(stderr, "{}: table {} is not what is computed; if the change is meant, run ./run tables\n",
-                 table.document, table.name);
+      fmt::print(stderr, "{}: {} {} is not what is computed; if the change is meant, run ./run tables\n",
+                 table.document, *table.name == 0 ? "the page" : "table", table.name);
       code = 1;
     } else if (before != after) {
       std::ofstream(table.document) << after;

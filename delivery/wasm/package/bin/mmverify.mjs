@@ -155,7 +155,7 @@ async function inThreads(args, threads) {
   }
 }
 
-const leftOut = ["attributes", "bench", "completion", "man", "render", "report", "schema", "views"];
+const leftOut = ["attributes", "bench", "completion", "man", "paper", "render", "report", "schema", "views"];
 
 /** Files that lie in the root folder itself are not the program's to see: it has a root folder of its own. */
 function checkPlaces(args) {

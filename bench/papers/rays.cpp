@@ -1,0 +1,238 @@
+#include "bench/papers/rays.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "bench/papers/drawings.hpp"
+#include "bench/scene/view_tables.hpp"
+#include "display/render/scene/colours_of.hpp"
+#include "display/render/scene/compare.hpp"
+#include "display/render/scene/views.hpp"
+#include "impl/index/index.hpp"
+#include "scene/bake/arrays.hpp"
+#include "scene/read/load.hpp"
+#include "scene/read/shading.hpp"
+#include "scene/sample/scene.hpp"
+
+namespace mmverify::bench::papers {
+namespace {
+
+constexpr std::uint32_t width = 320, height = 240;
+constexpr std::uint64_t most_read_bytes = std::uint64_t{1}
+                                          << 26;  ///< of maps: a number of 32 bits for each state
+constexpr float aspect = static_cast<float>(width) / height;
+
+/// A scene made ready for rays.
+struct Traced {
+  render::SceneWorld world;
+  render::Tracer tracer;
+  render::Camera camera;
+
+  explicit Traced(const PlannedScene& of)
+      : world(render::world_of(of.scene, of.uses, of.plan)),
+        tracer(world.world),
+        camera(render::overview(render::box_of(world.world, true), aspect)) {}
+};
+
+render::CompareOptions compare_options(Measured& m, unsigned first, unsigned last,
+                                       std::vector<render::Method> wanted) {
+  render::CompareOptions options{.first = first, .last = last, .wanted = std::move(wanted)};
+  options.trace = {.width = width, .height = height, .threads = m.sources().threads};
+  options.even_rays = 1;
+  options.begins = [&m](const std::string& what, std::uint64_t) { m.begins("rays, " + what); };
+  options.done = [&m](std::uint64_t) { m.stop(); };
+  return options;
+}
+
+scene::AttributeScene attributes_of(const PlannedScene& of) {
+  const scene::Bytes sample = of.file.empty() ? scene::sample_scene() : scene::Bytes();
+  return of.file.empty() ? scene::load_attributes(of.name, sample) : scene::load_attributes(of.file);
+}
+
+std::vector<scene::PrimitiveShading> shading_of(const PlannedScene& of) {
+  const scene::Bytes sample = of.file.empty() ? scene::sample_scene() : scene::Bytes();
+  return of.file.empty() ? scene::load_shading(of.name, sample) : scene::load_shading(of.file);
+}
+
+/// Flat maps that add up the bits of their trees which Algorithm 3 would read.  For one thread.
+class ReadBits final : public render::Opacity {
+ public:
+  /// The micromaps, whose records have one level, outlive the object.
+  explicit ReadBits(const render::Micromaps& micromaps)
+      : micromaps_(micromaps), flat_(render::opacity_of(render::Method::flat, micromaps)) {
+    for (const impl::micromap::Record& record : micromaps.array.records) {
+      const auto format = static_cast<impl::micromap::Format>(record.format);
+      const auto bytes = impl::micromap::packed_bytes(impl::micromap::micro_triangles(record.level), format);
+      const auto map = std::span(micromaps.array.data).subspan(record.offset, bytes);
+      bits_.push_back(bits_read_by_index(record.level, impl::tree::encode_stream(record.level, format, map)));
+    }
+  }
+  std::optional<impl::micromap::State> at(std::uint32_t geometry, std::uint32_t triangle,
+                                          const render::Barycentrics& b) const override {
+    const auto& codes = micromaps_.codes[geometry];
+    if (!codes.empty() && codes[triangle] < bits_.size())
+      read_ += bits_[codes[triangle]][impl::index::from_barycentrics(
+          b.u, b.v, micromaps_.array.records[codes[triangle]].level)];
+    return flat_->at(geometry, triangle, b);
+  }
+  std::uint64_t bytes() const override { return flat_->bytes(); }
+  /// The bits since the last call.
+  std::uint32_t taken() const { return static_cast<std::uint32_t>(std::exchange(read_, 0)); }
+
+ private:
+  const render::Micromaps& micromaps_;
+  std::unique_ptr<render::Opacity> flat_;
+  std::vector<std::vector<std::uint32_t>> bits_;  ///< by record and index
+  mutable std::uint64_t read_ = 0;
+};
+
+/// The 2-state maps of a scene, all of one level.
+render::Micromaps two_state_maps(Measured& m, const PlannedScene& of, const render::SceneWorld& world,
+                                 unsigned level) {
+  scene::BakeOptions options = m.options();
+  options.two_state = true;
+  const std::vector<unsigned> levels(of.plan.triangles.size(), level);
+  return render::micromaps_of(world, of.plan,
+                              scene::arrays(of.plan, scene::bake(of.scene, of.plan, levels, options)));
+}
+
+/// A figure of each pixel's primary ray.
+PixelNumbers by_pixel(Measured& m, const Traced& traced, const render::Opacity* opacity,
+                      const std::function<std::uint32_t(const render::Pixel&)>& figure) {
+  PixelNumbers numbers{width, height, std::vector<std::uint32_t>(std::size_t{width} * height, 0)};
+  const render::TraceOptions options{.width = width, .height = height, .shadows = false};
+  for (std::uint32_t y = 0; y < height; ++y) {
+    m.stop();
+    for (std::uint32_t x = 0; x < width; ++x)
+      numbers.of[x + std::size_t{width} * y] =
+          figure(traced.tracer.pixel(traced.camera, opacity, options, x, y));
+  }
+  return numbers;
+}
+
+std::string ratio_text(double value) { return fmt::format("{:.2f}", value); }
+
+}  // namespace
+
+render::Picture heat_maps(Measured& m, std::size_t at) {
+  const PlannedScene& of = m.scenes()[at];
+  const Traced traced(of);
+  using render::Method;
+  render::CompareOptions options = compare_options(m, 6, 6, {Method::vq2, Method::vq4, Method::flat});
+  std::vector<render::Picture> maps;
+  std::vector<std::string> titles;
+  std::uint32_t most = 0;
+  options.frame = [&](const render::MethodFigures& figures, const render::Frame& frame) {
+    if (most == 0) most = render::scale_of(frame);
+    maps.push_back(render::heat(frame, most));
+    titles.push_back(fmt::format("{}{}: {}", render::name_of(figures.method),
+                                 figures.level ? fmt::format(" {}", *figures.level) : "",
+                                 figures.counts.shader));
+  };
+  render::compare(of.scene, of.plan, traced.world, traced.tracer, traced.camera, options);
+  return render::side_by_side(maps, titles, most);
+}
+
+std::vector<Drawn> bits_of_rays(Measured& m, std::size_t at) {
+  const PlannedScene& of = m.scenes()[at];
+  const Traced traced(of);
+  m.begins("bits that rays read");
+  const PixelNumbers calls =
+      by_pixel(m, traced, nullptr, [](const render::Pixel& p) { return p.by_primary.shader; });
+  std::vector<Drawn> all;
+  all.push_back(
+      {"figure 9", "calls_of_rays", of.name + ": any-hit calls of primary rays by the texture alone",
+       render::side_by_side({coloured(calls, calls.most())},
+                            {fmt::format("calls: {:.2f} a ray that has any", calls.mean())}, calls.most())});
+  for (const unsigned level : {4u, 9u}) {
+    if (scene::map_bytes_at_level(of.plan, level) > most_read_bytes) continue;
+    const render::Micromaps maps = two_state_maps(m, of, traced.world, level);
+    const ReadBits opacity(maps);
+    const PixelNumbers bits =
+        by_pixel(m, traced, &opacity, [&](const render::Pixel&) { return opacity.taken(); });
+    all.push_back(
+        {"figure 9", fmt::format("bits_of_rays_level{}", level),
+         fmt::format("{}: bits of the 2-state trees that primary rays read, level {}", of.name, level),
+         render::side_by_side({coloured(bits, bits.most())},
+                              {fmt::format("level {}: {:.0f} bits a ray that reads any", level, bits.mean())},
+                              bits.most(), "bits of the trees read or more")});
+  }
+  return all;
+}
+
+render::Picture blended_by_max(Measured& m, std::size_t at) {
+  constexpr unsigned colour_level = 3;
+  const PlannedScene& of = m.scenes()[at];
+  const Traced traced(of);
+  const render::ColourMaps colours =
+      render::colours_of(of.scene, traced.world, attributes_of(of), render::ColoursOf::faces, colour_level,
+                         m.sources().threads, [&m](std::uint64_t) { m.stop(); });
+  const render::Blending blending{.operation = impl::traverse::Operation::max, .colours = &colours};
+  const render::BlendFrame frame = traced.tracer.blend_frame(
+      traced.camera, nullptr, blending,
+      {.width = width, .height = height, .threads = m.sources().threads, .done = [&m](std::uint64_t) {
+         m.stop();
+       }});
+  return render::blended(traced.world.world, frame, blending);
+}
+
+std::vector<Drawn> views(Measured& m, std::size_t at, const std::vector<unsigned>& levels) {
+  constexpr std::uint32_t rays = 2;  ///< along each side of a pixel
+  constexpr std::uint64_t most_shown =
+      10'000;  ///< triangles: each is baked at each level, seconds for a thousand
+  const PlannedScene& of = m.scenes()[at];
+  const Traced traced(of);
+  const scene::AttributeScene attributes = attributes_of(of);
+  const std::vector<scene::PrimitiveShading> shading = shading_of(of);
+  const auto stop = [&m] { m.stop(); };
+  const render::TraceOptions trace{.width = rays * width,
+                                   .height = rays * height,
+                                   .threads = m.sources().threads,
+                                   .done = [&m](std::uint64_t) { m.stop(); }};
+  const render::Frame frame = traced.tracer.frame(traced.camera, nullptr, trace);
+  const render::Views shown(of.scene, traced.world, attributes, shading, frame, traced.camera,
+                            {.rays = rays, .sun = trace.light, .threads = m.sources().threads, .stop = stop});
+  std::vector<Drawn> all;
+  if (shown.triangles() == 0 || shown.triangles() > most_shown) return all;
+  const render::Picture textures = shown.picture(render::ShownFrom::textures);
+  for (const unsigned level : levels)
+    for (const render::ShownFrom from : {render::ShownFrom::faces, render::ShownFrom::vertices}) {
+      const char* const kind = from == render::ShownFrom::faces ? "faces" : "vertices";
+      m.begins(fmt::format("{}, views by {} of level {}", of.name, kind, level));
+      const render::Picture maps = shown.picture(from, level);
+      const ViewError error = view_error(textures, maps, shown.textured(), m.sources().threads);
+      all.push_back({"table 3", fmt::format("view_{}_{}", kind, level),
+                     fmt::format("Textures, {} of level {}, FLIP: mean {:.4f}, {:.4f} where a texture shows",
+                                 kind, level, error.flip, error.textured_flip),
+                     beside(textures, maps, error, width)});
+    }
+  return all;
+}
+
+Grid frame_times(Measured& m) {
+  const std::vector<std::size_t> scenes = masked(m);
+  Grid grid{{"scene", "method", "level", "calls a ray", "frame over the texture's"}, {}};
+  if (!render::has_embree() || scenes.empty()) return grid;
+  const PlannedScene& of = m.scenes()[scenes.front()];
+  const Traced traced(of);
+  using render::Method;
+  render::CompareOptions options = compare_options(m, 0, 6, {Method::flat, Method::tree, Method::ranked});
+  options.repeats = 3;
+  options.trace.threads = 1;
+  for (const render::MethodFigures& row :
+       render::compare(of.scene, of.plan, traced.world, traced.tracer, traced.camera, options).methods) {
+    const double rays = static_cast<double>(row.counts.rays + row.counts.shadow_rays);
+    grid.rows.push_back({of.name, std::string(render::name_of(row.method)),
+                         row.level ? std::to_string(*row.level) : "",
+                         fmt::format("{:.3f}", static_cast<double>(row.counts.shader) / rays),
+                         ratio_text(row.times_texture)});
+  }
+  return grid;
+}
+
+}  // namespace mmverify::bench::papers
