@@ -61,6 +61,7 @@ std::string example(const std::string& command) {
       {"gen", "mmverify gen index --level 5 | my-program | mmverify check index --level 5"},
       {"check", "mmverify check maps garden.glb"},
       {"validate", "mmverify validate assets --api khr --sarif findings.sarif"},
+      {"paper", "mmverify paper som --figure 5"},
       {"repair", "mmverify repair garden.glb -o repaired.glb"},
       {"vectors", "mmverify vectors -o vectors"},
       {"schema", "mmverify schema bench"},
