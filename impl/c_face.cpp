@@ -159,8 +159,9 @@ mmverify_baker* baker_of(std::span<const Mip> mips, const mmverify_sampling& how
   sampling.v = wrap_of(how.wrap_v);
   sampling.filter = how.filter == MMVERIFY_FILTER_NEAREST ? bake::Filter::nearest : bake::Filter::bilinear;
   sampling.border = how.border;
-  need(how.factor != 0 || how.vertex_factor != 0,
-       "factor and vertex_factor are both 0, as in a zeroed mmverify_sampling; write 1 for no factor");
+  need(
+      how.factor != 0 || how.vertex_factor != 0,
+      "factor and vertex_factor are both 0, as in a zeroed mmverify_sampling; write 1 in both for no factor");
   sampling.factors = {how.factor, how.vertex_factor};
   sampling.margin = how.margin;
   const bake::AlphaMode mode =

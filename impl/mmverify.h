@@ -115,7 +115,7 @@ typedef struct mmverify_sampling {
   uint32_t texel;                  /* MMVERIFY_TEXEL_UNORM8, ... */
   uint32_t filter, wrap_u, wrap_v; /* Vulkan's; texel (i, j) has its centre at (i + 1/2, j + 1/2) */
   float border;                    /* stored number, for MMVERIFY_WRAP_CLAMP_TO_BORDER */
-  float factor, vertex_factor;     /* sampled alpha is multiplied by both; 1: not at all; not both 0 */
+  float factor, vertex_factor;     /* sampled alpha times both: 1 in both for none; 0 in one makes all T */
   uint32_t blend; /* 0: alpha >= the cutoff is opaque; else alpha >= 1 is opaque, alpha <= 0 transparent */
   uint32_t cutoff_numerator, cutoff_denominator;
   float margin; /* texels by which each micro-triangle is grown to either side along x and y */
