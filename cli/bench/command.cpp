@@ -257,13 +257,13 @@ int run_bench(const BenchOptions& options) {
     return run_scene_bench(options);
   }
   if (!options.subject.empty() || options.sweep) {
-    if (options.sweep ? !only("index") : topics.size() != 1)
-      throw UsageError(options.sweep ? "--sweep: only for bench index"
-                                     : "--subject: name one topic, as in bench tree --subject ./mine.so");
-    if (!options.textures.empty() && !topics.front()->reads_textures) throw UsageError(for_textures);
-    if (!options.sweep && !only("index")) {
-      return run_table(options, [&] { return codec_result(topics.front()->name, options); });
-    }
+    const bool of_index = topics.front()->name == std::string("index") && options.topics.size() <= 1;
+    if (options.sweep && !of_index) throw UsageError("--sweep: only for bench index");
+    if (!of_index && topics.size() != 1)
+      throw UsageError("--subject: name one topic, as in bench tree --subject ./mine.so");
+    if (!options.textures.empty() && (of_index || !topics.front()->reads_textures))
+      throw UsageError(for_textures);
+    if (!of_index) return run_table(options, [&] { return codec_result(topics.front()->name, options); });
     return options.sweep ? run_sweep_bench(options) : run_subject_bench(options);
   }
   if (!options.textures.empty() &&

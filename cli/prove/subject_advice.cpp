@@ -50,7 +50,9 @@ std::string advice_on_entry_point(const dock::ElfSymbols& symbols) {
         "; the function is in the library but hidden, as -fvisibility=hidden hides it: write "
         "__attribute__((visibility(\"default\"))) before it");
   const std::string near = nearest_word(entry_point, symbols.exported);
-  return near.empty() ? "" : fmt::format("; it exports {}, which is spelt otherwise", near);
+  return near.empty()
+             ? "; docs/SUBJECTS.md and examples/subject/subject.c show this function; for a source: --source"
+             : fmt::format("; it exports {}, which is spelt otherwise", near);
 }
 
 }  // namespace

@@ -182,6 +182,9 @@ int run_gate(const GateOptions& options) {
   }
   refuse_nothing_judged(options.result, result);
   if (options.bless) return bless(options, result);
+  if (std::error_code none; !std::filesystem::exists(options.baseline, none))
+    throw EnvironmentError(fmt::format("{}: there is no baseline yet; --bless makes one of {}",
+                                       options.baseline, options.result));
   const Baseline baseline =
       of_file(options.baseline, [](const auto& json) { return gate::baseline_of(json); });
   Comparison comparison;
@@ -191,12 +194,15 @@ int run_gate(const GateOptions& options) {
     throw UsageError(fmt::format("{}: {}", options.result, why.what()));
   }
   print(comparison, options);
+  if (comparison.figures == 0)
+    say(stdout,
+        "Nothing was compared: the two share no law and subject; a library is known by its file's name\n");
   name_processors(comparison, result);
   name_faults(result);
   if (comparison.has_fallen())
     say(stdout, "A law that held before is refuted or broken: its counterexample is in {}\n",
         shell_quoted(options.result));
-  else if (!comparison.differences.empty())
+  else if (!comparison.differences.empty() && comparison.figures != 0)
     say(stdout, "If that is how it should be: mmverify gate --baseline {} {} --bless\n",
         shell_quoted(options.baseline), shell_quoted(options.result));
   return comparison.red() ? ExitCode::failed : ExitCode::complete;

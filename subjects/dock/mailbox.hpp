@@ -69,7 +69,7 @@ struct Mailbox {
   // Written by the worker, `begun` and `calls` also while it works.
   std::atomic<std::uint64_t> begun;          ///< elements before the batch in work
   std::atomic<std::uint64_t> calls;          ///< of the subject so far: a hang is one call
-  std::atomic<std::uint32_t> another_level;  ///< 1 during a question about another level than the command's
+  std::atomic<std::uint32_t> another_level;  ///< 1 during a question of another level, format or map
   Report report;
   Description description;
 };

@@ -468,8 +468,15 @@ Reply Worker::ask(const Question& q) {
   mailbox_->room = q.room;
   mailbox_->asked_before = asked_[{q.call, q.level, q.format}]++;
   sent_ = {q.call, q.count, q.room};
+  mailbox_->another_level.store(0);
   if (!q.blob.empty()) std::memcpy(base_ + layout_.blob_at(q.blob.size()), q.blob.data(), q.blob.size());
-  if (!exchange()) throw Misbehaved{why_no_answer(), 0, q.count, hung_};
+  if (!exchange()) {
+    const bool beyond = mailbox_->another_level.load() != 0;
+    throw Misbehaved{why_no_answer() + (beyond ? " (while an earlier question, or one of another level or "
+                                                 "format, was repeated; that one may be at fault)"
+                                               : ""),
+                     0, q.count, hung_};
+  }
   if (report_.outcome == Outcome::unwritten || report_.outcome == Outcome::non_deterministic)
     throw Misbehaved{misdeed(), report_.element < q.count ? report_.element : 0,
                      report_.element < q.count ? 1 : q.count};

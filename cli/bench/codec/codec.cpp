@@ -3,11 +3,17 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <chrono>
+#include <condition_variable>
+#include <cstdlib>
+#include <mutex>
 #include <random>
+#include <thread>
 
 #include "bench/codec/tables.hpp"
 #include "cli/arguments/arguments.hpp"
 #include "cli/output/exit_code.hpp"
+#include "cli/output/streams.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -26,6 +32,41 @@ constexpr CodecTopic codec_topics[] = {
     {"vq", "impl/vq: the optimum for VQ2, balanced for VQ4", {0, 0}, 0, codec::of_vq::cases},
     {"array", "impl/array", {2, 6}, 8, codec::of_array::cases},
     {"attribute", "impl/attribute", {2, 8}, 12, codec::of_attribute::cases},
+};
+
+/// Ends the program once a codec has been at one row for too long: its calls here have no walls, and cannot be stopped.
+class Watch {
+ public:
+  explicit Watch(std::string library)
+      : library_(std::move(library)), thread_([this](const std::stop_token& stop) { wait(stop); }) {}
+
+  void begin(const std::string& row) {
+    const std::lock_guard hold(lock_);
+    row_ = row;
+    until_ = Clock::now() + longest;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::seconds longest{120};
+
+  void wait(const std::stop_token& stop) {
+    std::unique_lock hold(lock_);
+    while (!stop.stop_requested()) {
+      changed_.wait_until(hold, stop, until_, [] { return false; });
+      if (stop.stop_requested() || Clock::now() < until_) continue;
+      say(stderr, "mmverify: {}: not done within {} s with {}; mmverify prove --subject says why it hangs\n",
+          library_, longest.count(), row_);
+      std::_Exit(ExitCode::environment);
+    }
+  }
+
+  const std::string library_;
+  std::mutex lock_;
+  std::condition_variable_any changed_;
+  std::string row_ = "loading";
+  Clock::time_point until_ = Clock::now() + longest;
+  std::jthread thread_;  ///< the last member: it uses the others
 };
 
 }  // namespace
@@ -49,9 +90,13 @@ bench::Result codec_result(const std::string& topic, const BenchOptions& options
   std::vector<bench::CodecRow> rows;
   try {
     const mmverify_subject_t& subject = dock::load_trusted(options.subject, walls);
+    Watch watch(options.subject);
     chosen->cases({subject, options, levels, [&](const bench::CodecCase& of) {
-                     progress(of.level ? fmt::format("{}, level {}, {} states", of.of, *of.level, of.states)
-                                       : of.of);
+                     const std::string row =
+                         of.level ? fmt::format("{}, level {}, {} states", of.of, *of.level, of.states)
+                                  : of.of;
+                     progress(row);
+                     watch.begin(row);
                      rows.push_back(bench::measured_codec(of, rounds));
                    }});
   } catch (const std::runtime_error& error) {

@@ -103,7 +103,7 @@ void Blob::ask_into(Fenced& out, const std::uint8_t* bytes, const std::string& h
 }
 
 void Blob::ask_after(const Arguments& before, Fenced& out, const std::string& how) const {
-  caller.guarded(before, out, 0);
+  caller.guarded_beyond(before, out, 0);
   const std::uint64_t again = call_at_guard(answer.size(), blank_again, bytes);
   caller.compare(question(), again, caller.at_guard_page(answer.size()), how);
 }

@@ -98,10 +98,14 @@ std::uint64_t Caller::guarded(Arguments a, Fenced& out, std::uint64_t element) c
 }
 
 std::uint64_t Caller::guarded_beyond(const Arguments& a, Fenced& out, std::uint64_t element) const {
-  mailbox_.another_level.store(1, std::memory_order_relaxed);
+  mark_beyond(true);
   const std::uint64_t size = guarded(a, out, element);
-  mailbox_.another_level.store(0, std::memory_order_relaxed);
+  mark_beyond(false);
   return size;
+}
+
+void Caller::mark_beyond(bool begins) const {
+  mailbox_.another_level.store(begins ? 1 : 0, std::memory_order_relaxed);
 }
 
 bool Caller::call_in_thread(const Arguments& a, Answers& mine) const {

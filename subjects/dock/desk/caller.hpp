@@ -46,6 +46,8 @@ class Caller {
   std::uint64_t guarded(Arguments a, Fenced& out, std::uint64_t element) const;
   /// The same for a question that is none of the command's: the law need not ask it, so a crash on it is no case.
   std::uint64_t guarded_beyond(const Arguments& a, Fenced& out, std::uint64_t element) const;
+  /// Says to the tool that a question of another level, format or map begins, or has ended.
+  void mark_beyond(bool begins) const;
   /// Makes a call in a thread, and adds the result and what it left behind to `mine`. False if it threw.
   bool call_in_thread(const Arguments& a, Answers& mine) const;
 

@@ -244,7 +244,7 @@ void after_another_format(const Blob& blob) {
         as_of_format(mailbox.call, mailbox.level, other, inverted(bytes, 0, bytes.size()));
     before.blob = unlike.data();
     if (of_code) before.blob_bytes = 0;
-    if (mailbox.call != Call::array_save) blob.caller.guarded(before, answer, 0);
+    if (mailbox.call != Call::array_save) blob.caller.guarded_beyond(before, answer, 0);
     before.blob = same.data();
     before.blob_bytes = bytes.size();
     blob.ask_after(before, answer, "asked after the same bytes in another format, order or mode");
@@ -266,7 +266,7 @@ void after_kept_formats(const Blob& blob) {
     for (const std::deque<QuestionCopy>& all = of(other); const QuestionCopy& q : all) {
       if (&q != &all.back() && !is_here(q)) continue;
       Fenced answer(q.answer.size(), blank_again);
-      if (blob.caller.guarded(q.arguments, answer, 0) != q.size ||
+      if (blob.caller.guarded_beyond(q.arguments, answer, 0) != q.size ||
           (q.size != 0 && !std::equal(q.answer.begin(), q.answer.end(), answer.data())))
         blob.caller.stop(Outcome::non_deterministic, 0,
                          "a question in another format, asked before, was answered otherwise after this one");
@@ -291,7 +291,7 @@ void after_like_ones(const Blob& blob) {
       changed(these, 0, size, [](std::uint8_t byte, std::size_t k) { return byte + 1 + 3 * k; });
   const auto after = [&](const std::vector<std::uint8_t>& bytes, const char* how) {
     before.blob = unlike.data();
-    blob.caller.guarded(before, answer, 0);
+    blob.caller.guarded_beyond(before, answer, 0);
     before.blob = bytes.data();
     blob.ask_after(before, answer, how);
   };

@@ -133,6 +133,7 @@ void from_threads(const Blob& blob) {
   ask_from_threads(blob.caller, here, here, rounds, 0);
   std::optional<QuestionCopy>& last = blob.kept.last[blob.caller.entry_number()];
   const bool beside_others = (before < first_beside_others ? before : before / 64 + before / 256) % 2 != 0;
+  blob.caller.mark_beyond(true);
   if (const QuestionCopy* other = beside_others ? of_another_kind(blob) : nullptr; other != nullptr) {
     const QuestionCopy more = longer(blob);
     ask_from_threads(blob.caller, of_thread(blob, more, beside_another),
@@ -140,6 +141,7 @@ void from_threads(const Blob& blob) {
   } else if (last) {
     ask_from_threads(blob.caller, here, of_thread(blob, *last, how), rounds, 0);
   }
+  blob.caller.mark_beyond(false);
   last.emplace(std::move(now));
   keep(blob);
 }
