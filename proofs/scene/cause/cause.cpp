@@ -131,20 +131,33 @@ class Search {
         fmt::format("the corners of triangles are not those of their maps: {}", fmt::join(parts, ", "));
   }
 
+  /// Whether right maps tell that the baker leaves no state needlessly unknown.
+  bool is_exact_baker() const {
+    Fit right;
+    for (const std::size_t k : examined_.all())
+      if (examined_.fit(k).wrong + examined_.fit(k).needless == 0) right += examined_.fit(k);
+    return right.unknown() >= least_evidence_of_many;
+  }
+
   void try_links() {
+    const bool exact = is_exact_baker();
     for (const LinkChange& change : link_changes(examined_.judged()))
       trials_.attempt(
           change.code, change.says,
           [&](const Triangles& triangles) {
             Maps maps;
+            std::set<impl::micromap::State> of_wrong;
             for (const std::size_t k : triangles) {
               const std::optional<BakedTriangle> map = change.map(k);
               maps.stored.push_back(map ? states_of(*map) : examined_.stored(k));
               maps.expected.push_back(examined_.right_at(k, map ? map->level : examined_.level(k)));
+              if (!examined_.is_right(k)) of_wrong.insert(maps.stored.back().begin(), maps.stored.back().end());
             }
+            // Maps of one state fit many triangles, wherever they come from.
+            if (of_wrong.size() < 2) maps.stored = examined_.stored(triangles);
             return maps;
           },
-          least_evidence_of_many);
+          least_evidence_of_many, exact);
   }
 
   void try_inputs() {
@@ -218,7 +231,7 @@ class Search {
       // changed may leave a triangle uniform.  A map that is right elsewhere is another one's all the same.
       const bool nearly_right =
           16 * (examined_.fit(k).wrong + examined_.fit(k).needless) < examined_.stored(k).size();
-      if (!special && (nearly_right || record->first == uniform_place) && !is_anothers(k, wrong)) return;
+      if (!special && (nearly_right || record->first == uniform_place) && !is_anothers(k)) return;
       all += record->second;
       found.emplace_back(k, record->first);
     }
@@ -246,19 +259,18 @@ class Search {
     return wrong;
   }
 
-  /// Whether the record of triangle k is right for a triangle that has it, too, or fits another wrong one.
-  bool is_anothers(std::size_t k, const Triangles& wrong) const {
+  /// Whether the record of triangle k is right for a triangle that has it, too, or fits another one that needs a map.
+  bool is_anothers(std::size_t k) const {
+    std::size_t left = 1024;
     const mmverify::scene::MapLink& of = examined_.link(k);
-    const auto has_it = [&](std::size_t other) {
+    return std::any_of(examined_.all().begin(), examined_.all().end(), [&](std::size_t other) {
       const mmverify::scene::MapLink& link = examined_.link(other);
-      return link.record == of.record && link.array == of.array && examined_.is_right(other);
-    };
-    const auto fits = [&](std::size_t other) {
-      return other != k &&
-             fit(examined_.stored(k), examined_.right_at(other, examined_.level(k))).is_right();
-    };
-    return std::any_of(examined_.all().begin(), examined_.all().end(), has_it) ||
-           std::any_of(wrong.begin(), wrong.end(), fits);
+      if (examined_.fit(other).wrong + examined_.fit(other).needless == 0)
+        return link.record == of.record && link.array == of.array;
+      if (other == k || left == 0) return false;
+      --left;
+      return fit(examined_.stored(k), examined_.right_at(other, examined_.level(k))).is_right();
+    });
   }
 
   /// Whether all triangles of each primitive have one record, and some primitive has several triangles.
@@ -293,7 +305,7 @@ class Search {
 
   /// The fit of a triangle whose micro-triangles are all T, or all O, as if it had that special index.
   Fit fit_of_uniform(std::size_t k) {
-    const States& right = examined_.right(k);
+    const States& right = examined_.right_at(k, std::max<Level>(examined_.level(k), 2));  // enough states
     return fit(States(right.size(), right.front()), right);
   }
 
@@ -303,7 +315,7 @@ class Search {
       return;
     struct Records {
       std::vector<std::pair<std::size_t, std::optional<std::uint64_t>>> all;
-      bool from_0 = false;  ///< an index is 0
+      bool from_0 = false;  ///< it has the first record of a micromap
     };
     std::map<std::size_t, Records> records;
     bool bases = false;
@@ -311,14 +323,14 @@ class Search {
       bases = bases || link.base != 0;
       Records& of = records[link.primitive];
       of.all.emplace_back(link.array, link.record);
-      of.from_0 = of.from_0 || link.record == link.base;
+      of.from_0 = of.from_0 || link.record == std::uint64_t{0};
     }
     std::set<std::size_t> wrong;
     for (const std::size_t k : examined_.all())
       if (!examined_.is_right(k)) wrong.insert(examined_.link(k).primitive);
     std::string pairs;
     for (const std::size_t one : wrong) {
-      // A file may set primitives apart by their bases: then each one's indices begin at 0.
+      // A file may set primitives apart by their bases: one without its own has the first records.
       if (bases && records[one].from_0 && trials_.best_cause().code == "base_triangle") return;
       const auto other = std::find_if(records.begin(), records.end(), [&](const auto& of) {
         return !wrong.contains(of.first) && of.second.all == records[one].all;
