@@ -13,6 +13,7 @@
 #include "proofs/scene/cause/changes.hpp"
 #include "proofs/scene/cause/cutoff.hpp"
 #include "proofs/scene/cause/links.hpp"
+#include "proofs/scene/cause/rewritten_indices.hpp"
 #include "proofs/scene/cause/texture_age.hpp"
 #include "proofs/scene/cause/trials.hpp"
 
@@ -66,6 +67,7 @@ class Search {
     if (!trials_.is_exact() && try_special()) return finished();
     if (trials_.best() && trials_.is_doubtful()) return {};
     if (!trials_.best()) try_other_triangles();
+    if (!trials_.best()) try_rewritten_indices();
     if (!trials_.best()) try_texture();
     if (!trials_.best()) try_two_inputs();
     if (!trials_.best()) return {};
@@ -367,6 +369,10 @@ class Search {
                               wrong == 1 ? " has" : "s have"),
                   0, wrong});
     return true;
+  }
+
+  void try_rewritten_indices() {
+    if (const std::optional<Cause> cause = rewritten_indices(examined_)) trials_.keep(*cause);
   }
 
   void try_texture() {
