@@ -26,6 +26,7 @@
 #include "display/render/scene/compare.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
+#include "scene/plan/plan.hpp"
 #include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"
 
@@ -261,6 +262,14 @@ void show_progress(render::CompareOptions& compared, std::optional<Progress>& pr
   };
 }
 
+/// Says how many triangles the plan leaves out because their vertex alpha varies.
+void say_varying(const mmverify::scene::Scene& scene, const mmverify::scene::Plan& plan) {
+  constexpr auto why = mmverify::scene::LeftOut::varying_alpha;
+  if (const std::uint64_t triangles = triangles_left_out(scene, plan, why); triangles != 0)
+    say(stderr, "render: {} triangles are left out of the plan, and their texture alone is tested: {}\n",
+        grouped(triangles), sentence(why));
+}
+
 int render_scene(const RenderOptions& options) {
   const proofs::Levels levels = levels_of_maps(options.level);
   const std::vector<render::Method> wanted = wanted_methods(options.methods);
@@ -273,6 +282,7 @@ int render_scene(const RenderOptions& options) {
   const mmverify::scene::Scene scene = loaded_scene(options.file);
   const auto uses = uses_of(options.file);
   const mmverify::scene::Plan plan = mmverify::scene::plan(scene);
+  say_varying(scene, plan);
   const render::SceneWorld world = render::world_of(scene, uses, plan);
   if (world.world.instances.empty())
     throw EnvironmentError(fmt::format("{}: no triangle to render", scene.file));

@@ -11,7 +11,8 @@ volatile std::sig_atomic_t stop_asked = 0;
 volatile std::sig_atomic_t patience = 0;  ///< milliseconds; 0: no end
 volatile std::sig_atomic_t code_at_end = 0;
 #ifndef __EMSCRIPTEN__
-timer_t end_timer;  ///< timer_settime(), not setitimer(), is one of the functions that signal handlers may call
+timer_t
+    end_timer;  ///< timer_settime(), not setitimer(), is one of the functions that signal handlers may call
 #endif
 int guards = 0;  ///< alive; all are the main thread's
 

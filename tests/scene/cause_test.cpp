@@ -317,7 +317,8 @@ TEST(Cause, NamesARewrittenIndexBuffer) {
   const std::optional<Cause> found = cause(scene, maps);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->code, "corners+other_triangles");
-  EXPECT_THAT(found->says, testing::EndsWith(" triangles have the maps of others, 2 turned by 1, 2 turned by 2"));
+  EXPECT_THAT(found->says,
+              testing::EndsWith(" triangles have the maps of others, 2 turned by 1, 2 turned by 2"));
   EXPECT_EQ(found->explained, found->wrong);
 
   scene.primitives[0].uvs[0][0] += 0.02f;

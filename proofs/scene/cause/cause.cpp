@@ -153,7 +153,8 @@ class Search {
               const std::optional<BakedTriangle> map = change.map(k);
               maps.stored.push_back(map ? states_of(*map) : examined_.stored(k));
               maps.expected.push_back(examined_.right_at(k, map ? map->level : examined_.level(k)));
-              if (!examined_.is_right(k)) of_wrong.insert(maps.stored.back().begin(), maps.stored.back().end());
+              if (!examined_.is_right(k))
+                of_wrong.insert(maps.stored.back().begin(), maps.stored.back().end());
             }
             // Maps of one state fit many triangles, wherever they come from.
             if (of_wrong.size() < 2) maps.stored = examined_.stored(triangles);
@@ -292,8 +293,7 @@ class Search {
   std::optional<std::pair<std::string, Fit>> fitting_record(std::size_t k) {
     constexpr std::uint64_t most = 4096;
     const Fit uniform = fit_of_uniform(k);
-    if (uniform.is_right() && uniform.evidence() >= least_evidence)
-      return std::pair(uniform_place, uniform);
+    if (uniform.is_right() && uniform.evidence() >= least_evidence) return std::pair(uniform_place, uniform);
     for (std::size_t a = 0; a < examined_.judged().maps.arrays.size(); ++a)
       for (std::uint64_t r = 0;
            r < std::min<std::uint64_t>(most, examined_.judged().maps.arrays[a]->records.size()); ++r) {

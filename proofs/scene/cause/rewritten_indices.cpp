@@ -68,7 +68,7 @@ class Rewritten {
     if (turned_[3] != 0) says += fmt::format(", {} wound the other way", turned_[3]);
     if (fitting_ != wrong_)
       says += fmt::format("; {} fit nearly, as if their UVs had changed by little", wrong_ - fitting_);
-    return Cause{moved_ == 0   ? "corners"
+    return Cause{moved_ == 0  ? "corners"
                  : turns == 0 ? "other_triangles"
                               : "corners+other_triangles",
                  says, 0, fitting_};

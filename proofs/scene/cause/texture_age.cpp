@@ -99,7 +99,7 @@ struct Known {
   bool is_its_own() const { return 5 * equal >= 3 * all; }
 };
 
-/// What the maps of triangles say about the texture that they were baked from.
+/// The findings in the maps of triangles about the texture that they were baked from.
 class Findings {
  public:
   explicit Findings(const Judged& judged) : plan_(judged.maps.plan) {}
@@ -157,7 +157,8 @@ class Findings {
       all.join(known_[t].wrong);
     }
     // One wrong triangle alone may have another's map, which agrees by chance.
-    if (wrong == 0 || (wrong < 2 && !(has_neighbours(last) && 4 * known_[last].equal >= 3 * known_[last].all)))
+    if (wrong == 0 ||
+        (wrong < 2 && !(has_neighbours(last) && 4 * known_[last].equal >= 3 * known_[last].all)))
       return {};
     const Box trusted = all;
     for (std::size_t t = 0; t < known_.size(); ++t)
