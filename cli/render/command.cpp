@@ -262,12 +262,14 @@ void show_progress(render::CompareOptions& compared, std::optional<Progress>& pr
   };
 }
 
-/// Says how many triangles the plan leaves out because their vertex alpha varies.
-void say_varying(const mmverify::scene::Scene& scene, const mmverify::scene::Plan& plan) {
+/// The plan of a scene.  Says how many triangles it leaves out because their vertex alpha varies.
+mmverify::scene::Plan planned(const mmverify::scene::Scene& scene) {
   constexpr auto why = mmverify::scene::LeftOut::varying_alpha;
+  mmverify::scene::Plan plan = mmverify::scene::plan(scene);
   if (const std::uint64_t triangles = triangles_left_out(scene, plan, why); triangles != 0)
     say(stderr, "render: {} triangles are left out of the plan, and their texture alone is tested: {}\n",
         grouped(triangles), sentence(why));
+  return plan;
 }
 
 int render_scene(const RenderOptions& options) {
@@ -281,8 +283,7 @@ int render_scene(const RenderOptions& options) {
   const InterruptGuard guard;
   const mmverify::scene::Scene scene = loaded_scene(options.file);
   const auto uses = uses_of(options.file);
-  const mmverify::scene::Plan plan = mmverify::scene::plan(scene);
-  say_varying(scene, plan);
+  const mmverify::scene::Plan plan = planned(scene);
   const render::SceneWorld world = render::world_of(scene, uses, plan);
   if (world.world.instances.empty())
     throw EnvironmentError(fmt::format("{}: no triangle to render", scene.file));
