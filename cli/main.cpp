@@ -61,7 +61,7 @@ class ThreadsAsked {
 int main(int argc, char** argv) {
   using namespace mmverify::cli;
   reserve_standard_streams();
-  mmverify::proofs::end_after_interrupt(1, ExitCode::interrupted);
+  mmverify::proofs::end_after_interrupt(800, ExitCode::interrupted);
   // It outlives main(): a signal while the process ends changes no exit code.
   [[maybe_unused]] static const auto* const guard = new mmverify::proofs::InterruptGuard;
   std::signal(SIGPIPE, SIG_IGN);

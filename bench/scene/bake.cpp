@@ -87,7 +87,11 @@ SceneBakeFigures scene_bake_figures(const SceneBakeOptions& options) {
   begins(options.file);
   const scene::Scene loaded = scene::load(options.file);
   const scene::Plan planned = scene::plan(loaded);
-  SceneBakeFigures figures{options.file, planned.triangles.size(), 0, {}};
+  SceneBakeFigures figures{options.file,
+                           planned.triangles.size(),
+                           0,
+                           {},
+                           triangles_left_out(loaded, planned, scene::LeftOut::varying_alpha)};
   if (planned.triangles.empty()) return figures;
   std::vector<fast::TriangleBaker> bakers;
   figures.ready_ms = median_ns(options.rounds,

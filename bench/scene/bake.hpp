@@ -34,6 +34,7 @@ struct SceneBakeFigures {
   std::size_t triangles = 0;  ///< distinct by their texture coordinates; 0: nothing to bake, and no levels
   double ready_ms = 0;        ///< the preparation of all textures, once a bake of the scene: the median
   std::vector<SceneBakeLevel> levels;
+  std::uint64_t varying = 0;  ///< triangles that are left out because their vertex alpha varies
 };
 
 /// The figures of a scene's bakes.  Times are of one thread.

@@ -280,7 +280,14 @@ SceneDagScene scene_dag(const SceneDagOptions& options) {
   begins(options.file);
   const scene::Scene loaded = scene::load(options.file);
   const scene::Plan planned = scene::plan(loaded);
-  SceneDagScene all{options.file, 0, planned.triangles.size(), 0, {}, {}, {}};
+  SceneDagScene all{options.file,
+                    0,
+                    planned.triangles.size(),
+                    0,
+                    {},
+                    {},
+                    {},
+                    triangles_left_out(loaded, planned, scene::LeftOut::varying_alpha)};
   if (planned.triangles.empty()) return all;
   const SceneMaps maps(loaded, planned);
   all.maps = maps.uses().size();

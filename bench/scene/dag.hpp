@@ -78,6 +78,7 @@ struct SceneDagScene {
       rows;  ///< levels and formats with a map of more than one state; by bits, then by level
   std::vector<SquareFigures> squares;
   std::vector<SceneGrowth> growth;
+  std::uint64_t varying = 0;  ///< triangles that are left out because their vertex alpha varies
 };
 
 /// The figures of one level's maps in one format.  Times are of one thread.

@@ -24,6 +24,7 @@
 #include "cli/output/plot_file.hpp"
 #include "cli/output/streams.hpp"
 #include "proofs/engine/interrupt.hpp"
+#include "scene/plan/plan.hpp"
 #include "scene/read/bad_scene.hpp"
 
 namespace mmverify::cli {
@@ -94,6 +95,13 @@ int run_subject_bench(const BenchOptions& options) {
                    [&] { return bench::subject_tables(subject_figures(options.subject, levels.first)); });
 }
 
+/// Says how many triangles a bench leaves out because their vertex alpha varies.
+void say_varying(const std::string& file, std::uint64_t triangles) {
+  if (triangles != 0)
+    say(stderr, "bench: {}: {} triangles are left out: {}\n", file, grouped(triangles),
+        mmverify::scene::sentence(mmverify::scene::LeftOut::varying_alpha));
+}
+
 bench::Result scene_result(const BenchOptions& options, const proofs::Levels& levels) {
   constexpr std::size_t rounds = 5;
   bench::SceneBakeOptions bake{options.scene, levels.first, levels.last};
@@ -102,6 +110,7 @@ bench::Result scene_result(const BenchOptions& options, const proofs::Levels& le
   bake.stop = stop_if_asked;
   try {
     const bench::SceneBakeFigures figures = bench::scene_bake_figures(bake);
+    say_varying(options.scene, figures.varying);
     if (figures.triangles == 0) throw UsageError(options.scene + ": nothing to bake");
     return bench::scene_bake_tables(figures, bake);
   } catch (const mmverify::scene::BadScene& error) {
@@ -135,6 +144,7 @@ int run_scene_dag_bench(const BenchOptions& options) {
   try {
     const bench::SceneDagScene figures = bench::scene_dag(dag);
     stop_if_asked();
+    say_varying(options.scene, figures.varying);
     if (figures.maps == 0) throw UsageError(options.scene + ": nothing to bake");
     if (figures.rows.empty())
       throw UsageError(

@@ -26,6 +26,7 @@
 #include "display/render/scene/compare.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/progress.hpp"
+#include "scene/plan/plan.hpp"
 #include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"
 
@@ -261,6 +262,16 @@ void show_progress(render::CompareOptions& compared, std::optional<Progress>& pr
   };
 }
 
+/// The plan of a scene.  Says how many triangles it leaves out because their vertex alpha varies.
+mmverify::scene::Plan planned(const mmverify::scene::Scene& scene) {
+  constexpr auto why = mmverify::scene::LeftOut::varying_alpha;
+  mmverify::scene::Plan plan = mmverify::scene::plan(scene);
+  if (const std::uint64_t triangles = triangles_left_out(scene, plan, why); triangles != 0)
+    say(stderr, "render: {} triangles are left out of the plan, and their texture alone is tested: {}\n",
+        grouped(triangles), sentence(why));
+  return plan;
+}
+
 int render_scene(const RenderOptions& options) {
   const proofs::Levels levels = levels_of_maps(options.level);
   const std::vector<render::Method> wanted = wanted_methods(options.methods);
@@ -272,7 +283,7 @@ int render_scene(const RenderOptions& options) {
   const InterruptGuard guard;
   const mmverify::scene::Scene scene = loaded_scene(options.file);
   const auto uses = uses_of(options.file);
-  const mmverify::scene::Plan plan = mmverify::scene::plan(scene);
+  const mmverify::scene::Plan plan = planned(scene);
   const render::SceneWorld world = render::world_of(scene, uses, plan);
   if (world.world.instances.empty())
     throw EnvironmentError(fmt::format("{}: no triangle to render", scene.file));

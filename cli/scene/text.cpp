@@ -82,7 +82,7 @@ void print_plan(std::FILE* out, const Scene& scene, const Plan& plan, const Leve
   if (baked.varying != 0)
     line(out, "note",
          fmt::format("the vertex alpha of {} triangles varies: they are baked by bounds, T and O only where "
-                     "all alpha is so",
+                     "all alpha is so; bake.tight and bake.force2 are not asked of them",
                      grouped(baked.varying)));
   if (baked.limited != 0)
     line(out, "left out",

@@ -61,6 +61,7 @@ bool is_repairable(const std::string& code) {
                              "unknown_side",
                              "order",
                              "corners",
+                             "corners+other_triangles",
                              "base_triangle",
                              "other_micromap",
                              "micromaps_exchanged",

@@ -3,12 +3,17 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <ctime>
 
 namespace mmverify::proofs {
 namespace {
 volatile std::sig_atomic_t stop_asked = 0;
-volatile std::sig_atomic_t patience = 0;  ///< seconds; 0: no end
+volatile std::sig_atomic_t patience = 0;  ///< milliseconds; 0: no end
 volatile std::sig_atomic_t code_at_end = 0;
+#ifndef __EMSCRIPTEN__
+timer_t
+    end_timer;  ///< timer_settime(), not setitimer(), is one of the functions that signal handlers may call
+#endif
 int guards = 0;  ///< alive; all are the main thread's
 
 /// write(), which signal handlers may call.
@@ -24,7 +29,10 @@ extern "C" void ask_to_stop(int signal) {
 #ifndef __EMSCRIPTEN__
   if (patience == 0) return;
   say("mmverify: interrupted, ending; a second signal ends it at once\n");
-  alarm(static_cast<unsigned>(patience));
+  itimerspec end{};
+  end.it_value.tv_sec = patience / 1000;
+  end.it_value.tv_nsec = 1'000'000L * (patience % 1000);
+  timer_settime(end_timer, 0, &end, nullptr);
 #endif
 }
 
@@ -51,12 +59,13 @@ InterruptGuard::~InterruptGuard() {
   std::signal(SIGHUP, SIG_DFL);
 }
 
-void end_after_interrupt(unsigned seconds, int code) {
-  patience = static_cast<std::sig_atomic_t>(seconds);
+void end_after_interrupt(unsigned milliseconds, int code) {
   code_at_end = code;
 #ifndef __EMSCRIPTEN__
   std::signal(SIGALRM, end_at_once);
+  if (timer_create(CLOCK_MONOTONIC, nullptr, &end_timer) != 0) return;  // it ends when it is ready
 #endif
+  patience = static_cast<std::sig_atomic_t>(milliseconds);
 }
 
 }  // namespace mmverify::proofs

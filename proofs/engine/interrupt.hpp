@@ -20,9 +20,9 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
 
-/// Bounds what a guard waits for: a process that still runs `seconds` after its first signal ends with exit code `code`.
+/// Bounds what a guard waits for: a process that still runs so long after its first signal ends with exit code `code`.
 /// stderr says at the signal that a second one ends the process at once.
-/// Domain: once, before the first guard; seconds > 0.
-void end_after_interrupt(unsigned seconds, int code);
+/// Domain: once, before the first guard; milliseconds > 0.
+void end_after_interrupt(unsigned milliseconds, int code);
 
 }  // namespace mmverify::proofs

@@ -185,6 +185,13 @@ Plan plan(const Scene& scene, unsigned level_limit, VaryingAlpha varying) {
   return Planner(scene, level_limit, varying).planned();
 }
 
+std::uint64_t triangles_left_out(const Scene& scene, const Plan& plan, LeftOut why) {
+  std::uint64_t count = 0;
+  for (const LeftOutPrimitive& p : plan.left_out)
+    count += p.why == why ? scene.primitives[p.primitive].triangles.size() : 0;
+  return count;
+}
+
 PlanCounts counts(const Plan& plan) {
   PlanCounts c;
   for (const PlannedTriangle& t : plan.triangles) {

@@ -101,6 +101,8 @@ struct PlanCounts {
   unsigned limit = 0;                    ///< that limit, if there are any
 };
 PlanCounts counts(const Plan& plan);
+/// The triangles of the primitives that are left out for a reason.  Domain: a plan of this scene.
+std::uint64_t triangles_left_out(const Scene& scene, const Plan& plan, LeftOut why);
 
 /// The treatment of primitives whose vertex alpha varies: bounds of the product tell their states.
 enum class VaryingAlpha : std::uint8_t { left_out, planned };

@@ -87,7 +87,7 @@ def summary(found_all):
         counts = ", ".join(f"{n} {verdict}" for verdict, n in verdicts(found["results"]).items()
                            if verdict != "not_applicable")
         recipe = found["recipe"]
-        names = re.sub(r": .*|, as a baker", "", recipe["asked"])  # the section has it in full
+        names = re.sub(r": .*|, as a baker.*", "", recipe["asked"])  # the section has it in full
         lines.append("| " + " | ".join(map(cell, [recipe["name"], found["version"], names, overall(found), counts])) + " |")
     return lines
 

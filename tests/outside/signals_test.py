@@ -116,7 +116,8 @@ def main():
                 try:
                     code, seconds = interrupt(program, line.format(**places).split(), sent, delay)
                     # A refutation from before the signal stays one.
-                    allowed = (INTERRUPTED, 1) if seconds is not None and "wrong" in name else (INTERRUPTED,)
+                    refuted = "wrong" in name or name == "prove a source"
+                    allowed = (INTERRUPTED, 1) if seconds is not None and refuted else (INTERRUPTED,)
                     if seconds is None or code == 0 or (delay < BEFORE_MAIN and code == -sent):
                         continue  # it had ended by itself, or not begun
                     caught += 1

@@ -46,8 +46,8 @@ Image spots(std::uint32_t side, std::uint64_t seed) {
   return image;
 }
 
-/// Two primitives of one material, with triangles of all sizes, some of them beyond the texture's edge.
-Scene leaves() {
+/// Primitives of one material, with triangles of all sizes, some of them beyond the texture's edge.
+Scene leaves(std::size_t primitives = 2) {
   Scene s;
   s.file = "leaves.gltf";
   s.images = {spots(32, 1), spots(32, 2)};
@@ -59,7 +59,7 @@ Scene leaves() {
   s.materials = {material};
   s.meshes = {{"leaves", 1, {1, {}}}};
   proofs::Random random(7, 0, 0);
-  for (std::size_t number = 0; number < 2; ++number) {
+  for (std::size_t number = 0; number < primitives; ++number) {
     Primitive p;
     p.number = number;
     p.material = 0;
@@ -143,7 +143,7 @@ void set(StoredMaps& maps, std::size_t k, const std::vector<State>& states) {
 }
 
 std::vector<State> states(const StoredMaps& maps, std::size_t k) {
-  std::vector<State> all(impl::micromap::micro_triangles(level));
+  std::vector<State> all(impl::micromap::micro_triangles(maps.baked.triangles[k].level));
   impl::micromap::unpack(maps.baked.triangles[k].map, Format::four_state, all);
   return all;
 }
@@ -302,6 +302,34 @@ TEST(Cause, NamesTurnedCorners) {
               testing::ContainsRegex("[23] turned by 1, [23] turned by 2, [123] wound the other way"));
 }
 
+// A tool that compresses meshes turns corners, orders triangles anew, and may change UVs by little.
+TEST(Cause, NamesARewrittenIndexBuffer) {
+  Scene scene = leaves();
+  const StoredMaps right = stored(scene);
+  StoredMaps maps = right;
+  for (std::size_t k = 0; k < triangles_each; ++k) {
+    Primitive& p = scene.primitives[0];
+    const std::size_t from = (k + 2) % triangles_each;
+    p.triangles[k] = leaves().primitives[0].triangles[from];
+    std::rotate(p.triangles[k].begin(), p.triangles[k].begin() + std::ptrdiff_t(k % 3), p.triangles[k].end());
+  }
+  maps.plan = plan(scene);
+  const std::optional<Cause> found = cause(scene, maps);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->code, "corners+other_triangles");
+  EXPECT_THAT(found->says,
+              testing::EndsWith(" triangles have the maps of others, 2 turned by 1, 2 turned by 2"));
+  EXPECT_EQ(found->explained, found->wrong);
+
+  scene.primitives[0].uvs[0][0] += 0.02f;
+  maps.plan = plan(scene);
+  const std::optional<Cause> nearly = cause(scene, maps);
+  ASSERT_TRUE(nearly);
+  EXPECT_EQ(nearly->code, "corners+other_triangles");
+  EXPECT_THAT(nearly->says, testing::EndsWith("; 1 fit nearly, as if their UVs had changed by little"));
+  EXPECT_EQ(nearly->explained + 1, nearly->wrong);
+}
+
 /// States whose children 0 and 3 change places in every digit.
 std::vector<State> with_exchanged_children(const std::vector<State>& all) {
   std::vector<State> moved = all;
@@ -432,6 +460,40 @@ TEST(Cause, NamesLinksOfTrianglesWithSpecialIndices) {
   EXPECT_EQ(code(scene, equal), "indices_equal");
 }
 
+// Triangle 1 of either primitive is opaque, and 2 transparent, or the other way round.
+TEST(Cause, NamesThePrimitiveWhoseSpecialIndicesAnotherHas) {
+  Scene scene = leaves();
+  auto& alpha = std::get<0>(scene.images[0].alpha);
+  for (std::size_t y = 0; y < 32; ++y)
+    for (std::size_t x = 0; x < 8; ++x) alpha[x + 32 * y] = x < 4 ? 0 : 255;
+  for (Primitive& p : scene.primitives)
+    for (std::size_t k = 0; k < 6; ++k)
+      p.uvs[3 + k] = {(k / 3 == p.number ? 0.17f : 0.02f) + 0.03f * float(k & 1),
+                      0.3f + 0.2f * float(k % 3 / 2) + 0.1f * float(p.number)};
+  StoredMaps maps = stored(scene);
+  use_special_indices(maps);
+  ASSERT_NE(maps.baked.triangles[1].uniform, maps.baked.triangles[triangles_each + 1].uniform);
+  EXPECT_EQ(code(scene, maps), "none");
+  change(maps.arrays[0], [&](Array& array) {
+    for (auto record : maps.arrays[1]->records) {
+      record.offset += static_cast<std::uint32_t>(array.data.size());
+      array.records.push_back(record);
+    }
+    array.data.insert(array.data.end(), maps.arrays[1]->data.begin(), maps.arrays[1]->data.end());
+    for (const std::size_t uniform : {1u, 2u, 7u, 8u})  // records that nobody has fit nobody
+      std::fill_n(array.data.begin() + array.records[uniform].offset, 64, std::uint8_t{0xaa});
+  });
+  maps.arrays.resize(1);
+  for (std::size_t k = 0; k < triangles_each; ++k) {
+    const std::size_t from = triangles_each + k;
+    maps.links[from].array = 0;
+    if (maps.links[from].record) link(maps, from, 0, from);
+    maps.links[k].record = maps.links[from].record;
+    maps.baked.triangles[k] = maps.baked.triangles[from];
+  }
+  EXPECT_EQ(code(scene, maps), "other_primitive");
+}
+
 TEST(Cause, NamesThePrimitiveWhoseRecordsAnotherHas) {
   const Scene scene = leaves();
   StoredMaps maps = stored(scene);
@@ -448,6 +510,111 @@ TEST(Cause, NamesThePrimitiveWhoseRecordsAnotherHas) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->code, "other_primitive");
   EXPECT_THAT(found->says, testing::StartsWith("mesh 0 primitive 0 has the maps of mesh 0 primitive 1; "));
+}
+
+// A file that sets primitives apart by bases: a base that is left out is one, all of another's links are no base.
+TEST(Cause, TellsAnotherPrimitivesLinksFromABaseThatIsLeftOut) {
+  const Scene scene = leaves(3);
+  StoredMaps right = stored(scene);
+  change(right.arrays[0], [&](Array& array) {
+    for (std::size_t a = 1; a < 3; ++a) {
+      for (auto record : right.arrays[a]->records) {
+        record.offset += static_cast<std::uint32_t>(array.data.size());
+        array.records.push_back(record);
+      }
+      array.data.insert(array.data.end(), right.arrays[a]->data.begin(), right.arrays[a]->data.end());
+    }
+  });
+  right.arrays.resize(1);
+  for (std::size_t k = 0; k < right.links.size(); ++k) {
+    link(right, k, 0, k);
+    if (k >= 2 * triangles_each) right.links[k].base = 2 * triangles_each;
+  }
+  EXPECT_EQ(code(scene, right), "none");
+  // Primitive `one` reads the records from `record` on, with a base.
+  const auto named = [&](std::size_t one, std::size_t record, std::uint64_t base) {
+    StoredMaps maps = right;
+    for (std::size_t k = 0; k < triangles_each; ++k) {
+      link(maps, one * triangles_each + k, 0, record + k);
+      maps.links[one * triangles_each + k].base = base;
+    }
+    return code(scene, maps);
+  };
+  EXPECT_EQ(named(1, 0, 0), "base_triangle");
+  EXPECT_EQ(named(0, triangles_each, 0), "other_primitive");
+  EXPECT_EQ(named(0, 2 * triangles_each, 2 * triangles_each), "other_primitive");
+}
+
+/// A large texture that is opaque but for three holes, so that maps are nearly alike; UVs within it.
+Scene pierced() {
+  constexpr std::size_t side = 128;
+  Scene scene = leaves();
+  for (Primitive& p : scene.primitives)
+    for (Uv& uv : p.uvs) uv = {0.55f * uv[0], 0.6f * uv[1]};
+  std::vector<std::uint8_t> alpha(side * side, 255);
+  for (const std::array<std::size_t, 2>& at : {std::array<std::size_t, 2>{36, 28}, {60, 42}, {40, 66}})
+    for (std::size_t y = 0; y < 3; ++y)
+      for (std::size_t x = 0; x < 3; ++x) alpha[at[0] + x + side * (at[1] + y)] = 0;
+  scene.images[0] = Image{"pierced", side, side, alpha};
+  return scene;
+}
+
+TEST(Cause, NamesAnExchangeOfMapsThatAreNearlyAlike) {
+  const Scene scene = pierced();
+  const StoredMaps right = stored(scene, 5);
+  std::size_t tried = 0;
+  for (std::size_t a = 0; a < triangles_each; ++a)
+    for (std::size_t b = a + 1; b < triangles_each; ++b) {
+      const std::vector<State> one = states(right, a), two = states(right, b);
+      std::size_t different = 0, wrong_in_one = 0, wrong_in_two = 0;
+      for (std::size_t k = 0; k < one.size(); ++k) {
+        if (one[k] == two[k]) continue;
+        ++different;
+        wrong_in_one += two[k] < State::UT ? 1 : 0;
+        wrong_in_two += one[k] < State::UT ? 1 : 0;
+      }
+      if (wrong_in_one == 0 || wrong_in_two == 0 || 16 * different >= one.size()) continue;
+      ++tried;
+      StoredMaps maps = right;
+      link(maps, a, 0, b);
+      link(maps, b, 0, a);
+      EXPECT_EQ(code(scene, maps), "other_triangles") << a << " and " << b;
+    }
+  EXPECT_GT(tried, 0u);
+}
+
+// Triangle 2 has a special index and no record: map k is not triangle k's.
+TEST(Cause, NamesEqualIndicesOfMapsThatAreNearlyAlike) {
+  Scene scene = pierced();
+  scene.primitives.resize(1);
+  for (std::size_t k = 0; k < 3; ++k)
+    scene.primitives[0].uvs[6 + k] = {0.01f + 0.01f * float(k & 1), 0.5f + 0.2f * float(k / 2)};
+  StoredMaps maps = stored(scene, 5);
+  use_special_indices(maps);
+  ASSERT_FALSE(maps.links[2].record);
+  change(maps.arrays[0], [](Array& array) { array.records.erase(array.records.begin() + 2); });
+  for (std::size_t k = 3; k < triangles_each; ++k) link(maps, k, 0, k - 1);
+  EXPECT_EQ(code(scene, maps), "none");
+  for (std::size_t k = 0; k < triangles_each; ++k) link(maps, k, 0, 0);
+  EXPECT_EQ(code(scene, maps), "indices_equal");
+}
+
+TEST(Cause, NamesEqualOffsetsWhereTheFirstMapIsUniform) {
+  Scene scene = leaves();
+  auto& alpha = std::get<0>(scene.images[0].alpha);
+  for (std::size_t y = 0; y < 32; ++y)
+    for (std::size_t x = 0; x < 4; ++x) alpha[x + 32 * y] = 0;
+  for (Primitive& p : scene.primitives)
+    for (std::size_t k = 0; k < 3; ++k)
+      p.uvs[k] = {0.01f + 0.01f * float(k & 1), 0.5f + 0.2f * float(k / 2) + 0.01f * float(p.number)};
+  StoredMaps maps = stored(scene);
+  for (StoredArray& stored : maps.arrays)
+    change(stored, [](Array& array) {
+      for (auto& record : array.records) record.offset = 0;
+    });
+  for (std::size_t k = 0; k < maps.links.size(); ++k)
+    link(maps, k, maps.links[k].array, *maps.links[k].record);
+  EXPECT_EQ(code(scene, maps), "offsets_equal");
 }
 
 // No state is known, but 64 unknown states on their right sides are no chance.
@@ -522,6 +689,44 @@ TEST(Cause, NamesAChangedTexture) {
       for (std::size_t x = 8; x < 14; ++x) alpha[x + 32 * y] = alpha[x + 32 * y] < 128 ? 255 : 0;
   });
   EXPECT_EQ(code(scene, maps), "texture_changed");
+}
+
+/// Texels of a square that were opaque, or transparent, before.
+std::function<void(Scene&)> with_square(std::size_t from, std::size_t side, std::uint8_t alpha_before) {
+  return [=](Scene& s) {
+    for (std::size_t y = from; y < from + side; ++y)
+      for (std::size_t x = from; x < from + side; ++x)
+        std::get<0>(s.images[0].alpha)[x + 32 * y] = alpha_before;
+  };
+}
+
+// A triangle that is transparent now fits a special index, and its map is no other triangle's.
+TEST(Cause, NamesATextureOfWhichAPartWasErased) {
+  Scene scene = leaves();
+  auto& alpha = std::get<0>(scene.images[0].alpha);
+  std::fill(alpha.begin(), alpha.end(), std::uint8_t{0});
+  alpha[3 + 32 * 3] = 255;
+  EXPECT_EQ(code(scene, baked_from(scene, with_square(18, 5, 255))), "texture_changed");
+}
+
+// The part that has changed shows at several places of a mirrored texture.
+TEST(Cause, NamesAChangedTextureThatIsRepeated) {
+  Scene scene = leaves();
+  scene.materials[0].texture->sampler.wrap_v = Wrap::mirrored_repeat;
+  for (Primitive& p : scene.primitives)
+    for (Uv& uv : p.uvs) uv = {3 * uv[0] - 0.35f, 3 * uv[1] - 0.35f};
+  EXPECT_EQ(code(scene, baked_from(scene, with_square(8, 6, 0))), "texture_changed");
+}
+
+// Triangles that lie in the changed part alone, and have no neighbours, are wrong all over.
+TEST(Cause, NamesAChangedTextureUnderSmallTriangles) {
+  Scene scene = leaves();
+  for (std::size_t number = 0; number < 2; ++number)
+    for (std::size_t k = 0; k < 3; ++k)
+      scene.primitives[number].uvs[k] = {0.3f + 0.1f * float(k & 1) + 0.02f * float(number),
+                                         0.3f + 0.1f * float(k / 2) + 0.01f * float(number)};
+  const bool was_opaque = std::get<0>(scene.images[0].alpha)[11 + 32 * 11] < 128;
+  EXPECT_EQ(code(scene, baked_from(scene, with_square(8, 8, was_opaque ? 255 : 0))), "texture_changed");
 }
 
 TEST(Cause, AMapOfAnotherPlaceIsNoOlderTexture) {
@@ -751,10 +956,12 @@ std::vector<State> all_states(const StoredMaps& maps) {
 }
 
 /// The one change that is the same as two: a cutoff of 0.33 of the texture alone is one of 0.2475 of three quarters of
-/// it, and exchanges of triangles' maps make another exchange.
+/// it, and exchanges of triangles' maps make another exchange, whatever their corners are.
 std::string same_as_both(const std::string& one, const std::string& two) {
   if (one == "factor_left_out" && two == "cutoff") return "cutoff";
   if (one == "micromaps_exchanged" && two == "triangles_reversed") return "other_triangles";
+  if (one == "corners" && (two == "micromaps_exchanged" || two == "triangles_reversed"))
+    return "corners+other_triangles";
   return "";
 }
 

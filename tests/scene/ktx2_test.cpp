@@ -524,9 +524,10 @@ TEST(SceneKtx2, WhatIsNotReadIsNamed) {
                                      {184u, "ASTC"},
                                      {1000054000u, "PVRTC"},
                                      {1000066013u, "ASTC of HDR"}})
-    EXPECT_EQ(unread(with_word(good, format_at, format)), std::string("a KTX2 of ") + name +
-                                                              " (Vulkan's format " + std::to_string(format) +
-                                                              ") is not read here");
+    EXPECT_EQ(unread(with_word(good, format_at, format)),
+              std::string("a KTX2 of ") + name + " (Vulkan's format " + std::to_string(format) +
+                  "; UASTC is read: toktx --encode uastc OUT.ktx2 "
+                  "IN.png) is not read here");
   EXPECT_EQ(unread(with_word(good, depth_at, 1)), "a KTX2 of a volume is not read here");
   EXPECT_EQ(unread(with_word(good, layers_at, 1)), "a KTX2 of an array is not read here");
   EXPECT_EQ(unread(with_word(good, faces_at, 6)), "a KTX2 of a cube is not read here");

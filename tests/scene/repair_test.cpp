@@ -334,6 +334,29 @@ TEST(FileRepair, ReplacesSpecialIndicesAndThoseOutOfRange) {
   }
 }
 
+// Triangles that were ordered anew: a uniform one has a record, of which it needs none.
+TEST(FileRepair, GivesAUniformTriangleWithARecordItsSpecialIndex) {
+  std::size_t tried = 0;
+  for (std::size_t p = 0; p < Planted().primitives().size(); ++p) {
+    Planted planted;
+    const Json& link = planted.link(planted.primitives()[p]);
+    if (!link.contains("micromapIndices")) continue;
+    const Json indices = link["micromapIndices"];
+    for (std::size_t t = 0; t < planted.count(indices); ++t) {
+      Planted with = planted;
+      const std::size_t width = with.width(indices), at = with.place(indices, t);
+      const auto low = static_cast<unsigned char>(with.file.bytes[at]);
+      if (low != 0xff && low != 0xfe) continue;  // T and O
+      with.file.bytes.replace(at, width, std::string(width, '\0'));
+      const std::vector<std::string> did = back_to_right(with);
+      EXPECT_EQ(number_of(did, low == 0xff ? "given the special index T" : "given the special index O"), 1u);
+      ++tried;
+      break;
+    }
+  }
+  EXPECT_GT(tried, 0u);
+}
+
 /// Turns the vertices of every second triangle, as a tool that compresses indices does.
 void turn_vertices(Planted& planted) {
   for (Json* primitive : planted.primitives()) {

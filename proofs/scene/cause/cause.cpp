@@ -13,6 +13,7 @@
 #include "proofs/scene/cause/changes.hpp"
 #include "proofs/scene/cause/cutoff.hpp"
 #include "proofs/scene/cause/links.hpp"
+#include "proofs/scene/cause/rewritten_indices.hpp"
 #include "proofs/scene/cause/texture_age.hpp"
 #include "proofs/scene/cause/trials.hpp"
 
@@ -28,6 +29,9 @@ using Triangles = std::vector<std::size_t>;
 constexpr std::uint64_t most_looked_at = std::uint64_t{1} << 24;
 /// Micro-triangles that are baked anew for pairs of changes, at most.
 constexpr std::uint64_t most_of_pairs = std::uint64_t{1} << 23;
+
+/// The place of a map that needs no record.
+const std::string uniform_place = "a special index";
 
 class Search {
  public:
@@ -50,7 +54,11 @@ class Search {
 
   std::optional<Cause> cause() {
     const Fit& was = examined_.fit();
-    if (was.wrong + was.needless + was.side == 0 || is_one_state()) return {};
+    if (was.wrong + was.needless + was.side == 0) return {};
+    if (is_one_state()) {  // such maps, never written perhaps, fit many changes
+      try_links();
+      return trials_.is_exact() ? std::optional(finished()) : std::nullopt;
+    }
     try_maps();
     try_corners();
     try_links();
@@ -59,6 +67,7 @@ class Search {
     if (!trials_.is_exact() && try_special()) return finished();
     if (trials_.best() && trials_.is_doubtful()) return {};
     if (!trials_.best()) try_other_triangles();
+    if (!trials_.best()) try_rewritten_indices();
     if (!trials_.best()) try_texture();
     if (!trials_.best()) try_two_inputs();
     if (!trials_.best()) return {};
@@ -67,7 +76,7 @@ class Search {
   }
 
  private:
-  /// Whether all stored states are one: such maps, never written perhaps, fit many changes.
+  /// Whether all stored states are one.
   bool is_one_state() const {
     const impl::micromap::State first = examined_.stored(examined_.all().front()).front();
     return std::all_of(examined_.all().begin(), examined_.all().end(), [&](std::size_t k) {
@@ -124,20 +133,34 @@ class Search {
         fmt::format("the corners of triangles are not those of their maps: {}", fmt::join(parts, ", "));
   }
 
+  /// Whether right maps tell that the baker leaves no state needlessly unknown.
+  bool is_exact_baker() const {
+    Fit right;
+    for (const std::size_t k : examined_.all())
+      if (examined_.fit(k).wrong + examined_.fit(k).needless == 0) right += examined_.fit(k);
+    return right.unknown() >= least_evidence_of_many;
+  }
+
   void try_links() {
+    const bool exact = is_exact_baker();
     for (const LinkChange& change : link_changes(examined_.judged()))
       trials_.attempt(
           change.code, change.says,
           [&](const Triangles& triangles) {
             Maps maps;
+            std::set<impl::micromap::State> of_wrong;
             for (const std::size_t k : triangles) {
               const std::optional<BakedTriangle> map = change.map(k);
               maps.stored.push_back(map ? states_of(*map) : examined_.stored(k));
               maps.expected.push_back(examined_.right_at(k, map ? map->level : examined_.level(k)));
+              if (!examined_.is_right(k))
+                of_wrong.insert(maps.stored.back().begin(), maps.stored.back().end());
             }
+            // Maps of one state fit many triangles, wherever they come from.
+            if (of_wrong.size() < 2) maps.stored = examined_.stored(triangles);
             return maps;
           },
-          least_evidence_of_many);
+          least_evidence_of_many, exact);
   }
 
   void try_inputs() {
@@ -197,19 +220,21 @@ class Search {
   /// Each wrong triangle has a map that fits one record of the file.
   void try_other_triangles() {
     std::vector<std::pair<std::size_t, std::string>> found;
+    const Triangles wrong = wrong_triangles();
     constexpr std::size_t most = 256;
+    if (wrong.size() > most) return;
     Fit all;
     bool all_special = true;
-    for (const std::size_t k : examined_.all()) {
-      if (examined_.is_right(k)) continue;
-      if (found.size() == most) return;
+    for (const std::size_t k : wrong) {
       const bool special = !examined_.link(k).record;
       all_special = all_special && special;
-      // A map that is nearly right is its triangle's: nearly uniform maps fit many triangles.
-      if (!special && 16 * (examined_.fit(k).wrong + examined_.fit(k).needless) < examined_.stored(k).size())
-        return;
       const auto record = fitting_record(k);
       if (!record) return;
+      // A map that is nearly right is its triangle's, as nearly uniform maps fit many triangles; and a texture that
+      // changed may leave a triangle uniform.  A map that is right elsewhere is another one's all the same.
+      const bool nearly_right =
+          16 * (examined_.fit(k).wrong + examined_.fit(k).needless) < examined_.stored(k).size();
+      if (!special && (nearly_right || record->first == uniform_place) && !is_anothers(k)) return;
       all += record->second;
       found.emplace_back(k, record->first);
     }
@@ -230,6 +255,27 @@ class Search {
     trials_.keep(cause);
   }
 
+  Triangles wrong_triangles() const {
+    Triangles wrong;
+    std::copy_if(examined_.all().begin(), examined_.all().end(), std::back_inserter(wrong),
+                 [this](std::size_t k) { return !examined_.is_right(k); });
+    return wrong;
+  }
+
+  /// Whether the record of triangle k is right for a triangle that has it, too, or fits another one that needs a map.
+  bool is_anothers(std::size_t k) const {
+    std::size_t left = 1024;
+    const mmverify::scene::MapLink& of = examined_.link(k);
+    return std::any_of(examined_.all().begin(), examined_.all().end(), [&](std::size_t other) {
+      const mmverify::scene::MapLink& link = examined_.link(other);
+      if (examined_.fit(other).wrong + examined_.fit(other).needless == 0)
+        return link.record == of.record && link.array == of.array;
+      if (other == k || left == 0) return false;
+      --left;
+      return fit(examined_.stored(k), examined_.right_at(other, examined_.level(k))).is_right();
+    });
+  }
+
   /// Whether all triangles of each primitive have one record, and some primitive has several triangles.
   bool indices_are_equal() const {
     std::map<std::size_t, std::uint64_t> record_of;
@@ -247,8 +293,7 @@ class Search {
   std::optional<std::pair<std::string, Fit>> fitting_record(std::size_t k) {
     constexpr std::uint64_t most = 4096;
     const Fit uniform = fit_of_uniform(k);
-    if (uniform.is_right() && uniform.evidence() >= least_evidence)
-      return std::pair("a special index", uniform);
+    if (uniform.is_right() && uniform.evidence() >= least_evidence) return std::pair(uniform_place, uniform);
     for (std::size_t a = 0; a < examined_.judged().maps.arrays.size(); ++a)
       for (std::uint64_t r = 0;
            r < std::min<std::uint64_t>(most, examined_.judged().maps.arrays[a]->records.size()); ++r) {
@@ -262,7 +307,7 @@ class Search {
 
   /// The fit of a triangle whose micro-triangles are all T, or all O, as if it had that special index.
   Fit fit_of_uniform(std::size_t k) {
-    const States& right = examined_.right(k);
+    const States& right = examined_.right_at(k, std::max<Level>(examined_.level(k), 2));  // enough states
     return fit(States(right.size(), right.front()), right);
   }
 
@@ -270,19 +315,27 @@ class Search {
   void name_other_primitive() {
     if (trials_.best_cause().code != "base_triangle" && trials_.best_cause().code != "other_triangles")
       return;
-    using Records = std::vector<std::pair<std::size_t, std::optional<std::uint64_t>>>;
+    struct Records {
+      std::vector<std::pair<std::size_t, std::optional<std::uint64_t>>> all;
+      bool from_0 = false;  ///< it has the first record of a micromap
+    };
     std::map<std::size_t, Records> records;
+    bool bases = false;
     for (const mmverify::scene::MapLink& link : examined_.judged().maps.links) {
-      if (link.base != 0) return;  // the file sets primitives apart by their bases
-      records[link.primitive].emplace_back(link.array, link.record);
+      bases = bases || link.base != 0;
+      Records& of = records[link.primitive];
+      of.all.emplace_back(link.array, link.record);
+      of.from_0 = of.from_0 || link.record == std::uint64_t{0};
     }
     std::set<std::size_t> wrong;
     for (const std::size_t k : examined_.all())
       if (!examined_.is_right(k)) wrong.insert(examined_.link(k).primitive);
     std::string pairs;
     for (const std::size_t one : wrong) {
+      // A file may set primitives apart by their bases: one without its own has the first records.
+      if (bases && records[one].from_0 && trials_.best_cause().code == "base_triangle") return;
       const auto other = std::find_if(records.begin(), records.end(), [&](const auto& of) {
-        return !wrong.contains(of.first) && of.second == records[one];
+        return !wrong.contains(of.first) && of.second.all == records[one].all;
       });
       if (other == records.end()) return;
       pairs += fmt::format("{} has the maps of {}; ", primitive_name(one), primitive_name(other->first));
@@ -316,6 +369,10 @@ class Search {
                               wrong == 1 ? " has" : "s have"),
                   0, wrong});
     return true;
+  }
+
+  void try_rewritten_indices() {
+    if (const std::optional<Cause> cause = rewritten_indices(examined_)) trials_.keep(*cause);
   }
 
   void try_texture() {

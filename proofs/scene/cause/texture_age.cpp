@@ -26,10 +26,21 @@ struct Box {
       greatest[axis] = std::max(greatest[axis], uv[axis]);
     }
   }
+  void join(const Box& box) {
+    if (box.area() != 0) add(box.least), add(box.greatest);
+  }
   double area() const {
     return std::max(0.0, greatest[0] - least[0]) * std::max(0.0, greatest[1] - least[1]);
   }
 };
+
+/// The place along an axis that a coordinate shows, within one repeat.
+double shown(double x, mmverify::scene::Wrap wrap) {
+  using mmverify::scene::Wrap;
+  if (wrap == Wrap::clamp_to_edge) return x;
+  if (wrap == Wrap::repeat) return x - std::floor(x);
+  return 1 - std::fabs(1 - (x - 2 * std::floor(x / 2)));
+}
 
 bool is_known_state(State s) { return s == State::T || s == State::O; }
 
@@ -80,55 +91,108 @@ class Corners {
   std::set<std::pair<std::size_t, std::size_t>> shared_;
 };
 
+/// The known states of a triangle, those among them that are right, and the texture's part where states are wrong.
+struct Known {
+  std::uint64_t all = 0, equal = 0;
+  Box wrong;
+  /// Whether three of five are right: so the map is this triangle's.
+  bool is_its_own() const { return 5 * equal >= 3 * all; }
+};
+
+/// The findings in the maps of triangles about the texture that they were baked from.
+class Findings {
+ public:
+  explicit Findings(const Judged& judged) : plan_(judged.maps.plan) {}
+
+  /// Takes the map of a planned triangle.  Returns false if no texture allows it beside those before.
+  bool add(std::size_t triangle, Level n, const States& stored, const States& right) {
+    const auto& planned = plan_.triangles[triangle];
+    const auto& sampler = plan_.surfaces[planned.surface].sampler;
+    const std::size_t t = known_.size();
+    known_.emplace_back();
+    surfaces_.push_back(planned.surface);
+    for (const auto& uv : planned.uvs) everywhere_.add({uv[0], uv[1]});
+    for (std::uint32_t k = 0; k < stored.size(); ++k) {
+      const State is = stored[k], should = right[k];
+      if (is_known_state(is)) {
+        if (!corners_[planned.surface].add(planned.uvs, t, k, n, is)) return false;
+        ++known_[t].all;
+        known_[t].equal += is == should ? 1 : 0;
+        opposite_ += is_known_state(should) && is != should ? 1 : 0;
+      }
+      ++states_;
+      if (is_known_state(is) ? is == should : !is_known_state(should)) continue;
+      ++states_wrong_;
+      for (const auto& uv : corners_of(planned.uvs, k, n)) {
+        wrong_.add(uv);
+        known_[t].wrong.add({shown(uv[0], sampler.wrap_u), shown(uv[1], sampler.wrap_v)});
+      }
+    }
+    return true;
+  }
+
+  /// The part that has changed, if the maps may be those of another version.
+  std::optional<Box> changed() const {
+    std::uint64_t all = 0, equal = 0;
+    for (const Known& one : known_) all += one.all, equal += one.equal;
+    if (5 * equal < 3 * all || 10 * states_wrong_ > 3 * states_ || opposite_ < 2) return {};
+    const std::optional<Box> in_texture = wrong_in_texture();
+    if (!in_texture) return {};
+    // A part of the texture lies at the UVs of several triangles, and one across its edge at both ends of the texture.
+    const auto is_wrong = [](const Known& one) { return one.equal != one.all; };
+    const bool several = std::count_if(known_.begin(), known_.end(), is_wrong) > 1;
+    const Box& changed = several && in_texture->area() < wrong_.area() ? *in_texture : wrong_;
+    if (changed.area() > std::min(everywhere_.area(), 1.0) / 2) return {};
+    return changed;
+  }
+
+ private:
+  /// The texture's part where states are wrong; none if a map may be another triangle's.
+  std::optional<Box> wrong_in_texture() const {
+    Box all;
+    std::size_t wrong = 0, last = 0;
+    for (std::size_t t = 0; t < known_.size(); ++t) {
+      if (known_[t].equal == known_[t].all || !is_trusted(t)) continue;
+      ++wrong, last = t;
+      all.join(known_[t].wrong);
+    }
+    // One wrong triangle alone may have another's map, which agrees by chance.
+    if (wrong == 0 ||
+        (wrong < 2 && !(has_neighbours(last) && 4 * known_[last].equal >= 3 * known_[last].all)))
+      return {};
+    const Box trusted = all;
+    for (std::size_t t = 0; t < known_.size(); ++t)
+      if (!is_trusted(t)) all.join(known_[t].wrong);
+    if (all.area() > 1.5 * trusted.area()) return {};
+    return all;
+  }
+
+  /// Neighbours agree with the map of a shared texture; a map without any may be another triangle's.
+  bool is_trusted(std::size_t t) const { return known_[t].is_its_own() || has_neighbours(t); }
+  bool has_neighbours(std::size_t t) const { return corners_.at(surfaces_[t]).is_shared(t); }
+
+  const mmverify::scene::Plan& plan_;
+  std::vector<Known> known_;
+  std::vector<std::uint32_t> surfaces_;
+  std::map<std::uint32_t, Corners> corners_;  ///< by surface
+  std::uint64_t opposite_ = 0, states_ = 0, states_wrong_ = 0;
+  Box wrong_, everywhere_;
+};
+
 }  // namespace
 
 std::optional<std::string> older_texture(const Judged& judged, const std::vector<std::size_t>& triangles,
                                          const std::vector<States>& stored,
                                          const std::vector<States>& right) {
-  /// The known states of a triangle, and those among them that are right.
-  struct Known {
-    std::uint64_t all = 0, equal = 0;
-  };
-  std::uint64_t opposite = 0, states = 0, states_wrong = 0;
-  Box wrong, everywhere;
-  std::vector<Known> known(stored.size());
-  std::map<std::uint32_t, Corners> corners;  // by surface
-  for (std::size_t t = 0; t < stored.size(); ++t) {
-    const Level n = judged.maps.baked.triangles[triangles[t]].level;
-    const auto& planned = judged.maps.plan.triangles[triangles[t]];
-    for (const auto& uv : planned.uvs) everywhere.add({uv[0], uv[1]});
-    for (std::uint32_t k = 0; k < stored[t].size(); ++k) {
-      const State is = stored[t][k], should = right[t][k];
-      if (is_known_state(is)) {
-        if (!corners[planned.surface].add(planned.uvs, t, k, n, is)) return {};
-        ++known[t].all;
-        known[t].equal += is == should ? 1 : 0;
-        opposite += is_known_state(should) && is != should ? 1 : 0;
-      }
-      ++states;
-      if (is_known_state(is) ? is == should : !is_known_state(should)) continue;
-      ++states_wrong;
-      for (const auto& uv : corners_of(planned.uvs, k, n)) wrong.add(uv);
-    }
-  }
-  Known all, of_wrong;
-  std::uint64_t triangles_wrong = 0;
-  for (std::size_t t = 0; t < stored.size(); ++t) {
-    all.all += known[t].all, all.equal += known[t].equal;
-    if (known[t].equal == known[t].all) continue;
-    ++triangles_wrong;
-    of_wrong.all += known[t].all, of_wrong.equal += known[t].equal;
-    // Neighbours agree with the map of a shared texture; a map without any may be another triangle's.
-    const bool has_neighbours = corners[judged.maps.plan.triangles[triangles[t]].surface].is_shared(t);
-    if (!has_neighbours && 5 * known[t].equal < 3 * known[t].all) return {};
-  }
-  if (5 * all.equal < 3 * all.all || 10 * states_wrong > 3 * states) return {};
-  // One wrong triangle may have another's map, which agrees by chance.
-  const bool is_one_other_map = triangles_wrong < 2 && 4 * of_wrong.equal < 3 * of_wrong.all;
-  if (opposite < 2 || is_one_other_map || wrong.area() > everywhere.area() / 2) return {};
+  Findings findings(judged);
+  for (std::size_t t = 0; t < stored.size(); ++t)
+    if (!findings.add(triangles[t], judged.maps.baked.triangles[triangles[t]].level, stored[t], right[t]))
+      return {};
+  const std::optional<Box> changed = findings.changed();
+  if (!changed) return {};
   return fmt::format(
       "the texture has changed since the bake, within u {:.3f} to {:.3f} and v {:.3f} to {:.3f}",
-      wrong.least[0], wrong.greatest[0], wrong.least[1], wrong.greatest[1]);
+      changed->least[0], changed->greatest[0], changed->least[1], changed->greatest[1]);
 }
 
 }  // namespace mmverify::proofs::scene

@@ -12,7 +12,7 @@ namespace mmverify::proofs::scene {
 /// A sentence that names the part of the texture that has changed, if the stored maps may be those of another version:
 ///   - no T touches an O, which no texture allows;
 ///   - three of four known states are right, and two are the opposite of the right ones;
-///   - the wrong ones lie within half of the UVs' bounding box.
+///   - the wrong ones lie within half of the UVs' bounding box, and of the texture.
 /// Domain: maps of these triangles; no other change explains them.
 std::optional<std::string> older_texture(const Judged& judged, const std::vector<std::size_t>& triangles,
                                          const std::vector<States>& stored, const std::vector<States>& right);

@@ -44,7 +44,9 @@ class RepairSearch {
     for (std::size_t k = 0; k < all_.size(); ++k) {
       // Maps on the other side fit better where they come from.
       if (all_[k].kind == Kind::none || (all_[k].kind == Kind::found && found_[k].side == 0)) continue;
-      if (maps_.link(k).record || !try_special(k)) try_records(k);
+      const bool has_record = maps_.link(k).record.has_value();
+      if (has_record || !try_special(k)) try_records(k);
+      if (has_record && all_[k].kind == Kind::baked) try_special(k);
     }
     for (std::size_t a = 0; a < maps_.arrays.size(); ++a) flip_sides(a);
     for (const std::size_t k : left()) bake(k);

@@ -23,7 +23,8 @@ struct MapRepair {
 };
 
 /// The repair of each planned triangle.  What is tried on a wrong map, in this order: its corners turned, exchanged states
-/// or another order (one change for each micromap), a special index, the other maps of its micromap, those of others.
+/// or another order (one change for each micromap), the other maps of its micromap, those of others, a special index; where
+/// it is a special index, another one comes first.
 /// A map whose unknown states are all on the other side is right, unless those of its whole micromap are.
 /// `unlinked`: planned triangles whose index named no record, and is the special index UO instead: they get a map if
 /// there is one.

@@ -55,7 +55,8 @@ std::string unread_format(std::uint32_t number) {
                                  {1000066000, 1000066013, "ASTC of HDR"}};
   const std::string its = "Vulkan's format " + std::to_string(number);
   for (const Family& family : families)
-    if (number >= family.first && number <= family.last) return std::string(family.name) + " (" + its + ")";
+    if (number >= family.first && number <= family.last)
+      return std::string(family.name) + " (" + its + "; UASTC is read: toktx --encode uastc OUT.ktx2 IN.png)";
   return its;
 }
 
