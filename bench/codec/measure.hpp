@@ -9,7 +9,7 @@
 
 namespace mmverify::bench {
 
-/// What one codec does in a round, on all maps of a row.  An entry point that the codec lacks is empty.
+/// The work of one codec in a round, on all maps of a row.  An entry point that the codec lacks is empty.
 struct CodecWork {
   std::function<void()> encode = {};
   std::function<void()> decode = {};  ///< what `encode` made

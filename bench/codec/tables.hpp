@@ -9,7 +9,7 @@
 
 namespace mmverify::bench {
 
-/// What the figures are of.
+/// The two codecs of a table.
 struct CodecBench {
   std::string library, ours;  ///< ours: the name of our codec
   std::size_t rounds = 0;

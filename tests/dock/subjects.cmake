@@ -133,7 +133,7 @@ mmverify_add_part(wrong_tree subjects/wrong_tree.cpp)
 foreach(wrong merges_ut children_reversed takes_all refuses_its_own has_no_code pads_with_ones crash hang overrun underrun exits
     throws rounds counts_calls sees_room sees_threads writes_input unwritten asks_too_much reads_past writes_code unwritten_map
     changes_its_mind lookup_crashes lookup_unwritten lookup_reads_past point_throws encodes_only decodes_only points_only
-    foreign_decoder foreign_encoder keeps_by_ends)
+    foreign_decoder foreign_encoder hangs_on_uo keeps_by_ends)
   mmverify_add_wrong(tree_${wrong} ${wrong} wrong_tree right_tree)
 endforeach()
 mmverify_add_part(several subjects/several.cpp)

@@ -70,6 +70,7 @@ TEST(MisbehavingTree, is_broken_with_the_case_and_the_run_goes_on) {
       judge_map, " tree.sizes --levels 0..1", " tree.sizes ",
       {{"tree_crash", trip, "crashed (signal ", encoding},
        {"tree_hang", trip, "hung: no answer within 1 s", encoding},
+       {"tree_hangs_on_uo", trip, "was repeated; that one may be at fault)", "at level 0 encoding 2-state:0"},
        {"tree_overrun", trip, out_of_output, encoding},
        {"tree_underrun", trip, "wrote before the start of its output", encoding},
        {"tree_exits", trip, "called exit(0)", encoding},

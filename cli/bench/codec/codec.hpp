@@ -19,7 +19,7 @@ bench::Result codec_result(const std::string& topic, const BenchOptions& options
 
 namespace codec {
 
-/// What the cases of a topic are made for.
+/// A request for the cases of a topic.
 struct Asked {
   const mmverify_subject_t& subject;
   const BenchOptions& options;
