@@ -318,7 +318,7 @@ Action add_bench(CLI::App& program) {
       ->excludes(textures);
   command
       ->add_option("--memory", options->memory,
-                   "dag --scene: bytes that a level's 4-state maps may take, beyond which some are taken; "
+                   "dag --scene: the memory of a level's 4-state maps; above it only some maps are measured; "
                    "128 MiB where not given")
       ->check(whole_within(1, std::uint64_t{1} << 30));
   command->add_option("--maps", options->maps, "vq, bake: how many generated maps or textures")

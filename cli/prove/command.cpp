@@ -208,7 +208,10 @@ int prove(const ProveOptions& options) {
   say_where(runs_on, text);
   announce_companions(jobs, text);
   const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
-  text.finish(report, !options.subjects.empty() || options.source, left_out_companions(asked, jobs));
+  std::vector<std::string> last = left_out_companions(asked, jobs);
+  if (options.levels)
+    for (const std::string& line : levels_left(jobs, report)) last.push_back(line);
+  text.finish(report, !options.subjects.empty() || options.source, last);
   if (report.interrupted && journal)
     say(stderr, "stopped; the same command goes on from {}\n", options.journal);
   json.write([&] { return to_json(report, options.seed, run.shard, identity, {}, runs_on); });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <string>
 
 #include "cli/arguments/arguments.hpp"
@@ -92,6 +93,32 @@ void refuse_names(const Names& names, const std::vector<Job>& jobs, const Report
 void refuse_what_was_left_out(const Names& names, const std::vector<Job>& jobs, const Report& report) {
   refuse_levels(names, jobs, report);
   refuse_names(names, jobs, report);
+}
+
+std::vector<std::string> levels_left(const std::vector<Job>& jobs, const Report& report) {
+  constexpr Level highest = 16;
+  std::vector<std::string> lines;
+  std::set<std::string> seen;
+  for (const Job& job : jobs) {
+    const std::string& name = job.subject->name();
+    if (!job.unfit.empty() || !job.law->at_once.empty() || job.subject->fingerprint().empty() ||
+        !seen.insert(name).second)
+      continue;
+    Level ran = 0;
+    bool holds = false;
+    for (const Result& r : report.results) {
+      if (r.subject != name || r.verdict == Verdict::not_applicable) continue;
+      ran = std::max(ran, r.level);
+      holds = r.verdict == Verdict::proved || r.verdict == Verdict::checked;
+      if (!holds) break;
+    }
+    Level last = highest;
+    while (last > ran && job.law->unfit(*job.subject, last)) --last;
+    if (holds && last > ran)
+      lines.push_back(fmt::format("levels {}..{} of {} were not run: leave --levels out, or widen it",
+                                  ran + 1, last, name));
+  }
+  return lines;
 }
 
 }  // namespace mmverify::cli

@@ -21,4 +21,7 @@ struct Names {
 void refuse_what_was_left_out(const Names& names, const std::vector<proofs::Job>& jobs,
                               const proofs::Report& report);
 
+/// A line for each library in which nothing is refuted and whose first law has cases above the levels of --levels.
+std::vector<std::string> levels_left(const std::vector<proofs::Job>& jobs, const proofs::Report& report);
+
 }  // namespace mmverify::cli

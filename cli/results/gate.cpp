@@ -111,7 +111,8 @@ void name_faults(const gate::Figures& result) {
     for (const auto& [name, figures] : result.groups)
       if (const auto found = figures.find("verdict"); found != figures.end())
         count += gate::unquoted(found->second.value.text) == verdict;
-    if (count != 0) say(stdout, "gate: {} results are {}\n", grouped(count), verdict);
+    if (count != 0)
+      say(stdout, "gate: {} {} {}\n", grouped(count), count == 1 ? "result is" : "results are", verdict);
   }
 }
 

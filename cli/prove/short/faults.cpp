@@ -66,27 +66,6 @@ const Result* first_break(const std::vector<Row>& rows) {
   return nullptr;
 }
 
-/// A library's levels above those that ran, if the first law has cases there; none if something is refuted.
-std::vector<std::string> levels_left(const std::vector<Row>& rows, const Subject* subject, Verdict verdict) {
-  constexpr Level highest = 16;
-  if (subject == nullptr || subject->fingerprint().empty()) return {};
-  if (verdict != Verdict::proved && verdict != Verdict::checked) return {};
-  Level ran = 0;
-  const Law* law = nullptr;
-  for (const Row& row : rows)
-    for (const Result* r : row.judged) {
-      ran = std::max(ran, r->level);
-      if (!r->at_once.empty()) return {};
-      if (law == nullptr) law = find_law(r->law);
-    }
-  Level last = highest;
-  while (law != nullptr && last > ran && law->unfit(*subject, last)) --last;
-  if (law == nullptr || last <= ran) return {};
-  return {fmt::format(
-      "  its level{} not run: leave --levels out, or widen it",
-      last == ran + 1 ? fmt::format(" {} was", last) : fmt::format("s {}..{} were", ran + 1, last))};
-}
-
 std::string not_judged(const std::vector<Row>& rows) {
   std::set<std::string> reasons;
   for (const Row& row : rows) reasons.insert(row.first->reason);
@@ -118,8 +97,6 @@ std::vector<std::string> subject_lines(const std::vector<Row>& rows, const Subje
   if (const Result* r = first_break(rows); r != nullptr)
     lines.push_back(fmt::format("broken {} level {}: {}", r->law, r->level,
                                 r->breaks.empty() ? r->reason : r->breaks.front()));
-  const std::vector<std::string> left = levels_left(rows, subject, verdict);
-  lines.insert(lines.end(), left.begin(), left.end());
   bool is_drawn = false;
   for (const Result* r : shown_faults(rows)) {
     // --errors asks for more than one.
