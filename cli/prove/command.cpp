@@ -127,6 +127,15 @@ std::vector<std::string> left_out_companions(Request request, const std::vector<
                       fmt::join(said, ", "))};
 }
 
+/// The lines that bound the verdict: companions and levels that were not run.
+std::vector<std::string> left_out_lines(const Request& asked, const std::vector<Job>& jobs,
+                                        const Report& report, bool levels_named) {
+  std::vector<std::string> lines = left_out_companions(asked, jobs);
+  if (levels_named)
+    for (const std::string& line : levels_left(jobs, report)) lines.push_back(line);
+  return lines;
+}
+
 /// The job of proving index.floats of a source, the only law for sources.
 Job job_of_source(const ProveOptions& options) {
   if (options.laws != std::vector<std::string>{"index.floats"})
@@ -208,10 +217,8 @@ int prove(const ProveOptions& options) {
   say_where(runs_on, text);
   announce_companions(jobs, text);
   const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
-  std::vector<std::string> last = left_out_companions(asked, jobs);
-  if (options.levels)
-    for (const std::string& line : levels_left(jobs, report)) last.push_back(line);
-  text.finish(report, !options.subjects.empty() || options.source, last);
+  text.finish(report, !options.subjects.empty() || options.source,
+              left_out_lines(asked, jobs, report, options.levels.has_value()));
   if (report.interrupted && journal)
     say(stderr, "stopped; the same command goes on from {}\n", options.journal);
   json.write([&] { return to_json(report, options.seed, run.shard, identity, {}, runs_on); });
