@@ -43,6 +43,7 @@ std::uintmax_t check_file(const fs::path& path, const std::string& file, const s
   if (!fs::exists(status))
     throw BadScene(file, place,
                    "there is no file" + named + (named.empty() ? "" : " beside it; is the folder complete?"));
+  if (fs::is_directory(status)) throw BadScene(file, place, "a folder, where a file is due" + named);
   if (!fs::is_regular_file(status)) throw BadScene(file, place, "no regular file" + named);
   const std::uintmax_t size = fs::file_size(path, error);
   if (error) throw BadScene(file, place, "cannot be read" + named + ": " + error.message());

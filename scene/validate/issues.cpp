@@ -58,7 +58,9 @@ constexpr Row rows[] = {
     {"primitive.micromap", error, "name a micromap of the root's array by its index"},
     {"primitive.base", error, "write the base triangle as a whole number, or leave it out"},
     {"primitive.mode", error, "write the triangles as a list, mode 4, their vertices in the order they had"},
-    {"bake.stale", warning, "bake again: mmverify scene FILE -o OUT.glb, or mmverify repair --bake",
+    {"bake.stale", warning,
+     "mmverify repair puts turned and reordered maps right, with --bake the others, too; or bake anew: "
+     "mmverify scene FILE -o OUT.glb",
      "the inputs of a bake are those of its record", "ours: SCENE.md"},
     {"primitive.same_geometry", advice,
      "nothing is wrong; but copy the accessors for readers that find maps by them, or share the maps",
