@@ -3,7 +3,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "bench/attribute/rounds.hpp"
+#include "bench/rounds.hpp"
 #include "bench/tree/maps.hpp"
 #include "impl/array/build.hpp"
 

@@ -4,7 +4,7 @@
 #include "bench/attribute/bench.hpp"
 #include "bench/attribute/obvious.hpp"
 #include "bench/attribute/points.hpp"
-#include "bench/attribute/rounds.hpp"
+#include "bench/rounds.hpp"
 #include "impl/attribute/lookup.hpp"
 
 namespace mmverify::bench {

@@ -6,7 +6,7 @@
 
 #include "bench/attribute/bench.hpp"
 #include "bench/attribute/points.hpp"
-#include "bench/attribute/rounds.hpp"
+#include "bench/rounds.hpp"
 #include "impl/attribute/lookup.hpp"
 #include "spec/attribute/lookup.hpp"
 

@@ -2,30 +2,30 @@
 
 #include <algorithm>
 
-#include "bench/timing.hpp"
+#include "bench/rounds.hpp"
 
 namespace mmverify::bench {
 namespace {
 
-/// The times of one kind of work in all rounds, of both codecs.
-struct Times {
-  std::vector<double> theirs, ours, ratio;
+/// One kind of work by both codecs, and the places of its figures.
+struct Kind {
+  std::function<void()> CodecWork::*pass;
+  std::uint64_t CodecCase::*elements;
+  Spread CodecFigures::*spread;
+  double CodecRow::*ratio;
 };
 
-void measure(const std::function<void()>& theirs, const std::function<void()>& ours, double each,
-             Times& times) {
-  if (theirs) times.theirs.push_back(once_ns(theirs) / each);
-  if (ours) times.ours.push_back(once_ns(ours) / each);
-  if (theirs && ours && times.ours.back() > 0) times.ratio.push_back(times.theirs.back() / times.ours.back());
-}
+/// Encoding comes first, since the others take its codes.
+constexpr Kind kinds[] = {
+    {&CodecWork::encode, &CodecCase::micro_triangles, &CodecFigures::encode, &CodecRow::encode_ratio},
+    {&CodecWork::decode, &CodecCase::micro_triangles, &CodecFigures::decode, &CodecRow::decode_ratio},
+    {&CodecWork::look_up, &CodecCase::lookups, &CodecFigures::look_up, &CodecRow::look_up_ratio},
+};
 
 Spread spread(const std::vector<double>& ns) {
-  if (ns.empty()) return {};
   const auto [least, most] = std::minmax_element(ns.begin(), ns.end());
   return {median(ns), *least, *most};
 }
-
-double ratio(const Times& times) { return times.ratio.empty() ? 0 : median(times.ratio); }
 
 CodecFigures figures(const CodecCase& of, const CodecWork& work) {
   CodecFigures f;
@@ -37,18 +37,19 @@ CodecFigures figures(const CodecCase& of, const CodecWork& work) {
 }  // namespace
 
 CodecRow measured_codec(const CodecCase& of, std::size_t rounds) {
-  Times encode, decode, look_up;
-  const auto states = static_cast<double>(of.micro_triangles), lookups = static_cast<double>(of.lookups);
-  for (std::size_t round = 0; round < rounds; ++round) {
-    measure(of.theirs.encode, of.ours.encode, states, encode);
-    measure(of.theirs.decode, of.ours.decode, states, decode);
-    measure(of.theirs.look_up, of.ours.look_up, lookups, look_up);
+  std::vector<Work> works;
+  for (const Kind& kind : kinds)
+    for (const CodecWork* codec : {&of.theirs, &of.ours})
+      if (codec->*kind.pass) works.push_back({of.*kind.elements, codec->*kind.pass});
+  const RoundTimes times = times_in_rounds(works, rounds);
+  CodecRow row{.of = of, .theirs = figures(of, of.theirs), .ours = figures(of, of.ours)};
+  auto next = times.begin();
+  for (const Kind& kind : kinds) {
+    const auto theirs = next, ours = of.theirs.*kind.pass ? next + 1 : next;
+    if (of.theirs.*kind.pass) row.theirs.*kind.spread = spread(*next++);
+    if (of.ours.*kind.pass) row.ours.*kind.spread = spread(*next++);
+    if (of.theirs.*kind.pass && of.ours.*kind.pass) row.*kind.ratio = median_ratio(*theirs, *ours);
   }
-  CodecRow row{
-      of, figures(of, of.theirs), figures(of, of.ours), ratio(encode), ratio(decode), ratio(look_up)};
-  row.theirs.encode = spread(encode.theirs), row.ours.encode = spread(encode.ours);
-  row.theirs.decode = spread(decode.theirs), row.ours.decode = spread(decode.ours);
-  row.theirs.look_up = spread(look_up.theirs), row.ours.look_up = spread(look_up.ours);
   return row;
 }
 

@@ -6,11 +6,10 @@
 #include <functional>
 #include <iterator>
 #include <numeric>
-#include <type_traits>
-#include <variant>
 
 #include "bench/vq/maps.hpp"
 #include "impl/index/index.hpp"
+#include "scene/picture/alpha_code.hpp"
 
 namespace mmverify::bench::papers {
 namespace {
@@ -69,17 +68,6 @@ Picture blank(std::uint32_t width, std::uint32_t height) {
 
 void put(Picture& picture, std::size_t pixel, const Rgb& colour) {
   std::copy(colour.begin(), colour.end(), picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
-}
-
-std::uint8_t alpha_code(const scene::Image& image, std::size_t at) {
-  return std::visit(
-      [at]<class Texel>(const std::vector<Texel>& alpha) {
-        if constexpr (std::is_same_v<Texel, float>)
-          return static_cast<std::uint8_t>(std::clamp(alpha[at], 0.0f, 1.0f) * 255);
-        else
-          return static_cast<std::uint8_t>(alpha[at] >> 8 * (sizeof(Texel) - 1));
-      },
-      image.alpha);
 }
 
 bool uniform(std::span<const State> map, std::uint32_t side, std::size_t x, std::size_t y) {
@@ -175,7 +163,7 @@ Picture edges_on_texture(const PlannedScene& of, std::uint32_t surface, std::uin
   const scene::Image& image = image_of(of, surface);
   Picture small = blank(image.width, image.height);
   for (std::size_t at = 0; at < std::size_t{image.width} * image.height; ++at) {
-    const std::uint8_t grey = alpha_code(image, at);
+    const std::uint8_t grey = scene::alpha_code(image, at);
     put(small, at, {grey, grey, grey});
   }
   Picture picture = enlarged(small, times);

@@ -11,6 +11,7 @@
 #include "impl/bake/texture/wrap.hpp"
 #include "impl/index/index.hpp"
 #include "scene/bake/wrap.hpp"
+#include "scene/picture/alpha_code.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -162,14 +163,7 @@ class Canvas {
     };
     const std::size_t at = along(uv[0], image_.width, sampler_.wrap_u) +
                            std::size_t{image_.width} * along(uv[1], image_.height, sampler_.wrap_v);
-    return std::visit(
-        [at]<class Texel>(const std::vector<Texel>& alpha) {
-          if constexpr (std::is_same_v<Texel, float>)
-            return static_cast<std::uint8_t>(std::clamp(alpha[at], 0.0f, 1.0f) * 255);
-          else
-            return static_cast<std::uint8_t>(alpha[at] >> 8 * (sizeof(Texel) - 1));
-        },
-        image_.alpha);
+    return alpha_code(image_, at);
   }
   void blend(std::size_t at, const Colour& colour, double share) {
     for (std::size_t c = 0; c < 3; ++c) {

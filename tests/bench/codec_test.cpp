@@ -24,7 +24,7 @@ TEST(Codec, ALongerWorkHasALargerRatioAndAMissingOneHasNone) {
                .changed = [] { return std::uint64_t{3}; }};
   of.ours = {.encode = [] { spin(400'000); }, .decode = [] { spin(1000); }, .bits = [] { return 64.0; }};
   const CodecRow row = measured_codec(of, 3);
-  EXPECT_EQ(encoded, 3);
+  EXPECT_GE(encoded, 4);  // once to warm the caches, and in each round
   EXPECT_EQ(row.theirs.bits, 2);
   EXPECT_EQ(row.ours.bits, 0.5);
   EXPECT_EQ(row.theirs.changed, 3u);
