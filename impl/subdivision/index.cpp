@@ -1,0 +1,237 @@
+#include <algorithm>
+
+#include "impl/subdivision/rules.hpp"
+#include "impl/subdivision/subdivision.hpp"
+
+namespace mmverify::impl::subdivision {
+namespace {
+
+using detail::listed;
+
+/// Barycentrics of a point on the current cell, times their sum.
+using Weights = std::array<std::int64_t, 4>;
+
+/// A point that lies on no facet of any cell of the level, and in the cell that the given point belongs to.
+struct Nudged {
+  Weights weights;
+  std::int64_t sum;
+};
+
+/// The nudge's direction by the corner's weights, and whether it leaves the shape where some of them are 0.
+template <std::size_t corners>
+Nudged nudged(const Point& p, const std::int64_t (&directions)[corners][corners], std::int64_t factor) {
+  Weights w{};
+  w[0] = p.denominator;
+  for (std::size_t k = 1; k < corners; ++k) {
+    w[k] = p.numerators[k - 1];
+    w[0] -= w[k];
+  }
+  for (const auto& direction : directions) {
+    bool stays = true;
+    for (std::size_t k = 0; k < corners; ++k) stays &= w[k] > 0 || direction[k] > 0;
+    if (!stays) continue;
+    for (std::size_t k = 0; k < corners; ++k) w[k] = w[k] * factor + direction[k];
+    return {w, p.denominator * factor};
+  }
+  return {w, p.denominator};
+}
+
+/// On a triangle's corners w, u, v.
+constexpr std::int64_t triangle_directions[3][3] = {{-3, 2, 1}, {1, -2, 1}, {1, 1, -2}};
+constexpr std::int64_t tetrahedron_directions[4][4] = {
+    {-3, 1, 1, 1}, {2, -4, 1, 1}, {2, 1, -4, 1}, {2, 1, 1, -4}};
+
+/// A weight's difference from a facet's is a whole number at a level's grid, times the side; along a direction it changes by
+/// less than 64 times the side.  So the nudge decides ties alone.
+std::int64_t nudge_factor(Scheme scheme, Level level) { return std::int64_t{64} * side(scheme, level); }
+
+// ---- Triangles in k x k
+
+/// A child by the whole parts of its weights, times k.
+struct Place {
+  std::uint8_t digit = 0;
+  bool down = false;                       ///< it is turned: its weights are those that are left to 1
+  std::array<std::uint8_t, 3> order = {};  ///< the weight that each of its corners takes
+};
+
+/// Whole parts t sum up to k-1 in a child like its parent, whose corners are t and one more of each weight, and to k-2 in a
+/// turned one, whose corners are t and one more of two weights.
+template <unsigned k, std::size_t count>
+constexpr std::array<Place, k * k * k> places(const char* const (&rule)[count]) {
+  std::array<Place, k * k * k> all{};
+  for (std::size_t digit = 0; digit < count; ++digit) {
+    const auto times = [&](std::size_t corner, std::size_t of) {
+      unsigned n = 0;
+      for (std::size_t part = 0; part < k; ++part)
+        n += rule[digit][corner * (k + 1) + part] == static_cast<char>('0' + of) ? 1 : 0;
+      return n;
+    };
+    std::array<unsigned, 3> t{};
+    for (std::size_t of = 0; of < 3; ++of) t[of] = std::min({times(0, of), times(1, of), times(2, of)});
+    Place place{static_cast<std::uint8_t>(digit), t[0] + t[1] + t[2] != k - 1, {}};
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      for (std::size_t of = 0; of < 3; ++of)
+        if ((times(corner, of) > t[of]) != place.down) place.order[corner] = static_cast<std::uint8_t>(of);
+    all[(t[0] * k + t[1]) * k + t[2]] = place;
+  }
+  return all;
+}
+
+template <unsigned k>
+std::uint32_t in_triangle(Nudged at, Level level, const std::array<Place, k * k * k>& table) {
+  std::uint32_t index = 0;
+  for (Level depth = 0; depth < level; ++depth) {
+    std::size_t key = 0;
+    std::array<std::int64_t, 3> rest{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int64_t scaled = at.weights[i] * k;
+      std::int64_t whole = 0;
+      for (std::int64_t part = 1; part < k; ++part) whole += scaled >= part * at.sum ? 1 : 0;
+      rest[i] = scaled - whole * at.sum;
+      key = key * k + static_cast<std::size_t>(whole);
+    }
+    const Place& place = table[key];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int64_t weight = rest[place.order[i]];
+      at.weights[i] = place.down ? at.sum - weight : weight;
+    }
+    index = index * (k * k) + place.digit;
+  }
+  return index;
+}
+
+std::uint32_t in_bisection(Nudged at, Level level) {
+  auto [first, newest, last, unused] = at.weights;
+  std::uint32_t index = 0;
+  for (Level depth = 0; depth < level; ++depth) {
+    const std::int64_t beyond = last - first;  // past the middle of the edge that is cut
+    const std::int64_t middle = 2 * std::min(first, last);
+    index = index * 2 + (beyond > 0 ? 1 : 0);
+    if (beyond > 0) {
+      first = newest;
+      last = beyond;
+    } else {
+      first = -beyond;
+      last = newest;
+    }
+    newest = middle;
+  }
+  return index;
+}
+
+// ---- Quads
+
+/// floor(N x), at most N-1.
+std::uint32_t column(std::uint32_t x, std::uint32_t denominator, std::uint32_t N) {
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(std::uint64_t{x} * N / denominator, N - 1));
+}
+
+/// The state is how the cell's x and y come from the square's: both from the other side, and then in turn.
+std::uint32_t in_hilbert(std::uint32_t x, std::uint32_t y, Level level) {
+  std::uint32_t index = 0, other_side = 0, in_turn = 0;
+  for (Level depth = level; depth-- > 0;) {
+    const std::uint32_t a = (x >> depth & 1) ^ other_side, b = (y >> depth & 1) ^ other_side;
+    const std::uint32_t i = in_turn != 0 ? b : a, j = in_turn != 0 ? a : b;
+    index = index << 2 | ((3 * i) ^ j);
+    in_turn ^= 1 ^ j;
+    other_side ^= i & ~j & 1;
+  }
+  return index;
+}
+
+std::uint32_t in_morton(std::uint32_t x, std::uint32_t y) {
+  const auto spread = [](std::uint32_t bits) {
+    bits = (bits | bits << 8) & 0x00FF00FF;
+    bits = (bits | bits << 4) & 0x0F0F0F0F;
+    bits = (bits | bits << 2) & 0x33333333;
+    return (bits | bits << 1) & 0x55555555;
+  };
+  return spread(x) | spread(y) << 1;
+}
+
+// ---- Tetrahedra
+
+/// The digit of each child in each state, and the child's state.
+struct Turn {
+  std::uint8_t digit = 0, state = 0;
+};
+constexpr auto turns = [] {
+  std::array<std::array<Turn, 8>, detail::path_states> all{};
+  for (unsigned state = 0; state < detail::path_states; ++state)
+    for (unsigned digit = 0; digit < 8 && state / 4 != state % 4; ++digit) {
+      const detail::Step step = detail::path_step(state, digit);
+      all[state][step.child] = {static_cast<std::uint8_t>(digit), step.state};
+    }
+  return all;
+}();
+
+/// Replaces the weights by those on the child that they lie in, and returns its number.
+unsigned into_child(Weights& w, std::int64_t sum) {
+  for (unsigned k = 0; k < 4; ++k)
+    if (2 * w[k] >= sum) {
+      for (std::int64_t& weight : w) weight *= 2;
+      w[k] -= sum;
+      return k;
+    }
+  // Two planes through the diagonal from 02 to 13 cut the octahedron: one has the midpoints 01 and 23, one 03 and 12.
+  const auto [a, b, c, d] = w;
+  const bool near_03 = 2 * (a + d) >= sum, near_01 = 2 * (a + b) >= sum;
+  if (near_03 && near_01) {  // 01 02 03 13
+    const std::int64_t last = sum - 2 * a;
+    w = {2 * b - last, 2 * c, 2 * d - last, last};
+    return 4;
+  }
+  if (near_01) {  // 01 02 12 13
+    const std::int64_t second = sum - 2 * b;
+    w = {2 * a - second, second, 2 * c - second, 2 * d};
+    return 5;
+  }
+  if (near_03) {  // 02 03 13 23
+    const std::int64_t first = sum - 2 * d;
+    w = {first, 2 * a - first, 2 * b, 2 * c - first};
+    return 6;
+  }
+  const std::int64_t third = sum - 2 * c;  // 02 12 13 23
+  w = {2 * a, 2 * b - third, third, 2 * d - third};
+  return 7;
+}
+
+std::uint32_t in_tetrahedron(Nudged at, Level level) {
+  std::uint32_t index = 0;
+  std::size_t state = detail::first_path;
+  for (Level depth = 0; depth < level; ++depth) {
+    const Turn turn = turns[state][into_child(at.weights, at.sum)];
+    index = index * 8 + turn.digit;
+    state = turn.state;
+  }
+  return index;
+}
+
+}  // namespace
+
+std::uint32_t index(Scheme scheme, Level level, const Point& point) noexcept {
+  static constexpr auto in_4 = places<2>(detail::of_triangle_4);
+  static constexpr auto in_9 = places<3>(detail::of_triangle_9);
+  level = std::min(level, highest_level(scheme));
+  const std::int64_t factor = nudge_factor(scheme, level);
+  switch (scheme) {
+    case Scheme::triangle_4:
+      return in_triangle<2>(nudged(point, triangle_directions, factor), level, in_4);
+    case Scheme::triangle_9:
+      return in_triangle<3>(nudged(point, triangle_directions, factor), level, in_9);
+    case Scheme::tetrahedron:
+      return in_tetrahedron(nudged(point, tetrahedron_directions, factor), level);
+    case Scheme::bisection: {
+      Nudged at = nudged(point, triangle_directions, factor);
+      std::swap(at.weights[0], at.weights[1]);
+      return in_bisection(at, level);
+    }
+    default:
+      break;
+  }
+  const std::uint32_t N = side(scheme, level), x = column(point.numerators[0], point.denominator, N),
+                      y = column(point.numerators[1], point.denominator, N);
+  return scheme == Scheme::hilbert ? in_hilbert(x, y, level) : in_morton(x, y);
+}
+
+}  // namespace mmverify::impl::subdivision
