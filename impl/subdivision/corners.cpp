@@ -103,28 +103,46 @@ std::uint32_t side(Scheme scheme, Level level) noexcept {
   return N;
 }
 
-Corners corners(Scheme scheme, Level level, std::uint32_t index) noexcept {
-  using namespace detail;
-  level = std::min(level, highest_level(scheme));
-  const auto s = static_cast<std::size_t>(scheme);
+namespace {
+
+/// The cell with an index in base b, for corners of `count`, whose first one lies at `first` at level 0.
+template <unsigned b>
+Corners walked(const std::vector<detail::Orientation>& all, std::size_t count, Vertex first, Level level,
+               std::uint32_t index) noexcept {
   std::array<std::uint8_t, 31> digits{};
-  for (Level depth = level; depth-- > 0; index /= children[s])
-    digits[depth] = static_cast<std::uint8_t>(index % children[s]);
-  const Orientation* const all = orientations(scheme).data();
-  const Orientation* at = all;
+  for (Level depth = level; depth-- > 0; index /= b) digits[depth] = static_cast<std::uint8_t>(index % b);
+  const detail::Orientation* at = all.data();
   // Words wrap: a corner is not negative, but the way to it may be.
-  Vertex first = scheme == Scheme::bisection ? Vertex{1, 0, 0} : Vertex{};
   for (Level depth = 0; depth < level; ++depth) {
     const unsigned digit = digits[depth];
     for (std::size_t axis = 0; axis < 3; ++axis)
       first[axis] = first[axis] * at->scale + static_cast<std::uint32_t>(at->shift[digit][axis]);
-    at = all + at->next[digit];
+    at = all.data() + at->next[digit];
   }
   Corners found{};
-  for (std::size_t k = 0; k < corner_count[s]; ++k)
+  for (std::size_t k = 0; k < count; ++k)
     for (std::size_t axis = 0; axis < 3; ++axis)
       found[k][axis] = first[axis] + static_cast<std::uint32_t>(at->corners[k][axis]);
   return found;
+}
+
+}  // namespace
+
+Corners corners(Scheme scheme, Level level, std::uint32_t index) noexcept {
+  level = std::min(level, highest_level(scheme));
+  const std::vector<detail::Orientation>& all = detail::orientations(scheme);
+  switch (scheme) {
+    case Scheme::triangle_4:
+      return walked<4>(all, 3, {}, level, index);
+    case Scheme::triangle_9:
+      return walked<9>(all, 3, {}, level, index);
+    case Scheme::tetrahedron:
+      return walked<8>(all, 4, {}, level, index);
+    case Scheme::bisection:
+      return walked<2>(all, 3, {1, 0, 0}, level, index);
+    default:
+      return walked<4>(all, 4, {}, level, index);
+  }
 }
 
 }  // namespace mmverify::impl::subdivision

@@ -1,3 +1,5 @@
+#include "impl/index/index.hpp"
+
 #include <algorithm>
 
 #include "impl/subdivision/rules.hpp"
@@ -5,8 +7,6 @@
 
 namespace mmverify::impl::subdivision {
 namespace {
-
-using detail::listed;
 
 /// Barycentrics of a point on the current cell, times their sum.
 using Weights = std::array<std::int64_t, 4>;
@@ -43,59 +43,72 @@ constexpr std::int64_t tetrahedron_directions[4][4] = {
 
 /// A weight's difference from a facet's is a whole number at a level's grid, times the side; along a direction it changes by
 /// less than 64 times the side.  So the nudge decides ties alone.
-std::int64_t nudge_factor(Scheme scheme, Level level) { return std::int64_t{64} * side(scheme, level); }
+std::int64_t nudge_factor(std::uint32_t side) { return std::int64_t{64} * side; }
 
-// ---- Triangles in k x k
+// ---- Triangles
 
-/// A child by the whole parts of its weights, times k.
+/// A grid square's side, and how far a coordinate reaches into it.
+struct Column {
+  std::uint32_t whole;
+  std::uint64_t part;  ///< times the denominator
+};
+Column column(std::uint32_t x, std::uint32_t denominator, std::uint32_t N) {
+  const std::uint64_t scaled = std::uint64_t{x} * N;
+  return {static_cast<std::uint32_t>(scaled / denominator), scaled % denominator};
+}
+
+/// The closed form of impl/index.
+std::uint32_t in_four(const Point& p, std::uint32_t N) {
+  const Column u = column(p.numerators[0], p.denominator, N), v = column(p.numerators[1], p.denominator, N);
+  return index::detail::curve(index::detail::square(u.whole, v.whole, u.part + v.part >= p.denominator, N));
+}
+
+/// A child of the triangle in nine by the whole parts t of three times its weights.  They sum up to 2 in a child like its
+/// parent, whose corners are t and one more of each weight, and to 1 in a turned one, whose corners are t and one more of
+/// two weights.
 struct Place {
   std::uint8_t digit = 0;
-  bool down = false;                       ///< it is turned: its weights are those that are left to 1
-  std::array<std::uint8_t, 3> order = {};  ///< the weight that each of its corners takes
+  bool turned = false;
+  std::array<std::uint8_t, 3> order = {};  ///< the weight that each corner takes, or that it lacks
 };
 
-/// Whole parts t sum up to k-1 in a child like its parent, whose corners are t and one more of each weight, and to k-2 in a
-/// turned one, whose corners are t and one more of two weights.
-template <unsigned k, std::size_t count>
-constexpr std::array<Place, k * k * k> places(const char* const (&rule)[count]) {
-  std::array<Place, k * k * k> all{};
-  for (std::size_t digit = 0; digit < count; ++digit) {
+constexpr auto places = [] {
+  std::array<Place, 27> all{};
+  for (std::size_t digit = 0; digit < 9; ++digit) {
     const auto times = [&](std::size_t corner, std::size_t of) {
       unsigned n = 0;
-      for (std::size_t part = 0; part < k; ++part)
-        n += rule[digit][corner * (k + 1) + part] == static_cast<char>('0' + of) ? 1 : 0;
+      for (std::size_t part = 0; part < 3; ++part)
+        n += detail::of_triangle_9[digit][4 * corner + part] == static_cast<char>('0' + of) ? 1 : 0;
       return n;
     };
     std::array<unsigned, 3> t{};
     for (std::size_t of = 0; of < 3; ++of) t[of] = std::min({times(0, of), times(1, of), times(2, of)});
-    Place place{static_cast<std::uint8_t>(digit), t[0] + t[1] + t[2] != k - 1, {}};
+    Place place{static_cast<std::uint8_t>(digit), t[0] + t[1] + t[2] == 1, {}};
     for (std::size_t corner = 0; corner < 3; ++corner)
       for (std::size_t of = 0; of < 3; ++of)
-        if ((times(corner, of) > t[of]) != place.down) place.order[corner] = static_cast<std::uint8_t>(of);
-    all[(t[0] * k + t[1]) * k + t[2]] = place;
+        if ((times(corner, of) > t[of]) != place.turned) place.order[corner] = static_cast<std::uint8_t>(of);
+    all[t[0] * 9 + t[1] * 3 + t[2]] = place;
   }
   return all;
-}
+}();
 
-template <unsigned k>
-std::uint32_t in_triangle(Nudged at, Level level, const std::array<Place, k * k * k>& table) {
+std::uint32_t in_nine(Nudged at, Level level) {
   std::uint32_t index = 0;
   for (Level depth = 0; depth < level; ++depth) {
     std::size_t key = 0;
     std::array<std::int64_t, 3> rest{};
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::int64_t scaled = at.weights[i] * k;
-      std::int64_t whole = 0;
-      for (std::int64_t part = 1; part < k; ++part) whole += scaled >= part * at.sum ? 1 : 0;
+      const std::int64_t scaled = 3 * at.weights[i];
+      const std::int64_t whole = (scaled >= at.sum ? 1 : 0) + (scaled >= 2 * at.sum ? 1 : 0);
       rest[i] = scaled - whole * at.sum;
-      key = key * k + static_cast<std::size_t>(whole);
+      key = 3 * key + static_cast<std::size_t>(whole);
     }
-    const Place& place = table[key];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::int64_t weight = rest[place.order[i]];
-      at.weights[i] = place.down ? at.sum - weight : weight;
-    }
-    index = index * (k * k) + place.digit;
+    const Place& place = places[key];
+    // No branch: where it goes depends on the point.
+    const std::int64_t turned = place.turned ? 1 : 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      at.weights[i] = turned * at.sum + (1 - 2 * turned) * rest[place.order[i]];
+    index = 9 * index + place.digit;
   }
   return index;
 }
@@ -120,11 +133,6 @@ std::uint32_t in_bisection(Nudged at, Level level) {
 }
 
 // ---- Quads
-
-/// floor(N x), at most N-1.
-std::uint32_t column(std::uint32_t x, std::uint32_t denominator, std::uint32_t N) {
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(std::uint64_t{x} * N / denominator, N - 1));
-}
 
 /// The state is how the cell's x and y come from the square's: both from the other side, and then in turn.
 std::uint32_t in_hilbert(std::uint32_t x, std::uint32_t y, Level level) {
@@ -210,15 +218,14 @@ std::uint32_t in_tetrahedron(Nudged at, Level level) {
 }  // namespace
 
 std::uint32_t index(Scheme scheme, Level level, const Point& point) noexcept {
-  static constexpr auto in_4 = places<2>(detail::of_triangle_4);
-  static constexpr auto in_9 = places<3>(detail::of_triangle_9);
   level = std::min(level, highest_level(scheme));
-  const std::int64_t factor = nudge_factor(scheme, level);
+  const std::uint32_t N = side(scheme, level);
+  const std::int64_t factor = nudge_factor(N);
   switch (scheme) {
     case Scheme::triangle_4:
-      return in_triangle<2>(nudged(point, triangle_directions, factor), level, in_4);
+      return in_four(point, N);
     case Scheme::triangle_9:
-      return in_triangle<3>(nudged(point, triangle_directions, factor), level, in_9);
+      return in_nine(nudged(point, triangle_directions, factor), level);
     case Scheme::tetrahedron:
       return in_tetrahedron(nudged(point, tetrahedron_directions, factor), level);
     case Scheme::bisection: {
@@ -229,8 +236,8 @@ std::uint32_t index(Scheme scheme, Level level, const Point& point) noexcept {
     default:
       break;
   }
-  const std::uint32_t N = side(scheme, level), x = column(point.numerators[0], point.denominator, N),
-                      y = column(point.numerators[1], point.denominator, N);
+  const std::uint32_t x = std::min(column(point.numerators[0], point.denominator, N).whole, N - 1),
+                      y = std::min(column(point.numerators[1], point.denominator, N).whole, N - 1);
   return scheme == Scheme::hilbert ? in_hilbert(x, y, level) : in_morton(x, y);
 }
 
