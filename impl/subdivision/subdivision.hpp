@@ -21,7 +21,7 @@ using Level = std::uint32_t;
 enum class Scheme : std::uint32_t { triangle_4, triangle_9, hilbert, morton, tetrahedron, bisection };
 
 /// The last level of a scheme: b^n cells still have indices of 32 bits.
-/// Law: subdivision.cell_is_specified
+/// Law: subdivision.corners_are_specified
 constexpr Level highest_level(Scheme scheme) noexcept {
   constexpr Level levels[] = {16, 10, 16, 16, 10, 31};
   return levels[static_cast<std::size_t>(scheme)];
@@ -47,13 +47,13 @@ using Vertex = std::array<std::uint32_t, 3>;
 using Corners = std::array<Vertex, 4>;
 
 /// The side of the grid that has the corners of a level's cells: 2^n, 3^n, or 2^ceil(n/2) of the bisection.
-/// Law: subdivision.cell_is_specified
+/// Law: subdivision.corners_are_specified
 std::uint32_t side(Scheme scheme, Level level) noexcept;
 
 /// The corners of the cell with an index.
 /// Domain: index below b^level; level up to highest_level(), and that for a higher one.
 /// Source: spec/subdivision/subdivision.hpp, cell.
-/// Law: subdivision.cell_is_specified
+/// Law: subdivision.corners_are_specified
 Corners corners(Scheme scheme, Level level, std::uint32_t index) noexcept;
 
 namespace detail {
