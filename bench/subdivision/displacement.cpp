@@ -15,7 +15,7 @@ struct Range {
   std::uint32_t least, greatest;
   friend bool operator==(const Range&, const Range&) = default;
 };
-/// In the order of the curve.
+/// A range for each micro-triangle, in the order of the curve.
 using Map = std::vector<Range>;
 
 // ---- Heights in [0, 1]

@@ -17,7 +17,7 @@ struct Nudged {
   std::int64_t sum;
 };
 
-/// The nudge's direction by the corner's weights, and whether it leaves the shape where some of them are 0.
+/// The point moved a little along the first direction that does not leave the shape: no weight that is 0 falls.
 template <std::size_t corners>
 Nudged nudged(const Point& p, const std::int64_t (&directions)[corners][corners], std::int64_t factor) {
   Weights w{};
@@ -36,13 +36,15 @@ Nudged nudged(const Point& p, const std::int64_t (&directions)[corners][corners]
   return {w, p.denominator};
 }
 
-/// On a triangle's corners w, u, v.
+/// The directions of the tie rule, by the corners' weights; a triangle's are w, u, v.
 constexpr std::int64_t triangle_directions[3][3] = {{-3, 2, 1}, {1, -2, 1}, {1, 1, -2}};
 constexpr std::int64_t tetrahedron_directions[4][4] = {
     {-3, 1, 1, 1}, {2, -4, 1, 1}, {2, 1, -4, 1}, {2, 1, 1, -4}};
 
-/// A weight's difference from a facet's is a whole number at a level's grid, times the side; along a direction it changes by
-/// less than 64 times the side.  So the nudge decides ties alone.
+/// The point's weights are multiplied by this much, and then moved by a direction, whose numbers are at most 4.  A step
+/// compares a sum of the given weights with whole factors: 1 or more if it is not 0.  On a cell of level n a direction
+/// changes the cell's own weights by less than 8 sides, and what a step compares by less than 64 sides.  So it decides
+/// ties alone.
 std::int64_t nudge_factor(std::uint32_t side) { return std::int64_t{64} * side; }
 
 // ---- Triangles

@@ -7,7 +7,7 @@ namespace mmverify::proofs::subdivision {
 
 /// The index is the specification's.
 Finding index_is_specified(const SubdivisionSubject& s, const Placed& at);
-/// Of all cells of the level, as the specification has them, one alone has the point by the tie rule: the one with this index.
+/// One cell of the level alone, as the specification has them, has the point by the tie rule: the one with this index.
 Finding in_one_cell(const SubdivisionSubject& s, const Placed& at);
 /// The index on the level before is this one without its last digit.
 Finding nested(const SubdivisionSubject& s, const Placed& at);

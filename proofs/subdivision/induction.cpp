@@ -96,7 +96,7 @@ class Induction {
     std::deque<std::pair<std::size_t, unsigned>> open(known.begin(), known.end());
     for (; !open.empty(); open.pop_front()) {
       const auto [k, state] = open.front();
-      // On a grid that is finer by the parts, the specification's means are whole.
+      // The specification's means are whole on a grid that is finer by the parts.
       const spec::subdivision::Cell<Whole> cell{times(c_.parts, machine_[k].corners), state};
       for (unsigned digit = 0; digit < c_.children; ++digit) {
         const auto right = turn(scheme_, cell, digit);

@@ -30,7 +30,7 @@ TEST(SpecSubdivision, ChildrenComeInTheCurvesOrder) {
   for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(index_of(Scheme::bisection, 1, bisection[k], 6), k);
 }
 
-// u counts first: the corner at w, its neighbour, the one on v's edge; at last the corner at v.
+// Cells by their middles: from the corner at w to the one at u, and on to the one at v.
 TEST(SpecSubdivision, TheTriangleInNine) {
   const std::vector<At<Whole>> middles{{1, 1, 0}, {2, 2, 0}, {1, 4, 0}, {4, 1, 0}, {7, 1, 0},
                                        {5, 2, 0}, {4, 4, 0}, {2, 5, 0}, {1, 7, 0}};
@@ -42,10 +42,11 @@ TEST(SpecSubdivision, ATieGoesWhereTheFirstDirectionLeads) {
   EXPECT_EQ(index_of(Scheme::hilbert, 1, {2, 2, 0}, 4), 2u);
   EXPECT_EQ(index_of(Scheme::hilbert, 1, {4, 1, 0}, 4), 3u);
   EXPECT_EQ(index_of(Scheme::hilbert, 1, {4, 4, 0}, 4), 2u);
-  // On u = v the bisection's second direction is not asked: (2, 1) leads to u > v.
+  // The first direction, (2, 1), leads from u = v to u > v.
   EXPECT_EQ(index_of(Scheme::bisection, 1, {1, 1, 0}, 4), 0u);
-  // The octahedron's centre lies on the diagonal from 02 to 13; (1, 1, 1) leads to less of corner 0.
-  EXPECT_EQ(index_of(Scheme::tetrahedron, 0, {1, 1, 1}, 4), 0u);
+  // The octahedron's centre lies on the diagonal from 02 to 13.  (1, 1, 1) leads away from corner 0: to Bey's child 7,
+  // the sixth one from corner 0 to corner 3.
+  EXPECT_EQ(index_of(Scheme::tetrahedron, 1, {1, 1, 1}, 4), 5u);
 }
 
 TEST(SpecSubdivision, RationalsAndWholeNumbersAgree) {
