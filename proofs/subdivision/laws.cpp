@@ -124,7 +124,7 @@ std::vector<Law> laws_on_points() {
           {.id = "subdivision.index_is_specified",
            .says = "the index of a point is the specification's, ties included",
            .source = som_7,
-           .subjects = {"subdivision-rational", library},
+           .subjects = {library, "subdivision-rational"},
            .tiers = {.fast = {0, 3}, .long_run = {0, 5}, .seconds = 1},
            .mutants =
                {mutant("points on u = 1/3 belong to the cell before", library, {1, 1},
@@ -259,7 +259,7 @@ std::vector<Law> laws_on_cells() {
       on_cells({.id = "subdivision.corners_are_specified",
                 .says = "the corners of a cell are the specification's, in its order",
                 .source = som_7,
-                .subjects = {"subdivision-rational", library},
+                .subjects = {library, "subdivision-rational"},
                 .tiers = {.fast = {0, 4}, .long_run = {0, 6}, .seconds = 0.5},
                 .mutants = {mutant("cell 100 of a quad has its corners in another order", library, {4, 4},
                                    turns_corners(hilbert, 4, 100)),
@@ -295,8 +295,8 @@ std::vector<Law> laws_on_cells() {
            .mutants = {mutant("two cells of Hilbert's curve change places", library, {3, 3},
                               draws(hilbert, 3, 33, 40)),
                        mutant("a cell of nine comes twice", library, {2, 2}, draws(triangle_9, 2, 13, 12)),
-                       mutant("a tetrahedron lies elsewhere", library, {2, 2},
-                              draws(tetrahedron, 2, 20, 60))}},
+                       mutant("a tetrahedron lies elsewhere", library, {4, 4},
+                              draws(tetrahedron, 4, 2000, 60))}},
           {entry::corners}, contiguous)};
 }
 
