@@ -10,8 +10,7 @@ namespace {
 
 constexpr char som_7[] = "Succinct Opacity Micromaps, 7: other dimensions, shapes and subdivision levels";
 constexpr char library[] = "subdivision";
-const std::vector<std::string> specified_and_library{"subdivision-spec", "subdivision-rational", library},
-    fast_alone{library};
+const std::vector<std::string> specified_and_library{"subdivision-spec", library}, fast_alone{library};
 
 constexpr auto mutant = mutant_of<built_in_subjects>;
 
@@ -124,7 +123,7 @@ std::vector<Law> laws_on_points() {
           {.id = "subdivision.index_is_specified",
            .says = "the index of a point is the specification's, ties included",
            .source = som_7,
-           .subjects = {library, "subdivision-rational"},
+           .subjects = fast_alone,
            .tiers = {.fast = {0, 3}, .long_run = {0, 5}, .seconds = 1},
            .mutants =
                {mutant("points on u = 1/3 belong to the cell before", library, {1, 1},
@@ -139,7 +138,7 @@ std::vector<Law> laws_on_points() {
           {.id = "subdivision.in_one_cell",
            .says = "each point belongs by the tie rule to one cell of a level alone, the one with its index",
            .source = "docs/SUBDIVISION.md",
-           .subjects = specified_and_library,
+           .subjects = {"subdivision-spec", "subdivision-rational", library},
            .tiers = {.fast = {0, 2}, .long_run = {0, 2}, .seconds = 1},
            .mutants = {mutant(
                            "points on z = 1/2 belong to the cell before", library, {1, 1},
@@ -259,7 +258,7 @@ std::vector<Law> laws_on_cells() {
       on_cells({.id = "subdivision.corners_are_specified",
                 .says = "the corners of a cell are the specification's, in its order",
                 .source = som_7,
-                .subjects = {library, "subdivision-rational"},
+                .subjects = fast_alone,
                 .tiers = {.fast = {0, 4}, .long_run = {0, 6}, .seconds = 0.5},
                 .mutants = {mutant("cell 100 of a quad has its corners in another order", library, {4, 4},
                                    turns_corners(hilbert, 4, 100)),
@@ -345,7 +344,7 @@ Law dead_ends_law() {
            "one "
            "neighbour beyond a facet.  An order has two ends: so none, nested or not, is over facets alone",
        .source = "docs/SUBDIVISION.md",
-       .subjects = {"subdivision-spec", library},
+       .subjects = specified_and_library,
        .tiers = {.fast = {1, 3}, .long_run = {1, 4}, .seconds = 0.2},
        .domain = "all facets of all cells of three schemes",
        .mutants = {mutant("cell 8 of nine lies on another", library, {1, 1}, draws(triangle_9, 1, 8, 7)),

@@ -32,14 +32,6 @@ Functions rational() {
     return spec::subdivision::index<Rational>(scheme, n, {coordinate(0), coordinate(1), coordinate(2)},
                                               Rational(1));
   };
-  f.corners = [](Scheme scheme, Level n, std::uint64_t k) {
-    const auto cell = spec::subdivision::cell<Rational>(scheme, n, k, Rational(1));
-    Corners<Whole> corners{};
-    for (std::size_t c = 0; c < corners.size(); ++c)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        corners[c][axis] = spec::whole(cell.corners[c][axis] * Rational(side(scheme, n)));
-    return corners;
-  };
   return f;
 }
 
