@@ -1,5 +1,5 @@
-// The whole library: indices, maps and arrays of them, trees, graphs, square maps, attribute maps, bakers, and the
-// decisions of traversal.  Installed as <mmverify/mmverify.hpp>.
+// The whole library: indices, maps and arrays of them, trees, graphs, square maps, attribute maps, bakers, the
+// decisions of traversal, and other shapes.  Installed as <mmverify/mmverify.hpp>.
 #pragma once
 
 #include "impl/array/api.hpp"
@@ -31,6 +31,7 @@
 #include "impl/micromap/micromap.hpp"
 #include "impl/micromap/reorder.hpp"
 #include "impl/micromap/validate.hpp"
+#include "impl/subdivision/subdivision.hpp"
 #include "impl/traverse/blend.hpp"
 #include "impl/traverse/decision.hpp"
 #include "impl/tree/container.hpp"

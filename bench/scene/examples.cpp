@@ -19,6 +19,7 @@
 #include "bench/scene/tables.hpp"
 #include "bench/scene/view_tables.hpp"
 #include "bench/shaders/tables.hpp"
+#include "bench/subdivision/tables.hpp"
 #include "bench/subject/tables.hpp"
 #include "bench/sweep/tables.hpp"
 #include "bench/tree/tables.hpp"
@@ -130,7 +131,8 @@ std::vector<Result> examples_of_topics() {
           vq_tables(vq, {}),
           bake_tables(bake, {}),
           attribute_tables(maps, {}),
-          array_tables({ArrayFigures{}}, {})};
+          array_tables({ArrayFigures{}}, {}),
+          subdivision_tables({{"hilbert", 2, 1, 1, 1, 1}}, {{"terrain", 8, 1, 1, 1, 1}}, {})};
 }
 
 /// A row with every figure.

@@ -10,6 +10,7 @@
 #include "bench/dag/tables.hpp"
 #include "bench/index/tables.hpp"
 #include "bench/index/times.hpp"
+#include "bench/subdivision/tables.hpp"
 #include "bench/tree/tables.hpp"
 #include "bench/vq/tables.hpp"
 #include "cli/output/exit_code.hpp"
@@ -95,6 +96,14 @@ Result of_array(const BenchOptions& given, const proofs::Levels& levels) {
   return array_tables(array_figures(options), options);
 }
 
+Result of_subdivision(const BenchOptions& given, const proofs::Levels& levels) {
+  const bench::SubdivisionBenchOptions options{.first = levels.first,
+                                               .last = levels.last,
+                                               .seed = given.index.seed,
+                                               .progress = progress_of("subdivision", given)};
+  return subdivision_tables(subdivision_times(options), displacement_sizes(options), options);
+}
+
 /// The default levels of a bench.
 template <class Options>
 proofs::Levels levels_of() {
@@ -142,6 +151,10 @@ std::span<const BenchTopic> bench_topics() {
        .most_samples = most_lookups,
        .measure = of_attribute},
       {.name = "array", .levels = levels_of<bench::ArrayBenchOptions>(), .highest = 8, .measure = of_array},
+      {.name = "subdivision",
+       .levels = levels_of<bench::SubdivisionBenchOptions>(),
+       .highest = bench::SubdivisionBenchOptions{}.last,
+       .measure = of_subdivision},
   };
   return table;
 }

@@ -7,6 +7,7 @@
 #include "proofs/dag/laws.hpp"
 #include "proofs/index/laws.hpp"
 #include "proofs/micromap/laws.hpp"
+#include "proofs/subdivision/laws.hpp"
 #include "proofs/traverse/laws.hpp"
 #include "proofs/tree/dialogue.hpp"
 #include "proofs/tree/laws.hpp"
@@ -62,6 +63,8 @@ const std::vector<Topic> table{
      one<array::plugin_subject>, Call::array_build, 9, "array"},
     {"dag", {"dag"}, dag::laws, all<dag::built_in_subjects>, {"dag"},
      one<dag::plugin_subject>, Call::dag_encode, 12, "dag"},
+    {"subdivision", {"subdivision"}, subdivision::laws, all<subdivision::built_in_subjects>, {"subdivision"},
+     one<subdivision::plugin_subject>, Call::subdivision_index, 16, "subdivision"},
 };
 // clang-format on
 

@@ -12,7 +12,18 @@
 namespace mmverify::dock {
 
 /// The topic whose laws call an entry point.
-enum class Topic : std::uint32_t { index, tree, micromap, vq, bake, attribute, traverse, array, dag };
+enum class Topic : std::uint32_t {
+  index,
+  tree,
+  micromap,
+  vq,
+  bake,
+  attribute,
+  traverse,
+  array,
+  dag,
+  subdivision
+};
 
 /// Bytes of a face's value in RGBA8.
 constexpr std::size_t bytes_of_face = 4;
@@ -89,7 +100,10 @@ constexpr std::uint32_t formats = formats_side * formats_side;
       (a.format, a.blob, a.blob_bytes, a.words(0), a.words(1), a.bytes(), a.count))                                   \
   ROW(dag_lookup_f32,      dag,      1,                                                                               \
       (a.format, a.blob, a.blob_bytes, a.words(0), a.floats(1), a.floats(2), a.bytes(), a.count))                     \
-  ROW(bake_mesh,           bake,     1, (MeshOf(a), a.bytes(), a.room))
+  ROW(bake_mesh,           bake,     1, (MeshOf(a), a.bytes(), a.room))                                               \
+  ROW(subdivision_index,   subdivision, 1,                                                                            \
+      (a.format, a.level, a.words(0), a.words(1), a.words(2), a.words(3), a.numbers(), a.count))                      \
+  ROW(subdivision_corners, subdivision, 12, (a.format, a.level, a.words(0), a.numbers(), a.count))
 // clang-format on
 
 /// Entry points by the number of their row.

@@ -89,6 +89,14 @@ extern "C" {
 #define MMVERIFY_CANDIDATE_HAS_MICROMAP 4u
 #define MMVERIFY_CANDIDATE_GEOMETRY_OPAQUE 8u
 
+/* Shapes that are cut again and again; see subdivision_index. */
+#define MMVERIFY_TRIANGLE_4 0u
+#define MMVERIFY_TRIANGLE_9 1u
+#define MMVERIFY_HILBERT 2u
+#define MMVERIFY_MORTON 3u
+#define MMVERIFY_TETRAHEDRON 4u
+#define MMVERIFY_BISECTION 5u
+
 /* The operations that blend a hit into a ray's payload; see traverse_blend. */
 #define MMVERIFY_BLEND_MAX 0u
 #define MMVERIFY_BLEND_MIN 1u
@@ -600,6 +608,18 @@ typedef struct mmverify_subject {
    *   - With MMVERIFY_BAKE_TIGHT a state is unknown only where it must be, also if the triangle shares its map.
    *   - In 2-state all is as force-2-state of the array in 4-state. */
   size_t (*bake_mesh)(const mmverify_mesh_case_t* what, uint8_t* answer, size_t capacity);
+
+  /* The cells of shapes that are cut again and again, in the order of a curve: docs/SUBDIVISION.md lists the children.
+   *   - scheme is MMVERIFY_TRIANGLE_4, ...; levels go to max_level, of the bisection to twice that and one, and up to
+   *     the scheme's last one.
+   *   - A point has the coordinates x[k], y[k], z[k] over denominator[k] <= 2^31: barycentrics of a triangle's second and
+   *     third vertex, x and y of a quad, barycentrics of a tetrahedron's last three; others are 0.  It lies in the shape.
+   *   - corners: four times x, y, z on the level's grid, of 2^n, 3^n or, of the bisection, 2^ceil(n/2) to a side, in the
+   *     order of the specification; a triangle's fourth one is 0. */
+  void (*subdivision_index)(uint32_t scheme, uint32_t level, const uint32_t* x, const uint32_t* y,
+                            const uint32_t* z, const uint32_t* denominator, uint32_t* index, size_t count);
+  void (*subdivision_corners)(uint32_t scheme, uint32_t level, const uint32_t* index, uint32_t* corners,
+                              size_t count);
 } mmverify_subject_t;
 
 /* The one exported symbol. The result must stay valid and unchanged for the life of the process; a later call returns

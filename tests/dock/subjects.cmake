@@ -106,7 +106,7 @@ foreach(fault 0 1 2)
 endforeach()
 
 mmverify_add_room(subjects_tests large_batches_test tree_plugin_test dag_plugin_test vq_plugin_test forgetful_plugin_test touchy_plugin_test traverse_plugin_test array_plugin_test array_changes_plugin_test attribute_plugin_test
-  attribute_bake_plugin_test bake_plugin_test mesh_plugin_test LIBRARIES mmverify::proofs)
+  attribute_bake_plugin_test bake_plugin_test mesh_plugin_test subdivision_plugin_test LIBRARIES mmverify::proofs)
 target_compile_definitions(subjects_tests PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}")
 add_dependencies(subjects_tests mmverify mmverify-worker)
 set(judged_by subjects_tests)
@@ -224,6 +224,15 @@ foreach(wrong srgb_as_codes black_border mirror_repeats wraps_exchanged centres_
     declines_all declines_borders two_codes_off_at_4 one_code_off unwritten reads_past overrun exact_by_its_word tolerance_above_16
     clamps_srgb_only vertices_only old_header)
   mmverify_add_wrong(attribute_bake_${wrong} ${wrong} wrong_attribute_bake right_attribute_bake m)
+endforeach()
+
+# And of shapes that are cut again and again.
+set(subdivision_example ${PROJECT_SOURCE_DIR}/examples/subject_subdivision/subject_subdivision.c)
+mmverify_add_subject(subdivision_example ${subdivision_example})
+mmverify_add_part(right_subdivision ${subdivision_example} mmverify_subject_v1=right_subdivision)
+mmverify_add_part(wrong_subdivision subjects/wrong_subdivision.cpp)
+foreach(wrong crash ignores_z hilbert_is_morton diagonal_goes_back turns_a_cell_of_nine corners_only)
+  mmverify_add_wrong(subdivision_${wrong} ${wrong} wrong_subdivision right_subdivision)
 endforeach()
 
 # And of bakers.

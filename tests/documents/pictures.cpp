@@ -1,4 +1,4 @@
-// The pictures of docs/INDEX.md, docs/MICROMAP.md and docs/ATTRIBUTE.md, drawn from the specification and the library.
+// The pictures of docs/INDEX.md, docs/MICROMAP.md, docs/ATTRIBUTE.md and docs/SUBDIVISION.md, drawn from the specification and the library.
 //   document_pictures FOLDER            writes them there
 //   document_pictures --check FOLDER    says which of them differ from what is drawn now, exit code 1
 #include <fmt/format.h>
@@ -19,6 +19,7 @@
 #include "spec/index/index.hpp"
 #include "tests/documents/attribute_pictures.hpp"
 #include "tests/documents/bleeding_picture.hpp"
+#include "tests/documents/subdivision_picture.hpp"
 
 namespace {
 
@@ -143,7 +144,8 @@ int main(int argc, char** argv) try {
       {"micromap.svg", states()},
       {"attribute_orders.svg", tests::attribute_orders()},
       {"attribute_decimation.svg", tests::attribute_decimation()},
-      {"attribute_bleeding.svg", tests::attribute_bleeding()}};
+      {"attribute_bleeding.svg", tests::attribute_bleeding()},
+      {"subdivision.svg", tests::subdivision_curves()}};
   int code = 0;
   for (const auto& [name, svg] : pictures) {
     const std::string file = folder + "/" + name;

@@ -21,6 +21,7 @@ const mmverify_subject_t* right_array(void);
 const mmverify_subject_t* right_array_changes(void);
 const mmverify_subject_t* right_dag(void);
 const mmverify_subject_t* right_mesh(void);
+const mmverify_subject_t* right_subdivision(void);
 }
 
 namespace mmverify::independence {
@@ -57,9 +58,10 @@ mmverify_subject_t right_of_all() {
   all.abi = MMVERIFY_SUBJECT_ABI;
   all.size = sizeof all;
   all.max_level = 16;
-  for (const mmverify_subject_t* one : {right_batched(), right_several(), right_c_face(), right_vq(),
-                                        right_attribute(), right_attribute_bake(), right_traverse(),
-                                        right_array(), right_array_changes(), right_dag(), right_mesh()}) {
+  for (const mmverify_subject_t* one :
+       {right_batched(), right_several(), right_c_face(), right_vq(), right_attribute(),
+        right_attribute_bake(), right_traverse(), right_array(), right_array_changes(), right_dag(),
+        right_mesh(), right_subdivision()}) {
     mmverify_subject_t its{};
     std::memcpy(&its, one, one->size);
     for (const dock::EntryPoint& e : dock::entry_points)

@@ -4,7 +4,7 @@ mmverify_add_part(right_several subjects/several.cpp mmverify_subject_v1=right_s
 mmverify_add_part(right_c_face subjects/c_face.c mmverify_subject_v1=right_c_face)
 set(judged_by subjects_tests)
 mmverify_add_wrong(ignoring nothing right_batched right_several right_c_face right_tree right_vq right_attribute
-  right_attribute_bake right_traverse right_array right_array_changes right_dag right_mesh mmverify::impl m)
+  right_attribute_bake right_traverse right_array right_array_changes right_dag right_mesh right_subdivision mmverify::impl m)
 target_sources(subject_ignoring PRIVATE independence/ignoring.cpp independence/measure.cpp independence/right.cpp)
 target_compile_options(subject_ignoring PRIVATE -O2)
 

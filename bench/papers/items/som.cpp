@@ -9,6 +9,7 @@
 #include "bench/papers/drawings.hpp"
 #include "bench/papers/item.hpp"
 #include "bench/papers/pictures.hpp"
+#include "bench/subdivision/bench.hpp"
 #include "impl/tree/stream.hpp"
 
 namespace mmverify::bench::papers {
@@ -504,6 +505,27 @@ std::vector<Item> compression_claims() {
   };
 }
 
+/// Bytes of both trees over flat ones, at levels 1 to 6.
+std::vector<Number> displacement_trees() {
+  constexpr std::uint32_t bits = 11;
+  std::vector<Number> numbers;
+  for (const std::string field : {"terrain", "bumps", "plain"})
+    for (const auto& [name, bytes] : {std::pair{"merged", &DisplacementSizes::tree},
+                                      std::pair{"narrowing", &DisplacementSizes::narrowing}})
+      numbers.push_back({field + ", " + name + " tree over flat, levels 1 to 6",
+                         {},
+                         "%",
+                         [field, bytes = bytes](Measured&) {
+                           static const std::vector<DisplacementSizes> sizes = displacement_sizes({});
+                           std::vector<double> shares;
+                           for (const DisplacementSizes& d : sizes)
+                             if (d.field == field && d.bits == bits)
+                               shares.push_back(100 * real(d.*bytes) / real(d.flat));
+                           return shares;
+                         }});
+  return numbers;
+}
+
 std::vector<Item> overlap_and_future_work() {
   return {
       {"figure 11",
@@ -515,12 +537,17 @@ std::vector<Item> overlap_and_future_work() {
        overlaps},
       {"figure 12", "leaves in segments on one texture", Status::differs, "scene FILE --picture FOLDER",
        "two textures of scenes that are not shipped; the pages draw ours with the states of their maps"},
-      {"7 a", "the index in other dimensions, shapes and subdivisions", Status::not_here, "",
-       "triangles cut in four alone, which the APIs have"},
+      {"7 a", "the index in other dimensions, shapes and subdivisions", Status::ok,
+       "prove subdivision; bench subdivision",
+       "triangles in four and in nine, quads, tetrahedra, bisection (SUBDIVISION.md)"},
       {"7 b", "the tree in hardware", Status::not_here, "", "software and shaders alone (SHADERS.md)"},
       {"7 c", "1-bit modes with an unknown state", Status::ok, "prove micromap.modes",
        "T/C and O/C measured (MICROMAP.md, Further 1-bit modes)"},
-      {"7 d", "a tree for displacement micromaps", Status::not_here, "", "opacity and attributes alone"},
+      {"7 d", "a tree for displacement micromaps", Status::ok, "bench subdivision",
+       "made height fields, the least and the greatest of a micro-triangle in 11 bits each; a tree that "
+       "merges four "
+       "equal siblings pays on a plain alone, one of ranges in ranges on rough terrain, too (SUBDIVISION.md)",
+       displacement_trees()},
       {"7 e", "lossy trees", Status::ok, "prove lossy", "three rules of loss (MICROMAP.md)"},
       {"7 f", "construction, efficient and continuous", Status::differs, "prove bake; scene FILE",
        "an exact baker (BAKE.md); no update of a part of a texture"},
