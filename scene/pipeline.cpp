@@ -11,7 +11,7 @@ namespace mmverify::scene {
 
 SceneMicromaps make_micromaps(const Scene& scene, const PipelineOptions& options) {
   SceneMicromaps made;
-  made.plan = plan(scene, options.level_limit, VaryingAlpha::planned);
+  made.plan = plan(scene, options.level_limit, VaryingAlpha::planned, options.moving);
   made.levels = levels(made.plan, options.levels);
   const bool go_on = !options.planned || options.planned(made.plan, made.levels);
   if (!go_on || made.plan.triangles.empty()) return made;

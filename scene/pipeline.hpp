@@ -19,6 +19,7 @@ namespace mmverify::scene {
 struct PipelineOptions {
   LevelRequest levels = {};
   unsigned level_limit = finest_level;  ///< the finest level of a request that leaves levels open
+  MovingTextures moving = MovingTextures::left_out;
   BakeOptions bake = {};
   /// Called once, before a texel is read.  If it returns false, or there is nothing to bake, the maps,
   /// arrays, pairs and square maps stay empty.

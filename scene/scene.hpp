@@ -62,6 +62,17 @@ struct TextureTransform {
 /// Source: KHR_texture_transform, Overview and Example JSON.
 Uv transformed(const TextureTransform& transform, const Uv& uv);
 
+/// The texture transforms of an animation: offset, scale and rotation each take any value of their own range, ends
+/// included.
+struct TransformRange {
+  TextureTransform least, greatest;
+  bool operator==(const TransformRange&) const = default;
+};
+
+/// The smallest rectangle, least and greatest, that holds transformed() of a UV by every transform of the range: exactly
+/// that without a rotation that moves, else with a hair more.
+std::array<Uv, 2> transformed(const TransformRange& range, const Uv& uv);
+
 struct BaseColorTexture {
   std::optional<std::size_t> image;  ///< none if the file names no image for it that is read here
   std::uint32_t uv_set = 0;          ///< TEXCOORD_n
@@ -79,6 +90,8 @@ struct Material {
   float base_color_alpha = 1;
   std::optional<BaseColorTexture> texture;
   std::vector<std::string> animated;  ///< KHR_animation_pointer's targets that change this alpha or these UVs
+  /// The transforms of its texture over all of the file's animations and without one, if these change nothing else.
+  std::optional<TransformRange> moving = {};
   /// KHR_materials_pbrSpecularGlossiness replaces the texture by another.
   bool specular_glossiness = false;
 };
@@ -95,6 +108,12 @@ struct VertexAlpha {
   std::vector<float> of_vertices = {};  ///< by vertex; empty if all that are used have the same
 };
 
+/// The UVs of vertices that move: each coordinate of each vertex stays within `travel` of its middle.
+struct MovingUvs {
+  std::vector<Uv> middles;
+  Uv travel{};
+};
+
 struct Primitive {
   std::size_t mesh = 0, number = 0;  ///< meshes[mesh].primitives[number]
   std::optional<std::size_t> material;
@@ -102,7 +121,8 @@ struct Primitive {
   std::vector<Triangle> triangles;
   std::vector<Position> positions;
   std::vector<Uv> uvs;  ///< of the set that the base colour names, transformed; empty if it is missing
-  std::optional<VertexAlpha> vertex_alpha;  ///< none without an alpha in COLOR_0
+  std::optional<MovingUvs> moving_uvs = {};  ///< of a material that moves its texture
+  std::optional<VertexAlpha> vertex_alpha;   ///< none without an alpha in COLOR_0
   std::vector<VariantMaterial> variants;
   bool morphs_uvs = false;  ///< a morph target moves the UVs or COLOR_0
 };

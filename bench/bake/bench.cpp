@@ -213,6 +213,8 @@ BakeFigures bake_figures(const BakeBenchOptions& options) {
     begins("a margin of " + std::to_string(margin) + " texels");
     figures.margins.push_back(with_margin(margin, textures, options.rounds));
   }
+  begins("updates");
+  figures.updates = bake_updates(textures, options.seed, options.rounds);
   return figures;
 }
 

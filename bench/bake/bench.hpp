@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/bake/updates.hpp"
 #include "bench/textures/alpha_textures.hpp"
 
 namespace mmverify::bench {
@@ -64,7 +65,8 @@ struct BakeFigures {
   std::vector<BakeLevel> levels;
   std::vector<BakeSize> sizes;      ///< at level 6, of generated textures
   std::vector<BakeMargin> margins;  ///< at level 6
-  std::uint64_t compared = 0;       ///< our states that were compared with the specification's, all equal
+  std::vector<BakeUpdate> updates;
+  std::uint64_t compared = 0;  ///< our states that were compared with the specification's, all equal
 };
 
 /// The figures over both halves of each texture's unit square, repeated, bilinear, cutoff 1/2.

@@ -93,6 +93,26 @@ Table margins_table(const BakeFigures& figures) {
                      fields, figures.margins);
 }
 
+Table updates_table(const BakeFigures& figures) {
+  using U = BakeUpdate;
+  const Fields<U> fields{
+      {{.key = positive("texels", key, "the side of the changed square"), .heading = "texels", .leads = true},
+       [](const U& u) { return std::uint64_t{u.texels}; }},
+      {{share("baked_again", same, "of the micro-triangles"), "baked again", "", shares},
+       [](const U& u) { return u.baked_again; }},
+      {{time("ns", "ns a map, brought up to date"), "updated in", "ns"}, [](const U& u) { return u.ns; }},
+      {{time("whole_ns", "ns a map, baked afresh"), "afresh in", "ns"},
+       [](const U& u) { return u.ns_whole; }},
+      {{ratio("times_faster", speed_more, "whole_ns / ns"), "x faster"},
+       [](const U& u) { return u.ns_whole / u.ns; }},
+  };
+  return table_of<U>(
+      {.key = list("updates", "level 8"),
+       .caption = "A map of level 8 after a square of texels changed; each is the one that a whole "
+                  "bake gives, bit for bit"},
+      fields, figures.updates);
+}
+
 }  // namespace
 
 Result bake_tables(const BakeFigures& figures, const BakeBenchOptions& options) {
@@ -117,7 +137,7 @@ Result bake_tables(const BakeFigures& figures, const BakeBenchOptions& options) 
               "with the specification's, half of them unknown where there are as many.\nunknown: share of "
               "the exact states; in whole numbers: share of our leaves that took them",
           .tables = {table_of<BakeFigures>({.form = Form::members}, loose, {figures}), levels_table(figures),
-                     sizes_table(figures), margins_table(figures)},
+                     sizes_table(figures), margins_table(figures), updates_table(figures)},
           .drawn = bake_picture(figures)};
 }
 

@@ -54,6 +54,7 @@ struct SceneOptions {
   unsigned threads = 0, level_limit = finest_level;
   bool no_laws = false, quiet = false, details = false;
   float margin = 0;
+  bool moving = false;
   int states = 4;
 };
 
@@ -122,6 +123,7 @@ std::string command(const SceneOptions& options) {
   if (options.states != 4) text += " --states 2";
   if (options.memory != SceneOptions().memory) text += fmt::format(" --memory {}", options.memory);
   if (options.margin != 0) text += fmt::format(" --margin {}", options.margin);
+  if (options.moving) text += " --moving";
   if (!options.subject.empty()) text += " --subject " + shell_quoted(options.subject);
   return text;
 }
@@ -214,6 +216,7 @@ SceneMicromaps micromaps_of(const Scene& scene, const LevelRequest& wanted, cons
     progress->now("bake");
     return true;
   };
+  if (options.moving) pipeline.moving = MovingTextures::planned;
   pipeline.bake = {options.threads, options.states == 2, options.margin, [&](std::uint64_t done) {
                      progress->add(done);
                      stop_if_interrupted();
@@ -464,6 +467,8 @@ Action add_scene(CLI::App& program) {
           "texels by which micro-triangles are dilated along both axes; sampler: 5/1024, for 8-bit weights")
       ->transform(CLI::Transformer(std::map<std::string, float>{{"sampler", sampler_margin}}))
       ->check(finite_within(0, 64));
+  command->add_flag("--moving", options->moving,
+                    "bake also triangles whose UVs an animation moves: O and T hold wherever it moves them");
   add_artists(*command, *options);
   add_effort(*command, options->effort);
   auto* const no_laws = command->add_flag("--no-laws", options->no_laws, "bake, without the laws");

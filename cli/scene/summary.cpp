@@ -47,6 +47,16 @@ std::string triangles_text(const SceneFigures& f) {
   return text;
 }
 
+/// The triangles that --moving would add.
+std::uint64_t triangles_that_could_move(const SceneFigures& f) {
+  std::uint64_t count = 0;
+  for (const LeftOutPrimitive& p : f.made.plan.left_out)
+    if (const Primitive& primitive = f.scene.primitives[p.primitive];
+        p.why == LeftOut::animated && primitive.moving_uvs)
+      count += primitive.triangles.size();
+  return count;
+}
+
 std::string any_hit_text(const SceneFigures& f) {
   const AnyHitShares& s = f.sizes.any_hit;
   if (s.area == 0) return "not counted: no alpha-tested triangle is placed in the scene";
@@ -101,6 +111,12 @@ void print_summary(std::FILE* out, const SceneFigures& f, const proofs::Report& 
   const char* const option = f.one_level ? "--level" : "--level-limit";
   say(out, "{}\n", printable(f.scene.file));
   summary_line(out, "triangles", triangles_text(f));
+  if (const std::uint64_t moving = triangles_that_could_move(f); moving != 0)
+    summary_line(
+        out, "moving",
+        fmt::format("{} triangle{} without maps, whose UVs an animation moves; --moving bakes maps that "
+                    "hold wherever it moves them",
+                    grouped(moving), moving == 1 ? "" : "s"));
   summary_line(out, "any-hit", any_hit_text(f));
   summary_line(out, "memory", memory_text(f));
   if (asks)

@@ -9,6 +9,7 @@
 #include "impl/bake/judge/codes.hpp"
 #include "impl/bake/plane/points.hpp"
 #include "impl/bake/sixteen/sixteen.hpp"
+#include "impl/bake/touched.hpp"
 #include "impl/bake/triangles.hpp"
 
 namespace mmverify::impl::bake::detail {
@@ -31,6 +32,21 @@ class Descent {
       fill(all, height, index);
     else
       cut(p, turned, height, index);
+  }
+
+  /// Bakes one node of the base triangle p.
+  void part(Triangle p, std::uint32_t level, const Node& one) {
+    bool turned = false;
+    for (std::uint32_t height = level; height > one.height;) {
+      --height;
+      const std::uint32_t child = one.index >> (2 * height) & 3;
+      p = children(p)[child];
+      turned = turned != (child == 1);
+    }
+    if (one.height == 0)
+      single(p);
+    else
+      node(p, turned, one.height, one.index);
   }
 
   BakeCounts counts;

@@ -52,33 +52,59 @@ class Mip final : public MipBaker {
         sides_(checked(texture), limits_of(mode, s.factors, full<Texel>), s.u, s.v,
                border_of<Texel>(s.border)) {}
 
-  BakeCounts bake(const BaseTriangle& uv, std::uint32_t level, std::uint8_t* map) const override {
-    return filter_ == Filter::nearest ? baked<Nearest<Texel>>(uv, level, map)
-                                      : baked<Bilinear<Texel>>(uv, level, map);
+  BakeCounts bake(const MovingTriangle& uv, std::uint32_t level, std::uint8_t* map,
+                  const std::vector<Node>* only) const override {
+    return filter_ == Filter::nearest ? baked<Nearest<Texel>>(uv, level, map, only)
+                                      : baked<Bilinear<Texel>>(uv, level, map, only);
+  }
+
+  bool holds(const Box& b) const override {
+    return b.x <= width_ && b.width <= width_ - b.x && b.y <= height_ && b.height <= height_ - b.y;
+  }
+
+  bool may_read(const UvBox& places, const Box& box) const override {
+    // Corners of nodes are off by less than 2^-14 texel: 12 halvings of coordinates below 2^34 texels.
+    constexpr double rounding = 0x1p-10;
+    const bool linear = filter_ == Filter::bilinear;
+    const double before = rounding + margin_ + (linear ? 0.5 : 0), after = before + (linear ? 0.5 : 0);
+    return sides_.meets(floored(places.left * width_ - before), floored(places.right * width_ + after),
+                        floored(places.top * height_ - before), floored(places.bottom * height_ + after),
+                        box);
   }
 
  private:
+  /// The dilation along an axis: margin + range x texels, rounded up.  Without a margin the product of 24 and 15 bits is
+  /// exact.
+  double dilation(float range, std::uint32_t texels) const {
+    const double product = double{range} * texels, margin = margin_, sum = product + margin,
+                 more = std::max(product, margin), less = std::min(product, margin);
+    return less > sum - more ? std::nextafter(sum, HUGE_VAL) : sum;
+  }
+
   template <class Judge>
-  BakeCounts baked(const BaseTriangle& uv, std::uint32_t level, std::uint8_t* map) const {
+  BakeCounts baked(const MovingTriangle& moving, std::uint32_t level, std::uint8_t* map,
+                   const std::vector<Node>* only) const {
+    const BaseTriangle& uv = moving.middle;
+    const Dilation dilated{dilation(moving.across, width_), dilation(moving.down, height_)};
     Triangle p;
-    double size = 1 + double{margin_};
+    double size = 1 + std::max(dilated.x, dilated.y);
     for (std::size_t k = 0; k < 3; ++k) {
       // The products are exact, in 24 + 15 bits.
       p[k] = {double{uv[k].u} * width_ - Judge::offset, double{uv[k].v} * height_ - Judge::offset};
-      size = std::max({size, std::fabs(p[k].x) + margin_, std::fabs(p[k].y) + margin_});
+      size = std::max({size, std::fabs(p[k].x) + dilated.x, std::fabs(p[k].y) + dilated.y});
     }
-    // The rounding of the offset, of each level's middle and of the margin: half a unit in the last place each.
+    // The rounding of the offset, of each level's middle and of the dilation: half a unit in the last place each.
     const double delta = (level + 11) * 0x1p-52 * size;
     InnerBox inner = inner_box(p);
     for (double* const side : {&inner.left, &inner.right, &inner.top, &inner.bottom})
       *side = std::ldexp(*side, -static_cast<int>(level));
-    const ExactBase exact(sides_, uv, width_, height_, level, filter_, margin_);
-    const Judge judge(sides_, exact, p, static_cast<index::Level>(level), inner, delta, margin_);
+    const ExactBase exact(sides_, uv, width_, height_, level, filter_, dilated);
+    const Judge judge(sides_, exact, p, static_cast<index::Level>(level), inner, delta, dilated);
     Descent<Judge> descent(judge, map);
-    if (level == 0)
-      descent.single(p);
+    if (only == nullptr)
+      descent.part(p, level, {0, level});
     else
-      descent.node(p, false, level, 0);
+      for (const Node& one : *only) descent.part(p, level, one);
     return descent.counts;
   }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "impl/bake/mip.hpp"
+#include "impl/bake/touched.hpp"
 
 namespace mmverify::impl::bake {
 namespace {
@@ -43,6 +44,25 @@ std::vector<std::uint8_t> channel_of(const PixelView& p) {
   return texels;
 }
 
+/// Errors: std::invalid_argument outside the domain of TriangleBaker::bake_moving().
+void check(const MovingTriangle& uv, std::uint32_t level, std::span<const std::uint8_t> map,
+           std::span<const std::uint8_t> room) {
+  if (level > max_bake_level) throw std::invalid_argument("bake: a level above 12");
+  if (map.size() != ((std::size_t{1} << (2 * level)) + 3) / 4)
+    throw std::invalid_argument("bake: room for another number of states");
+  for (const TexturePoint& p : uv.middle) {
+    if (!std::isfinite(p.u) || !std::isfinite(p.v))
+      throw std::invalid_argument("bake: a texture coordinate that is not finite");
+    if (std::fabs(p.u) >= 0x1p20f || std::fabs(p.v) >= 0x1p20f)
+      throw std::invalid_argument("bake: a texture coordinate of 2^20 or more");
+  }
+  for (const float range : {uv.across, uv.down})
+    if (!(range >= 0 && range < 0x1p20f))
+      throw std::invalid_argument("bake: a range of coordinates that is not from 0 and below 2^20");
+  if (!room.empty() && room.size() != map.size())
+    throw std::invalid_argument("bake: room for another map's size");
+}
+
 }  // namespace
 
 TriangleBaker::TriangleBaker(std::span<const Texels> mips, const AlphaMode& mode, const Sampling& sampling) {
@@ -76,27 +96,53 @@ TriangleBaker& TriangleBaker::operator=(TriangleBaker&&) noexcept = default;
 
 BakeCounts TriangleBaker::bake(const BaseTriangle& uv, std::uint32_t level, std::span<std::uint8_t> map,
                                std::span<std::uint8_t> room) const {
-  if (level > max_bake_level) throw std::invalid_argument("bake: a level above 12");
-  const std::uint64_t count = std::uint64_t{1} << (2 * level);
-  if (map.size() != (count + 3) / 4) throw std::invalid_argument("bake: room for another number of states");
-  for (const TexturePoint& p : uv) {
-    if (!std::isfinite(p.u) || !std::isfinite(p.v))
-      throw std::invalid_argument("bake: a texture coordinate that is not finite");
-    if (std::fabs(p.u) >= 0x1p20f || std::fabs(p.v) >= 0x1p20f)
-      throw std::invalid_argument("bake: a texture coordinate of 2^20 or more");
-  }
-  if (!room.empty() && room.size() != map.size())
-    throw std::invalid_argument("bake: room for another map's size");
-  BakeCounts counts = mips_.front()->bake(uv, level, map.data());
+  return bake_moving({uv}, level, map, room);
+}
+
+BakeCounts TriangleBaker::bake_moving(const MovingTriangle& uv, std::uint32_t level,
+                                      std::span<std::uint8_t> map, std::span<std::uint8_t> room) const {
+  check(uv, level, map, room);
+  return bake_all(uv, level, map, room, nullptr);
+}
+
+BakeCounts TriangleBaker::rebake(const MovingTriangle& uv, std::uint32_t level, std::span<std::uint8_t> map,
+                                 std::span<const Box> changed, std::span<std::uint8_t> room) const {
+  check(uv, level, map, room);
+  if (changed.size() != mips_.size())
+    throw std::invalid_argument("bake: changed boxes for another number of mip levels");
+  for (std::size_t k = 0; k < mips_.size(); ++k)
+    if (!mips_[k]->holds(changed[k]))
+      throw std::invalid_argument("bake: changed texels beyond mip level " + std::to_string(k));
+  const auto touched = [&](detail::UvBox places) {
+    places.left -= uv.across, places.right += uv.across;
+    places.top -= uv.down, places.bottom += uv.down;
+    for (std::size_t k = 0; k < mips_.size(); ++k)
+      if (mips_[k]->may_read(places, changed[k])) return true;
+    return false;
+  };
+  const std::vector<detail::Node> nodes = detail::touched_nodes(uv.middle, level, touched);
+  return bake_all(uv, level, map, room, &nodes);
+}
+
+BakeCounts TriangleBaker::bake_all(const MovingTriangle& uv, std::uint32_t level, std::span<std::uint8_t> map,
+                                   std::span<std::uint8_t> room,
+                                   const std::vector<detail::Node>* only) const {
+  BakeCounts counts;
   std::vector<std::uint8_t> own(mips_.size() > 1 && room.empty() ? map.size() : 0);
   const std::span<std::uint8_t> other = room.empty() ? own : room;
-  for (std::size_t k = 1; k < mips_.size(); ++k) {
-    const BakeCounts more = mips_[k]->bake(uv, level, other.data());
+  // merge() leaves equal states as they are: nodes that are not baked again.
+  if (only != nullptr && mips_.size() > 1) std::copy(map.begin(), map.end(), other.begin());
+  for (std::size_t k = 0; k < mips_.size(); ++k) {
+    const std::span<std::uint8_t> baked = k == 0 ? map : other;
+    const BakeCounts more = mips_[k]->bake(uv, level, baked.data(), only);
     counts.leaves += more.leaves;
     counts.exact += more.exact;
-    merge(map, other);
+    if (k != 0) merge(map, other);
   }
-  counts.micro_triangles = count;
+  if (only == nullptr)
+    counts.micro_triangles = std::uint64_t{1} << (2 * level);
+  else
+    for (const detail::Node& one : *only) counts.micro_triangles += std::uint64_t{1} << (2 * one.height);
   return counts;
 }
 

@@ -31,6 +31,14 @@ struct TexturePoint {
 };
 using BaseTriangle = std::array<TexturePoint, 3>;
 
+/// A triangle whose vertices move: u of vertex k stays within `across` of middle[k].u, v within `down` of middle[k].v,
+/// each vertex on its own.  A point of the triangle is a mean of its vertices, so it moves no farther.
+/// Source: Succinct Opacity Micromaps, 3.1.1, "maximum deformation".
+struct MovingTriangle {
+  BaseTriangle middle;
+  float across = 0, down = 0;
+};
+
 inline constexpr std::uint32_t max_bake_level = 12;
 
 /// The wrap mode of coordinates outside [0, 1), along each axis.
@@ -73,7 +81,8 @@ struct BakeCounts {
 
 namespace detail {
 class MipBaker;
-}
+struct Node;
+}  // namespace detail
 
 /// A texture made ready for any number of triangles.  Many threads may use one at once.
 class TriangleBaker {
@@ -110,7 +119,31 @@ class TriangleBaker {
   BakeCounts bake(const BaseTriangle& uv, std::uint32_t level, std::span<std::uint8_t> map,
                   std::span<std::uint8_t> room = {}) const;
 
+  /// Bakes one map for all positions of a moving triangle: O or T holds in each of them.
+  ///   micro-triangle of the middle + [-across width, across width] x [-down height, down height] is O or T, as a
+  ///   dilated one is; else UO or UT, as the middle's centroid tells
+  /// All vertices moved alike by all of the range: the union of positions is that sum, and no state is needlessly
+  /// unknown.  With a margin, the two dilations' sum is rounded up to binary64.
+  /// Domain: as bake(); across and down are finite, from 0 and below 2^20.
+  /// Errors: as bake().
+  /// Law: bake.moving, bake.moving_positions
+  BakeCounts bake_moving(const MovingTriangle& uv, std::uint32_t level, std::span<std::uint8_t> map,
+                         std::span<std::uint8_t> room = {}) const;
+
+  /// Bakes again what a change of texels may have changed.  This baker was made from the changed texture; `map` is
+  /// bake_moving()'s of the texture before, and becomes bake_moving()'s of this one, bit for bit.
+  /// changed[k] holds every texel of mip level k that differs; an empty box: none does.  The border, factors and cutoff
+  /// are those of before.
+  /// Time: as bake() on the nodes of 16 micro-triangles whose texels may have changed.
+  /// Domain: as bake_moving(); a box for each mip level, within it.  micro_triangles counts those baked again.
+  /// Errors: std::invalid_argument outside the domain; nothing is written.
+  /// Law: bake.update
+  BakeCounts rebake(const MovingTriangle& uv, std::uint32_t level, std::span<std::uint8_t> map,
+                    std::span<const Box> changed, std::span<std::uint8_t> room = {}) const;
+
  private:
+  BakeCounts bake_all(const MovingTriangle& uv, std::uint32_t level, std::span<std::uint8_t> map,
+                      std::span<std::uint8_t> room, const std::vector<detail::Node>* only) const;
   void prepare(std::span<const Texels> mips, const AlphaMode& mode, const Sampling& sampling);
 
   std::vector<std::vector<std::uint8_t>> channels_;  ///< copies of interleaved pixels, by mip level

@@ -28,6 +28,12 @@ inline Binary binary(float x) noexcept {
   return normal(word >> 31 != 0 ? -size : size, (field == 0 ? 1 : static_cast<int>(field)) - 150);
 }
 
+inline Binary binary(double x) noexcept {
+  int e = 0;
+  const double half = std::frexp(x, &e);
+  return normal(static_cast<std::int64_t>(std::ldexp(half, 53)), e - 53);
+}
+
 /// The number in binary64, rounded once.
 inline double rounded(const Binary& b) noexcept { return std::ldexp(static_cast<double>(b.m), b.e); }
 

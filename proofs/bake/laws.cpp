@@ -7,7 +7,8 @@ namespace mmverify::proofs::bake {
 std::vector<Law> laws() {
   std::vector<Law> all = state_laws();
   all.push_back(large_law());
-  for (const auto& group : {relation_laws(), mesh_laws()}) all.insert(all.end(), group.begin(), group.end());
+  for (const auto& group : {relation_laws(), changing_laws(), mesh_laws()})
+    all.insert(all.end(), group.begin(), group.end());
   return all;
 }
 

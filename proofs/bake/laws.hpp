@@ -14,6 +14,8 @@ std::vector<Law> state_laws();
 Law large_law();
 /// Laws of whole meshes in one array.
 std::vector<Law> mesh_laws();
+/// Laws of coordinates that move and of texels that change.
+std::vector<Law> changing_laws();
 /// Relations between the maps of one texture.
 std::vector<Law> relation_laws();
 

@@ -36,6 +36,7 @@ Functions state_by_state(One state) {
 Functions specified() {
   Functions functions = state_by_state(true_state);
   functions.centroid = true;
+  functions.support.moving = true;
   return functions;
 }
 
@@ -54,7 +55,7 @@ Stored stored_number(std::uint32_t bits) {
 }
 
 template <class Stored>
-std::optional<Baked> baked_from(const Case& one, Level n, Format format) {
+void bake_into(const Case& one, Level n, std::span<std::uint8_t> map, std::span<const fast::Box> changed) {
   std::vector<Stored> alpha(one.alpha.size());
   std::transform(one.alpha.begin(), one.alpha.end(), alpha.begin(), stored_number<Stored>);
   std::vector<fast::Texels> mips;
@@ -74,8 +75,24 @@ std::optional<Baked> baked_from(const Case& one, Level n, Format format) {
        static_cast<float>(stored_number<Stored>(one.border)),
        {one.factor, one.vertex_factor},
        one.margin});
+  const fast::BaseTriangle uv{{{one.uv[0], one.uv[1]}, {one.uv[2], one.uv[3]}, {one.uv[4], one.uv[5]}}};
+  const fast::MovingTriangle moving{uv, one.travel[0], one.travel[1]};
+  if (!changed.empty())
+    baker.rebake(moving, n, map, changed);
+  else if (one.travel == std::array<float, 2>{})
+    baker.bake(uv, n, map);
+  else
+    baker.bake_moving(moving, n, map);
+}
+
+/// A case with a change is baked as it was before, and then brought up to date.
+template <class Stored>
+std::optional<Baked> baked_from(const Case& one, Level n, Format format) {
   std::vector<std::uint8_t> map((count_at(n) + 3) / 4);
-  baker.bake({{{one.uv[0], one.uv[1]}, {one.uv[2], one.uv[3]}, {one.uv[4], one.uv[5]}}}, n, map);
+  std::vector<fast::Box> changed;
+  for (const auto& [x, y, width, height] : one.change.boxes) changed.push_back({x, y, width, height});
+  if (!changed.empty()) bake_into<Stored>(before_change(one), n, map, {});
+  bake_into<Stored>(one, n, map, changed);
   std::vector<State> states(count_at(n));
   for (std::size_t k = 0; k < states.size(); ++k)
     states[k] = static_cast<State>(map[k / 4] >> 2 * (k % 4) & 3);
@@ -84,7 +101,8 @@ std::optional<Baked> baked_from(const Case& one, Level n, Format format) {
 
 std::optional<Baked> baked_by_impl(const Case& one, Level n, Format format) {
   const auto small = [](float x) { return x > -0x1p20f && x < 0x1p20f; };
-  if (n > fast::max_bake_level || !std::all_of(one.uv.begin(), one.uv.end(), small) || !small(one.margin))
+  if (n > fast::max_bake_level || !std::all_of(one.uv.begin(), one.uv.end(), small) || !small(one.margin) ||
+      !std::all_of(one.travel.begin(), one.travel.end(), small))
     return std::nullopt;
   switch (one.texel) {
     case Texel::unorm16:
@@ -97,7 +115,11 @@ std::optional<Baked> baked_by_impl(const Case& one, Level n, Format format) {
   return baked_from<std::uint8_t>(one, n, format);
 }
 
-Functions this_projects() { return {baked_by_impl, true, {}}; }
+Functions this_projects() {
+  Functions functions{baked_by_impl, true, {}};
+  functions.support.moving = functions.support.updates = true;
+  return functions;
+}
 
 // ---- Bakers that sample
 

@@ -77,6 +77,8 @@ bool Support::whole() const {
   any.two_state = two_state;
   any.four_state = four_state;
   any.unknown = unknown;
+  any.moving = moving;
+  any.updates = updates;
   return *this == any;
 }
 
@@ -134,6 +136,7 @@ bool covers(const Support& s, const Case& one) {
          s.wraps.has(one.wrap_v) && !(s.same_wraps && one.wrap_u != one.wrap_v) && fits(one.width) &&
          fits(one.height) && one.mips <= s.max_mips &&
          (s.factors || (one.factor == 1 && one.vertex_factor == 1)) && (s.margins || one.margin == 0) &&
+         (s.moving || one.travel == std::array<float, 2>{}) && (s.updates || one.change.boxes.empty()) &&
          (one.blend ? s.judges_blend() : s.mask) &&
          (one.blend || !s.fixed_cutoff || one.cutoff == *s.fixed_cutoff) &&
          (one.blend || s.fixed_cutoff || !s.float_cutoffs || one.cutoff == float_cutoff(one.cutoff)) &&

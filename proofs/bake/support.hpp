@@ -16,6 +16,7 @@ struct Support {
   bool mask = true, blend = true;
   std::uint32_t max_side = 16384, max_mips = 15;
   bool same_wraps = false, powers_of_two = false, factors = true, margins = true;
+  bool moving = false, updates = false;  ///< cases with travel; with a change
   bool float_cutoffs = false;
   std::optional<Cutoff> fixed_cutoff;
   float uv_min = 0, uv_max = 0;  ///< both 0: any

@@ -236,11 +236,14 @@ class ExactSurfaces::OfSurface {
   }
 
  private:
-  /// The micro-triangle in texels, dilated by the margin.
+  /// The micro-triangle in texels, dilated by the margin and by its movement.
   template <class Q, class Texel>
   Polygon<Q> polygon(const TextureOf<Texel>& t, const scene::UvTriangle& uv, Level n,
                      std::uint32_t index) const {
-    return dilated(micro_triangle(base<Q>(uv), n, index, t.width, t.height), number<Q>(bits(margin_)));
+    const Q margin = number<Q>(bits(margin_));
+    const auto travel = place<Q>(bits(surface_.travel[0]), bits(surface_.travel[1]));
+    return dilated(micro_triangle(base<Q>(uv), n, index, t.width, t.height),
+                   Q(margin + travel.x * Q(t.width)), Q(margin + travel.y * Q(t.height)));
   }
 
   scene::Surface surface_;
@@ -263,6 +266,9 @@ bool ExactSurfaces::OfSurface::near_change(const scene::UvTriangle& uv, Level n,
           low_x = std::min(low_x, x), high_x = std::max(high_x, x);
           low_y = std::min(low_y, y), high_y = std::max(high_y, y);
         }
+        const double across = double{surface_.travel[0]} * t.width,
+                     down = double{surface_.travel[1]} * t.height;
+        low_x -= across, high_x += across, low_y -= down, high_y += down;
         const auto whole = [](double x) { return static_cast<std::int64_t>(std::floor(x)); };
         if (high_x - low_x > 64 || high_y - low_y > 64)
           return true;  // of so many texels hardly one side alone

@@ -79,6 +79,7 @@ std::optional<bake::Case> SubjectMaps::case_without_texels(std::size_t triangle)
   one.blend = surface.mode == mmverify::scene::AlphaMode::blend;
   if (!one.blend) one.cutoff = *cutoff;
   one.margin = data_.margin;
+  one.travel = surface.travel;
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t axis = 0; axis < 2; ++axis) one.uv[2 * k + axis] = planned.uvs[k][axis];
   return one;
@@ -122,7 +123,10 @@ void SubjectMaps::ask(std::size_t triangle, TriangleAnswer& asked) const {
   impl::micromap::Bytes map((baked->states.size() + 3) / 4);
   const auto& uv = planned.uvs;
   asked.our_ns = ns_of([&] {
-    baker.bake({{{uv[0][0], uv[0][1]}, {uv[1][0], uv[1][1]}, {uv[2][0], uv[2][1]}}}, ours.level, map);
+    const auto& travel = data_.plan.surfaces[planned.surface].travel;
+    baker.bake_moving(
+        {{{{uv[0][0], uv[0][1]}, {uv[1][0], uv[1][1]}, {uv[2][0], uv[2][1]}}}, travel[0], travel[1]},
+        ours.level, map);
   });
   for (std::size_t k = 0; k < baked->states.size(); ++k) {
     const bake::State got = baked->states[k], right = our_state(ours, k);

@@ -77,13 +77,15 @@ Baked bake(const Scene& scene, const Plan& plan, std::span<const unsigned> level
     const std::uint64_t count = impl::micromap::micro_triangles(baked.level);
     impl::micromap::Bytes map(impl::micromap::packed_bytes(count, Format::four_state));
     const auto& uv = planned.uvs;
+    const Uv& travel = plan.surfaces[planned.surface].travel;
     baked.by_bounds = planned.varies();
     try {
       if (baked.by_bounds)
         varying.bake(planned, baked.level, map);
       else
-        counts[number] = bakers[planned.surface].bake(
-            {{{uv[0][0], uv[0][1]}, {uv[1][0], uv[1][1]}, {uv[2][0], uv[2][1]}}}, baked.level, map);
+        counts[number] = bakers[planned.surface].bake_moving(
+            {{{{uv[0][0], uv[0][1]}, {uv[1][0], uv[1][1]}, {uv[2][0], uv[2][1]}}}, travel[0], travel[1]},
+            baked.level, map);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(error.what() + std::string(": UVs (") + std::to_string(uv[0][0]) + ", " +
                                   std::to_string(uv[0][1]) + ") on image " +

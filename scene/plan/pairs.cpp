@@ -114,8 +114,9 @@ Pairs pairs(const Scene& scene, const Plan& plan) {
                                                 std::size_t above, const VertexOrder& above_order) {
       const TriangleUse lower = reordered(planned.triangles[below], below_order),
                         upper = reordered(planned.triangles[above], above_order);
-      if (plan.triangles[lower.triangle].varies() || plan.triangles[upper.triangle].varies()) {
-        all.unpaired += 2;  // bounds do not tell what is C
+      if (plan.triangles[lower.triangle].varies() || plan.triangles[upper.triangle].varies() ||
+          plan.surfaces[planned.surface].moves()) {
+        all.unpaired += 2;  // bounds do not tell what is C, and square maps are baked of textures at rest
         return;
       }
       const auto [entry, is_new] =

@@ -29,9 +29,28 @@ bool any_placed(const Scene& scene) {
                      [](const Mesh& mesh) { return mesh.uses != 0; });
 }
 
+/// Whether an animation moves a primitive's UVs, by known ranges, and changes nothing else, in any variant.
+bool only_moves(const Scene& scene, const Primitive& primitive) {
+  const Material& material = scene.material_of(primitive);
+  return primitive.moving_uvs &&
+         std::all_of(primitive.variants.begin(), primitive.variants.end(),
+                     [&](const VariantMaterial& variant) {
+                       return scene.materials[variant.material].moving == material.moving;
+                     });
+}
+
+bool is_animated(const Scene& scene, const Primitive& primitive) {
+  return !scene.material_of(primitive).animated.empty() ||
+         std::any_of(primitive.variants.begin(), primitive.variants.end(),
+                     [&](const VariantMaterial& variant) {
+                       return !scene.materials[variant.material].animated.empty();
+                     });
+}
+
 /// The reason why a primitive is left out; of several, the one that the scene's author would have to change
 /// first.
-std::optional<LeftOut> left_out(const Scene& scene, const Primitive& primitive, bool mesh_may_be_unplaced) {
+std::optional<LeftOut> left_out(const Scene& scene, const Primitive& primitive, bool mesh_may_be_unplaced,
+                                MovingTextures moving) {
   const Material& material = scene.material_of(primitive);
   if (primitive.triangles.empty()) return LeftOut::no_triangles;
   if (!mesh_may_be_unplaced && scene.meshes[primitive.mesh].uses == 0) return LeftOut::not_placed;
@@ -39,9 +58,8 @@ std::optional<LeftOut> left_out(const Scene& scene, const Primitive& primitive, 
     if (!same_alpha(scene.materials[variant.material], material)) return LeftOut::material_variants;
   // alphaMode is no target of animations: opaque stays opaque.
   if (material.mode == AlphaMode::opaque) return LeftOut::opaque;
-  if (!material.animated.empty()) return LeftOut::animated;
-  for (const VariantMaterial& variant : primitive.variants)
-    if (!scene.materials[variant.material].animated.empty()) return LeftOut::animated;
+  const bool moves = moving == MovingTextures::planned && only_moves(scene, primitive) && !varies(primitive);
+  if (is_animated(scene, primitive) && !moves) return LeftOut::animated;
   if (material.specular_glossiness) return LeftOut::specular_glossiness;
   if (!material.texture) return LeftOut::no_texture;
   if (!material.texture->image) return LeftOut::no_image;
@@ -52,14 +70,19 @@ std::optional<LeftOut> left_out(const Scene& scene, const Primitive& primitive, 
   const Sampler& sampler = material.texture->sampler;
   if (sampler.magnification && sampler.minification && sampler.magnification != sampler.minification)
     return LeftOut::two_filters;
+  const std::vector<Uv>& uvs = moves ? primitive.moving_uvs->middles : primitive.uvs;
+  const auto far = [](float x) { return !(std::fabs(x) < 0x1p20f); };
   for (const Triangle& triangle : primitive.triangles)
     for (const std::uint32_t vertex : triangle)
-      for (const float x : primitive.uvs[vertex])
-        if (std::fabs(x) >= 0x1p20f) return LeftOut::far_uvs;
+      if (far(uvs[vertex][0]) || far(uvs[vertex][1])) return LeftOut::far_uvs;
+  if (moves && (far(primitive.moving_uvs->travel[0]) || far(primitive.moving_uvs->travel[1])))
+    return LeftOut::far_uvs;
   return {};
 }
 
-Surface surface_of(const Material& material, const Primitive& primitive) {
+/// Domain: a primitive that is not left out.
+Surface surface_of(const Scene& scene, const Primitive& primitive) {
+  const Material& material = scene.material_of(primitive);
   Surface surface;
   surface.image = *material.texture->image;
   surface.sampler = material.texture->sampler;
@@ -67,18 +90,19 @@ Surface surface_of(const Material& material, const Primitive& primitive) {
   if (material.mode == AlphaMode::mask) surface.cutoff = material.cutoff;
   surface.base_color_alpha = material.base_color_alpha;
   if (primitive.vertex_alpha && !varies(primitive)) surface.vertex_alpha = primitive.vertex_alpha->least;
+  if (is_animated(scene, primitive)) surface.travel = primitive.moving_uvs->travel;
   return surface;
 }
 
 class Planner {
  public:
-  Planner(const Scene& scene, unsigned level_limit, VaryingAlpha varying)
-      : scene_(scene), level_limit_(level_limit), varying_(varying) {}
+  Planner(const Scene& scene, unsigned level_limit, VaryingAlpha varying, MovingTextures moving)
+      : scene_(scene), level_limit_(level_limit), varying_(varying), moving_(moving) {}
 
   Plan planned() {
     const bool all_unplaced = !any_placed(scene_);
     for (std::size_t k = 0; k < scene_.primitives.size(); ++k)
-      if (const auto why = left_out(scene_, scene_.primitives[k], all_unplaced))
+      if (const auto why = left_out(scene_, scene_.primitives[k], all_unplaced, moving_))
         plan_.left_out.push_back({k, *why});
       else if (varying_ == VaryingAlpha::left_out && varies(scene_.primitives[k]))
         plan_.left_out.push_back({k, LeftOut::varying_alpha});
@@ -100,14 +124,14 @@ class Planner {
 
   void add(std::size_t index) {
     const Primitive& primitive = scene_.primitives[index];
-    const Surface surface = surface_of(scene_.material_of(primitive), primitive);
+    const Surface surface = surface_of(scene_, primitive);
     const Image& image = scene_.images.at(surface.image);
     if (!image.decoded()) throw std::invalid_argument("plan: image " + image.name + " is not decoded");
     PlannedPrimitive planned{index, number_of(surface), {}};
+    const std::vector<Uv>& all_uvs = planned_uvs(primitive, surface);
     planned.triangles.reserve(primitive.triangles.size());
     for (const Triangle& triangle : primitive.triangles) {
-      const UvTriangle uvs{primitive.uvs[triangle[0]], primitive.uvs[triangle[1]],
-                           primitive.uvs[triangle[2]]};
+      const UvTriangle uvs{all_uvs[triangle[0]], all_uvs[triangle[1]], all_uvs[triangle[2]]};
       const CornerAlphas alphas = corner_alphas(primitive, triangle);
       const auto found = duplicates_.add(planned.surface, uvs, periods(surface.sampler), alphas);
       if (found.is_new) {
@@ -128,6 +152,7 @@ class Planner {
   const Scene& scene_;
   unsigned level_limit_;
   VaryingAlpha varying_;
+  MovingTextures moving_;
   UvDuplicates duplicates_;
   Plan plan_;
 };
@@ -181,8 +206,12 @@ CornerAlphas corner_alphas(const Primitive& primitive, const Triangle& triangle)
   return {of.at(triangle[0]), of.at(triangle[1]), of.at(triangle[2])};
 }
 
-Plan plan(const Scene& scene, unsigned level_limit, VaryingAlpha varying) {
-  return Planner(scene, level_limit, varying).planned();
+const std::vector<Uv>& planned_uvs(const Primitive& primitive, const Surface& surface) {
+  return surface.moves() ? primitive.moving_uvs->middles : primitive.uvs;
+}
+
+Plan plan(const Scene& scene, unsigned level_limit, VaryingAlpha varying, MovingTextures moving) {
+  return Planner(scene, level_limit, varying, moving).planned();
 }
 
 std::uint64_t triangles_left_out(const Scene& scene, const Plan& plan, LeftOut why) {

@@ -47,7 +47,10 @@ struct Surface {
   float cutoff = 0.5f;  ///< for MASK; 0.5 and unused for BLEND
   float base_color_alpha = 1;
   float vertex_alpha = 1;  ///< that of all vertices; 1 if it varies
+  Uv travel{};             ///< each UV moves by up to this about its triangle's
   bool operator==(const Surface&) const = default;
+
+  bool moves() const { return travel != Uv{}; }
 };
 
 /// One triangle to bake, which stands for all of its UV-duplicates on its surface.
@@ -107,11 +110,17 @@ std::uint64_t triangles_left_out(const Scene& scene, const Plan& plan, LeftOut w
 /// The treatment of primitives whose vertex alpha varies: bounds of the product tell their states.
 enum class VaryingAlpha : std::uint8_t { left_out, planned };
 
+/// The treatment of primitives whose UVs an animation moves: maps that hold wherever they are.
+enum class MovingTextures : std::uint8_t { left_out, planned };
+
+/// The UVs of a primitive's planned triangles, by vertex: those of the file, or the middles of those that move.
+const std::vector<Uv>& planned_uvs(const Primitive& primitive, const Surface& surface);
+
 /// A plan has each primitive of the scene in one of its last two lists, in the scene's order.
 /// `level_limit` is the device's (maxOpacity4StateSubdivisionLevel); finest_level holds besides.
 /// Domain: a scene of load(), or one with valid indices and finite UVs.
 /// Errors: std::invalid_argument if an image that is needed is not decoded.
 Plan plan(const Scene& scene, unsigned level_limit = finest_level,
-          VaryingAlpha varying = VaryingAlpha::left_out);
+          VaryingAlpha varying = VaryingAlpha::left_out, MovingTextures moving = MovingTextures::left_out);
 
 }  // namespace mmverify::scene

@@ -5,6 +5,7 @@
 
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/extensions.hpp"
+#include "scene/read/moving_textures.hpp"
 #include "scene/read/texture_source.hpp"
 
 namespace mmverify::scene {
@@ -160,6 +161,7 @@ std::vector<Material> read_materials(const Document& document, const Buffers& bu
       const nlohmann::json& pointer = extension(channel["target"], "KHR_animation_pointer");
       if (pointer.contains("pointer")) note_animation(pointer["pointer"].get<std::string>(), materials);
     }
+  read_moving_textures(document, buffers, materials);
   return materials;
 }
 

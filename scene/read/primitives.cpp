@@ -8,6 +8,7 @@
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/draco.hpp"
 #include "scene/read/extensions.hpp"
+#include "scene/read/moving_textures.hpp"
 #include "scene/read/triangles.hpp"
 
 namespace mmverify::scene {
@@ -71,6 +72,7 @@ class PrimitiveReader {
     const std::vector<std::uint32_t> vertices = indices(primitive.positions.size());
     primitive.triangles = triangles(*drawn, vertices);
     primitive.uvs = uvs(primitive);
+    primitive.moving_uvs = moving_uvs_of(primitive);
     primitive.vertex_alpha = vertex_alpha(primitive);
     count_unheld();
     count(primitive.positions.size() + primitive.triangles.size());
@@ -126,6 +128,14 @@ class PrimitiveReader {
   std::vector<Uv> uvs(const Primitive& primitive) const {
     if (!primitive.material || !materials_[*primitive.material].texture) return {};
     return uvs(primitive, *materials_[*primitive.material].texture);
+  }
+
+  std::optional<MovingUvs> moving_uvs_of(const Primitive& primitive) const {
+    if (primitive.uvs.empty() || !materials_[*primitive.material].moving) return std::nullopt;
+    const Material& material = materials_[*primitive.material];
+    BaseColorTexture untransformed = *material.texture;
+    untransformed.transform = {};
+    return moving_uvs(*material.moving, uvs(primitive, untransformed));
   }
 
   std::vector<Uv> uvs(const Primitive& primitive, const BaseColorTexture& texture) const {

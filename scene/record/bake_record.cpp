@@ -108,6 +108,15 @@ std::vector<Input> inputs_now(const Scene& scene, const Primitive& primitive) {
   all.push_back({"transform", "KHR_texture_transform",
                  RecordJson::array({decimal(t.offset[0]), decimal(t.offset[1]), decimal(t.scale[0]),
                                     decimal(t.scale[1]), decimal(t.rotation)})});
+  if (material.moving) {
+    const TextureTransform &least = material.moving->least, &greatest = material.moving->greatest;
+    all.push_back(
+        {"moving", "the range of KHR_texture_transform's animation",
+         RecordJson::array({decimal(least.offset[0]), decimal(least.offset[1]), decimal(least.scale[0]),
+                            decimal(least.scale[1]), decimal(least.rotation), decimal(greatest.offset[0]),
+                            decimal(greatest.offset[1]), decimal(greatest.scale[0]),
+                            decimal(greatest.scale[1]), decimal(greatest.rotation)})});
+  }
   all.push_back({"texture", "the texture's alpha", texture_hash(scene.images.at(*texture.image)), true});
   all.push_back({"triangles", "the triangles and their UVs", triangles_hash(primitive), true});
   return all;

@@ -64,7 +64,7 @@ StoredArray array_of(const Build& in) {
 class Collector {
  public:
   explicit Collector(const Scene& scene)
-      : scene_(scene), planned_(plan(scene, finest_level, VaryingAlpha::planned)) {
+      : scene_(scene), planned_(plan(scene, finest_level, VaryingAlpha::planned, MovingTextures::planned)) {
     all_.plan.surfaces = planned_.surfaces;
   }
 
@@ -86,6 +86,7 @@ class Collector {
       all_.not_judged.push_back({primitive, given.triangles.size(), why->why});
       return;
     }
+    const std::vector<Uv>& uvs = planned_uvs(given, planned_.surfaces.at(planned->surface));
     for (std::uint64_t t = 0; t < in.triangles && t < given.triangles.size(); ++t) {
       const std::uint32_t code = code_of(in, t);
       const auto special = in.indexed ? micromap::special_state(code, in.encoding) : std::nullopt;
@@ -95,7 +96,7 @@ class Collector {
       PlannedTriangle triangle;
       triangle.surface = planned->surface;
       for (std::size_t vertex = 0; vertex < 3; ++vertex)
-        triangle.uvs[vertex] = given.uvs.at(given.triangles[static_cast<std::size_t>(t)][vertex]);
+        triangle.uvs[vertex] = uvs.at(given.triangles[static_cast<std::size_t>(t)][vertex]);
       triangle.vertex_alpha = corner_alphas(given, given.triangles[static_cast<std::size_t>(t)]);
       add(link, triangle, special);
     }

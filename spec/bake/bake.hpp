@@ -153,18 +153,24 @@ Polygon<Q> hull(Polygon<Q> points) {
   return corners.empty() ? Polygon<Q>{points.at(0)} : corners;
 }
 
-/// The points within `margin` of the polygon along both axes at once: its sum with [-m, m]^2, which is the hull of its
-/// corners moved by (-m, -m), (-m, m), (m, -m) and (m, m).
-/// Errors: std::invalid_argument for a margin below 0.
+/// The points within m of the polygon along x and within n along y: its sum with [-m, m] x [-n, n], which is the hull of
+/// its corners moved by (-m, -n), (-m, n), (m, -n) and (m, n).
+/// Errors: std::invalid_argument for m or n below 0.
 template <class Q>
-Polygon<Q> dilated(const Polygon<Q>& polygon, const Q& margin) {
-  if (margin < 0) throw std::invalid_argument("bake: a margin below 0");
-  if (margin == 0) return polygon;
+Polygon<Q> dilated(const Polygon<Q>& polygon, const Q& m, const Q& n) {
+  if (m < 0 || n < 0) throw std::invalid_argument("bake: a margin below 0");
+  if (m == 0 && n == 0) return polygon;
   Polygon<Q> points;
   for (const TexturePoint<Q>& p : polygon)
-    for (const Q& x : {Q(p.x - margin), Q(p.x + margin)})
-      for (const Q& y : {Q(p.y - margin), Q(p.y + margin)}) points.push_back({x, y});
+    for (const Q& x : {Q(p.x - m), Q(p.x + m)})
+      for (const Q& y : {Q(p.y - n), Q(p.y + n)}) points.push_back({x, y});
   return hull(points);
+}
+
+/// The points within `margin` of the polygon along both axes at once.
+template <class Q>
+Polygon<Q> dilated(const Polygon<Q>& polygon, const Q& margin) {
+  return dilated(polygon, margin, margin);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -178,15 +178,19 @@ Polygon<Q> micro_triangle(const BaseTriangle<Q>& uv, Level n, std::uint32_t inde
 /// Mips: in the order of sampling.  2-state maps hold micromap::force2 of this.
 /// Contact: whether touching in an area of 0 counts.
 /// Margin: in texels of each mip level; O or T must hold on all of the dilated micro-triangle.
-/// Errors: std::invalid_argument without mips, or for a margin below 0.
+/// Travel: each vertex of `uv` may be anywhere within travel.x of its u and within travel.y of its v; O or T must hold
+/// wherever all three are.  A point of the micro-triangle is a mean of the vertices and moves no farther; and it moves as
+/// far where all vertices move alike.  So the points met are the sum with [-travel.x, travel.x] x [-travel.y, travel.y].
+/// Errors: std::invalid_argument without mips, or for a margin or travel below 0.
 template <class Q, class Texel, class Mode>
 micromap::State micro_state(std::span<const TextureOf<Texel>> mips, const BaseTriangle<Q>& uv, Level n,
                             std::uint32_t index, const Mode& mode, const Q& margin = Q(0),
-                            Contact contact = Contact::closed) {
+                            Contact contact = Contact::closed, const TexturePoint<Q>& travel = {Q(0), Q(0)}) {
   if (mips.empty()) throw std::invalid_argument("bake: no mip level");
   const auto in = [&](const TextureOf<Texel>& t) { return micro_triangle(uv, n, index, t.width, t.height); };
   const auto state = [&](const TextureOf<Texel>& t) {
-    const Polygon<Q> polygon = dilated(in(t), margin);
+    const Polygon<Q> polygon =
+        dilated(in(t), Q(margin + travel.x * Q(t.width)), Q(margin + travel.y * Q(t.height)));
     return contact == Contact::open ? open_state(t, polygon, mode) : closed_state(t, polygon, mode);
   };
   State all = state(mips[0]);

@@ -291,7 +291,7 @@ class Nodes {
     static const std::uint8_t one = 0;
     static const TexturePropertiesOf<std::uint8_t> sides(
         {&one, 1, 1, 1}, limits_of(Cutoff{1, 2}, {1, 1}, 255), Wrap::repeat, Wrap::repeat, 0);
-    return {sides, delta64, 0};
+    return {sides, delta64, {}};
   }
 };
 

@@ -155,6 +155,22 @@ void link(StoredMaps& maps, std::size_t k, std::size_t array, std::uint64_t reco
   maps.baked.triangles[k] = stored_map(maps.arrays[array], record);
 }
 
+TEST(Cause, TexturesTakenAtRest) {
+  Scene moving = leaves();
+  moving.materials[0].animated = {"/materials/0/pbrMetallicRoughness/baseColorTexture"};
+  moving.materials[0].moving = TransformRange{{{-0.0625f, 0}}, {{0.0625f, 0}}};
+  for (Primitive& primitive : moving.primitives)
+    primitive.moving_uvs = MovingUvs{primitive.uvs, {0.0625f, 0}};
+  const auto plan_of = [&] {
+    return plan(moving, finest_level, VaryingAlpha::left_out, MovingTextures::planned);
+  };
+  StoredMaps maps = stored(leaves());
+  maps.plan = plan_of();
+  EXPECT_EQ(code(moving, maps), "animation_left_out");
+  maps.baked = bake(moving, maps.plan, std::vector<unsigned>(maps.plan.triangles.size(), level));
+  EXPECT_EQ(code(moving, maps), "none");
+}
+
 TEST(Cause, RightMapsHaveNone) {
   const Scene scene = leaves();
   EXPECT_EQ(code(scene, stored(scene)), "none");

@@ -10,11 +10,11 @@
 namespace mmverify::impl::bake::detail {
 namespace {
 
-/// Moves x so that the cell of the least coordinate, `margin` below it, becomes cell 0, and returns that cell's number.
+/// Moves x so that the cell of the least coordinate, `dilation` below it, becomes cell 0, and returns that cell's number.
 /// Domain: coordinates below 2^36 texels in size.
 template <class Int>
-std::int64_t moved_to_origin(std::array<Int, 3>& x, const Int& margin, int fraction_bits) {
-  const Int least = std::min({x[0], x[1], x[2]}) - margin, unit = Int(1) << fraction_bits;
+std::int64_t moved_to_origin(std::array<Int, 3>& x, const Int& dilation, int fraction_bits) {
+  const Int least = std::min({x[0], x[1], x[2]}) - dilation, unit = Int(1) << fraction_bits;
   std::int64_t low = -(std::int64_t{1} << 36), high = -low;
   while (high - low > 1) {
     const std::int64_t middle = low + (high - low) / 2;
@@ -27,13 +27,14 @@ std::int64_t moved_to_origin(std::array<Int, 3>& x, const Int& margin, int fract
 }  // namespace
 
 ExactBase::ExactBase(const TextureProperties& sides, const BaseTriangle& uv, std::uint32_t width,
-                     std::uint32_t height, index::Level level, Filter filter, float margin)
+                     std::uint32_t height, index::Level level, Filter filter, const Dilation& dilation)
     : sides_(sides),
       width_(width),
       height_(height),
       level_(static_cast<int>(level)),
       filter_(filter),
-      margin_(binary(margin)) {
+      dilate_x_(binary(dilation.x)),
+      dilate_y_(binary(dilation.y)) {
   double extent = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     u_[k] = binary(uv[k].u);
@@ -43,14 +44,14 @@ ExactBase::ExactBase(const TextureProperties& sides, const BaseTriangle& uv, std
     extent = std::max({extent, std::fabs(double{p.u} - double{q.u}) * width,
                        std::fabs(double{p.v} - double{q.v}) * height});
   }
-  below_point_ = std::max(below_point_, -margin_.e - level_);
+  below_point_ = std::max({below_point_, -dilate_x_.e - level_, -dilate_y_.e - level_});
   // 3 more cells: one for the first, one for the last, one for rounding.
-  cells_ = static_cast<std::int64_t>(std::ldexp(extent, -level_) + 2 * double{margin}) + 3;
+  cells_ = static_cast<std::int64_t>(std::ldexp(extent, -level_) + 2 * std::max(dilation.x, dilation.y)) + 3;
   const int fraction = below_point_ + level_;
   const int position = fraction + bits(cells_ + 1);
   const int height_of = std::max(height_bits(sides.limits.opaque, sides.finest, sides.most),
                                  height_bits(sides.limits.lean, sides.finest, sides.most));
-  // The bits of positions: 20 of u and v, 15 of width and height, 3 for sums and a sign, one for the margin.
+  // The bits of positions: 20 of u and v, 15 of width and height, 3 for sums and a sign, one for the dilation.
   take_closings();
   bits_ = std::max(4 * position + 2 * height_of + 12, fraction + 20 + 15 + 4);
 }
@@ -104,11 +105,10 @@ template <class Int>
 ExactBase::Answer ExactBase::in(const index::Corners& corners, Marks known) const {
   std::array<Int, 3> x = along<Int>(u_, width_, corners), y = along<Int>(v_, height_, corners);
   const int fraction = below_point_ + level_;
-  const Int margin = margin_.m == 0 ? Int(0) : Int(margin_.m) << (margin_.e + fraction), unit = Int(1)
-                                                                                                << fraction;
-  const std::int64_t column = moved_to_origin(x, margin, fraction),
-                     row = moved_to_origin(y, margin, fraction);
-  const Outline<Int> outline(x, y, margin);
+  const auto whole = [fraction](const Binary& b) { return b.m == 0 ? Int(0) : Int(b.m) << (b.e + fraction); };
+  const Int across = whole(dilate_x_), down = whole(dilate_y_), unit = Int(1) << fraction;
+  const std::int64_t column = moved_to_origin(x, across, fraction), row = moved_to_origin(y, down, fraction);
+  const Outline<Int> outline(x, y, across, down);
   const auto exact = [&](const Question<Int>& question) {
     return Exact<Int>(sides_, question, column, row, cells_, fraction, outline, closings_);
   };

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "impl/bake/exact/closing.hpp"
+#include "impl/bake/plane/points.hpp"
 #include "impl/bake/texture/properties.hpp"
 #include "impl/bake/triangles.hpp"
 #include "impl/common/binary.hpp"
@@ -14,9 +15,10 @@ namespace mmverify::impl::bake::detail {
 
 class ExactBase {
  public:
-  /// Domain: finite coordinates below 2^20 in size; level in 0..12; a margin in [0, 2^20).
+  /// Domain: finite coordinates below 2^20 in size; level in 0..12; a dilation in [0, 2^35)
+  /// whose sides are multiples of 2^-149.
   ExactBase(const TextureProperties& sides, const BaseTriangle& uv, std::uint32_t width, std::uint32_t height,
-            index::Level level, Filter filter = Filter::bilinear, float margin = 0);
+            index::Level level, Filter filter = Filter::bilinear, const Dilation& dilation = {});
 
   struct Answer {
     Marks marks;  ///< both, or the only mark of the micro-triangle
@@ -43,7 +45,7 @@ class ExactBase {
   std::uint32_t width_, height_;
   int level_;
   Filter filter_;
-  Binary margin_;
+  Binary dilate_x_, dilate_y_;
   int below_point_ = 1;  ///< bits of u and v below the point, at least 1 for half a texel
   std::int64_t cells_;   ///< cells that a micro-triangle spans, at most
   Closings closings_;

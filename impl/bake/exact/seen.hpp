@@ -1,13 +1,13 @@
-// The marks that a closed triangle, or one dilated by a square, bears in a texture, in whole numbers.  Internal to
+// The marks that a closed triangle, or one dilated by a rectangle, bears in a texture, in whole numbers.  Internal to
 // impl/bake.
 //
 // The marks say whether some heights (impl/bake/texture/limits.hpp) are negative, and whether some are not.
 // Coordinates are those of cells (spec/bake/bake.hpp), the centre of texel (i, j) at (i, j), or with nearest filtering
 // those of texels, its low corner at (i, j).  The unit is 2^-F texel, S = 2^F.
 //
-// Segments.  The dilated triangle P is its sum with [-m, m]^2.  Its edges are among the triangle's edges, each moved by
-// (+-m, +-m), and the sides of the squares about the triangle's corners.  All of these lie in P, so the extremes on P's
-// edges are extremes on them, and a row's part of P reaches from their least to their greatest x in the row.  With m =
+// Segments.  The dilated triangle P is its sum with [-m, m] x [-n, n].  Its edges are among the triangle's edges, each
+// moved by (+-m, +-n), and the sides of the rectangles about the triangle's corners.  All of these lie in P, so the extremes on P's
+// edges are extremes on them, and a row's part of P reaches from their least to their greatest x in the row.  With m = n =
 // 0 they are the three edges.
 //
 // Bilinear: the extremes over P are among
@@ -55,14 +55,15 @@ namespace mmverify::impl::bake::detail {
 /// The corners of a triangle, dilated or not, and the segments between them.
 template <class Int>
 struct Outline {
-  /// Corners of a square around each corner of the triangle.
+  /// Corners of a rectangle around each corner of the triangle.
   static constexpr std::size_t around = 4;
   using Along = Few<Int, 3 * around>;
   Along x, y;
   Few<std::array<std::size_t, 2>, 2 * 3 * around> segments;
 
-  Outline(const std::array<Int, 3>& at_x, const std::array<Int, 3>& at_y, const Int& margin) {
-    if (margin == Int(0)) {
+  Outline(const std::array<Int, 3>& at_x, const std::array<Int, 3>& at_y, const Int& across,
+          const Int& down) {
+    if (across == Int(0) && down == Int(0)) {
       for (std::size_t k = 0; k < 3; ++k) {
         x.push_back(at_x[k]);
         y.push_back(at_y[k]);
@@ -70,11 +71,11 @@ struct Outline {
       }
       return;
     }
-    // The corners of the square around corner k: (-, -), (-, +), (+, +), (+, -).
+    // The corners of the rectangle around corner k: (-, -), (-, +), (+, +), (+, -).
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t s = 0; s < around; ++s) {
-        x.push_back(s < 2 ? at_x[k] - margin : at_x[k] + margin);
-        y.push_back(s == 0 || s == 3 ? at_y[k] - margin : at_y[k] + margin);
+        x.push_back(s < 2 ? at_x[k] - across : at_x[k] + across);
+        y.push_back(s == 0 || s == 3 ? at_y[k] - down : at_y[k] + down);
         segments.push_back({around * k + s, around * k + (s + 1) % around});
         segments.push_back({around * k + s, around * ((k + 1) % 3) + s});
       }

@@ -28,12 +28,12 @@ class Bilinear {
 
   /// Domain: `inner` is that of a micro-triangle that is not turned.
   Bilinear(const TexturePropertiesOf<Texel>& sides, const ExactBase& exact, const Triangle& base,
-           index::Level level, const InnerBox& inner, double delta, double margin) noexcept
+           index::Level level, const InnerBox& inner, double delta, const Dilation& dilation) noexcept
       : sides_(sides),
-        filter_(sides, delta, margin),
+        filter_(sides, delta, dilation),
         exact_(exact),
-        inner_(sides, inner, margin, delta),
-        lines_(filter_.usable() && margin == 0 ? Lines(base, delta) : Lines()),
+        inner_(sides, inner, dilation, delta),
+        lines_(filter_.usable() && dilation.none() ? Lines(base, delta) : Lines()),
         lean_(sides.limits.blend ? -0.5 * sides.gap : 0) {
     if (level < 2 || !in_vectors() || !lines_.usable) return;
     for (std::uint32_t height = 2; height <= level; height = height == 2 ? 4 : height + 1) {
@@ -169,7 +169,7 @@ class Bilinear {
   /// Whether vectors may judge: see impl/bake/sixteen/sixteen.hpp.
   bool in_vectors() const noexcept {
     return !std::is_same_v<Texel, float> && filter_.usable() && filter_.delta() < 0x1p-30 &&
-           filter_.margin() == 0 && sides_.pitch() <= std::size_t{1} << 20;
+           filter_.dilation().none() && sides_.pitch() <= std::size_t{1} << 20;
   }
 
   /// The shape of the node of this height at `index`.
@@ -287,11 +287,11 @@ class Bilinear {
                Marks seen, bool turned, Quad& quad, const std::array<std::size_t, 3>& edges) const {
     seen = static_cast<Marks>(seen | inner_.centres(centroid, turned));
     if (seen == both) return both;
-    if (filter_.margin() != 0) {
+    if (!filter_.dilation().none()) {
       seen = static_cast<Marks>(seen | outline(p, seen));
       if ((seen & both) == both) return both;
     }
-    for (std::size_t k = 0; k < 3 && filter_.margin() == 0; ++k) {
+    for (std::size_t k = 0; k < 3 && filter_.dilation().none(); ++k) {
       const std::size_t next = k == 2 ? 0 : k + 1;
       Marks marks = edges[k] == own ? Marks{0} : quad.edge[edges[k]];
       if (marks == 0) marks = edge(p[k], p[next], g[k], g[next]);
@@ -324,12 +324,12 @@ class Bilinear {
 
   /// The marks of the segments of the dilated triangle, until both are seen.
   Marks outline(const Triangle& p, Marks seen) const {
-    const double m = filter_.margin();
+    const Dilation& m = filter_.dilation();
     std::array<PlanePoint, 12> moved;
     std::array<double, 12> g;
     for (std::size_t k = 0; k < 12; ++k) {
       const PlanePoint at = p[k / 4];
-      moved[k] = {k % 4 < 2 ? at.x - m : at.x + m, k % 4 == 0 || k % 4 == 3 ? at.y - m : at.y + m};
+      moved[k] = {k % 4 < 2 ? at.x - m.x : at.x + m.x, k % 4 == 0 || k % 4 == 3 ? at.y - m.y : at.y + m.y};
       g[k] = filter_.g(moved[k]);
       seen = static_cast<Marks>(seen | filter_.side(g[k]));
     }

@@ -16,8 +16,8 @@
 // operations, the rounded threshold's among them, many times over.
 // Boxes are grown by delta and hold whole texels: their marks are exact.
 //
-// With a margin m the same holds for T' + [-m, m]^2, whose edges are segments as in impl/bake/exact/seen.hpp; moving a
-// corner by m rounds once more, which delta has room for.
+// Dilated, the same holds for T' + [-m, m] x [-n, n], whose edges are segments as in impl/bake/exact/seen.hpp; moving a
+// corner by m or n rounds once more, which delta has room for.
 #pragma once
 
 #include <algorithm>
@@ -37,11 +37,11 @@ namespace mmverify::impl::bake::detail {
 template <class Texel>
 class BilinearFilter {
  public:
-  BilinearFilter(const TexturePropertiesOf<Texel>& sides, double delta, double margin) noexcept
+  BilinearFilter(const TexturePropertiesOf<Texel>& sides, double delta, const Dilation& dilation) noexcept
       : sides_(sides),
         delta_(delta),
-        margin_(margin),
-        reach_(delta + margin),
+        dilation_(dilation),
+        reach_{delta + dilation.x, delta + dilation.y},
         bound_(sides.scale * (0x1p5 * delta + 0x1p-43)),
         transparent_(sides.gap + bound_),
         across_(sides.across()),
@@ -53,7 +53,7 @@ class BilinearFilter {
   /// False if coordinates are too large for binary64: then nothing is certain.
   bool usable() const noexcept { return usable_; }
   double delta() const noexcept { return delta_; }
-  double margin() const noexcept { return margin_; }
+  const Dilation& dilation() const noexcept { return dilation_; }
   double bound() const noexcept { return bound_; }
 
   /// The sampled stored number at p, less the threshold.
@@ -82,10 +82,10 @@ class BilinearFilter {
     std::int64_t left, right, top, bottom;
   };
   Box box(const Triangle& p) const noexcept {
-    return {floored(std::min(std::min(p[0].x, p[1].x), p[2].x) - reach_),
-            floored(std::max(std::max(p[0].x, p[1].x), p[2].x) + reach_) + 1,
-            floored(std::min(std::min(p[0].y, p[1].y), p[2].y) - reach_),
-            floored(std::max(std::max(p[0].y, p[1].y), p[2].y) + reach_) + 1};
+    return {floored(std::min(std::min(p[0].x, p[1].x), p[2].x) - reach_.x),
+            floored(std::max(std::max(p[0].x, p[1].x), p[2].x) + reach_.x) + 1,
+            floored(std::min(std::min(p[0].y, p[1].y), p[2].y) - reach_.y),
+            floored(std::max(std::max(p[0].y, p[1].y), p[2].y) + reach_.y) + 1};
   }
 
   /// The marks of all texels of a box, exactly.
@@ -124,7 +124,7 @@ class BilinearFilter {
       return marks != both;
     };
     each_row(
-        top, bottom, period, period == 0 ? std::array<Bend, 6>{} : bends(p, margin_),
+        top, bottom, period, period == 0 ? std::array<Bend, 6>{} : bends(p, dilation_.y),
         [&](std::int64_t j) { return within(p, j); }, take);
     return marks;
   }
@@ -194,15 +194,16 @@ class BilinearFilter {
     constexpr double long_one = 1024;  // texels; rows of shorter ones take less time
     const double ax = p[1].x - p[0].x, ay = p[1].y - p[0].y, bx = p[2].x - p[0].x, by = p[2].y - p[0].y,
                  length = std::max({std::fabs(ax), std::fabs(ay), std::fabs(bx), std::fabs(by)});
-    return margin_ == 0 && length > long_one && std::fabs(ax * by - ay * bx) <= 2 * delta_ * length;
+    return dilation_.none() && length > long_one && std::fabs(ax * by - ay * bx) <= 2 * delta_ * length;
   }
 
   /// The columns of the centres on row j.
   Columns within(const Triangle& p, std::int64_t j) const noexcept {
     const auto level = static_cast<double>(j);
-    // Points within m of the level along y reach m beyond it along x.
-    const Reach reach = margin_ == 0 ? at_level(p, level) : between(p, level - margin_, level + margin_);
-    const double from = reach.from - margin_, to = reach.to + margin_;
+    // Points within the dilation of the level along y reach the dilation beyond them along x.
+    const Reach reach =
+        dilation_.y == 0 ? at_level(p, level) : between(p, level - dilation_.y, level + dilation_.y);
+    const double from = reach.from - dilation_.x, to = reach.to + dilation_.x;
     if (from > to) return {};
     return sides_.columns(-floored(-from), floored(to));
   }
@@ -215,7 +216,9 @@ class BilinearFilter {
   }
 
   const TexturePropertiesOf<Texel>& sides_;
-  double delta_, margin_, reach_, bound_, transparent_;
+  double delta_;
+  Dilation dilation_, reach_;
+  double bound_, transparent_;
   Extent across_, down_;
   bool usable_;
   Marks clear_;

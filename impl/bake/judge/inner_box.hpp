@@ -48,14 +48,15 @@ inline InnerBox inner_box(const Triangle& p) noexcept {
 class InnerMarks {
  public:
   /// `inner` is that of a micro-triangle that is not turned.  It is shrunk by 4 delta, so that it is within the true
-  /// triangle, whose centroid may be 2 delta off, and grown by the margin, as the triangle is.
-  InnerMarks(const TextureProperties& sides, const InnerBox& inner, double margin, double delta) noexcept
+  /// triangle, whose centroid may be 2 delta off, and grown by the dilation, as the triangle is.
+  InnerMarks(const TextureProperties& sides, const InnerBox& inner, const Dilation& dilation,
+             double delta) noexcept
       : sides_(sides) {
     const InnerBox box = inner.left > inner.right ? InnerBox{0, 0, 0, 0} : inner;
-    const double d = 4 * delta - margin;
-    boxes_[0] = {box.left + d, box.right - d, box.top + d, box.bottom - d};
-    boxes_[1] = {-box.right + d, -box.left - d, -box.bottom + d, -box.top - d};
-    worth_it_ = (box.right - box.left + 2 * margin) * (box.bottom - box.top + 2 * margin) >= 16;
+    const double x = 4 * delta - dilation.x, y = 4 * delta - dilation.y;
+    boxes_[0] = {box.left + x, box.right - x, box.top + y, box.bottom - y};
+    boxes_[1] = {-box.right + x, -box.left - x, -box.bottom + y, -box.top - y};
+    worth_it_ = (box.right - box.left + 2 * dilation.x) * (box.bottom - box.top + 2 * dilation.y) >= 16;
   }
 
   /// The marks of texels whose centres are in the box, centres at whole numbers; 0 if the box is too small for several.

@@ -33,12 +33,12 @@ class Nearest {
   static constexpr double offset = 0;
 
   Nearest(const TexturePropertiesOf<Texel>& sides, const ExactBase& exact, const Triangle&, index::Level,
-          const InnerBox& inner, double delta, double margin) noexcept
+          const InnerBox& inner, double delta, const Dilation& dilation) noexcept
       : sides_(sides),
         exact_(exact),
-        inner_(sides, inner, margin, delta),
+        inner_(sides, inner, dilation, delta),
         delta_(delta),
-        margin_(margin),
+        dilation_(dilation),
         usable_(delta < 0x1p-10) {}
 
   Marks texels(const Triangle& p) const noexcept { return texels(box(p)); }
@@ -93,9 +93,9 @@ class Nearest {
     std::int64_t left, right, top, bottom;
   };
   Box box(const Triangle& p) const noexcept {
-    const double d = delta_ + margin_;
-    return {floored(std::min({p[0].x, p[1].x, p[2].x}) - d), floored(std::max({p[0].x, p[1].x, p[2].x}) + d),
-            floored(std::min({p[0].y, p[1].y, p[2].y}) - d), floored(std::max({p[0].y, p[1].y, p[2].y}) + d)};
+    const double x = delta_ + dilation_.x, y = delta_ + dilation_.y;
+    return {floored(std::min({p[0].x, p[1].x, p[2].x}) - x), floored(std::max({p[0].x, p[1].x, p[2].x}) + x),
+            floored(std::min({p[0].y, p[1].y, p[2].y}) - y), floored(std::max({p[0].y, p[1].y, p[2].y}) + y)};
   }
   Marks texels(const Box& b) const noexcept { return sides_.of(b.left, b.right, b.top, b.bottom); }
 
@@ -104,7 +104,8 @@ class Nearest {
     Marks seen = inner_.texels(centroid, turned);
     if (seen == both) return both;
     Marks most = 0;
-    const double near = margin_ + 2 * delta_, far = margin_ - 2 * delta_;
+    const double near = dilation_.y + 2 * delta_, far = dilation_.y - 2 * delta_,
+                 reach_x = dilation_.x + 2 * delta_;
     // Beyond its ends an axis has one row: the first or last row takes everything beyond.
     const Extent down = sides_.down();
     const std::int64_t top = std::clamp(around.top, down.first, down.last),
@@ -116,7 +117,7 @@ class Nearest {
     const auto columns = [&](std::int64_t j) {
       const Reach outer = reach(j, near);
       if (outer.from > outer.to) return Columns{};
-      return sides_.columns(floored(outer.from - near), floored(outer.to + near));
+      return sides_.columns(floored(outer.from - reach_x), floored(outer.to + reach_x));
     };
     const auto take = [&](const Columns& at, std::int64_t j) {
       if (at.empty()) return true;
@@ -124,7 +125,7 @@ class Nearest {
       most = static_cast<Marks>(most | row);
       if ((seen | row) == seen) return true;
       const Reach inner = reach(j, far);
-      const double from = inner.from - margin_ + 4 * delta_, to = inner.to + margin_ - 4 * delta_;
+      const double from = inner.from - dilation_.x + 4 * delta_, to = inner.to + dilation_.x - 4 * delta_;
       if (!(from <= to)) return true;
       const Columns sure = sides_.columns(floored(from), floored(to));
       seen = static_cast<Marks>(seen | sides_.of(sure.first, sure.last, j, j));
@@ -139,7 +140,8 @@ class Nearest {
   const TexturePropertiesOf<Texel>& sides_;
   const ExactBase& exact_;
   InnerMarks inner_;
-  double delta_, margin_;
+  double delta_;
+  Dilation dilation_;
   bool usable_;
 };
 

@@ -11,6 +11,13 @@ namespace mmverify::impl::bake::detail {
 struct PlanePoint {
   double x, y;
 };
+
+/// A triangle's dilation: its sum with [-x, x] x [-y, y], in texels.
+struct Dilation {
+  double x = 0, y = 0;
+  constexpr bool none() const noexcept { return x == 0 && y == 0; }
+};
+
 using Triangle = std::array<PlanePoint, 3>;
 
 /// floor, without a call where the processor has no instruction for it.  Domain: |x| < 2^62.

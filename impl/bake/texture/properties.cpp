@@ -170,6 +170,17 @@ template class TexturePropertiesOf<std::uint8_t>;
 template class TexturePropertiesOf<std::uint16_t>;
 template class TexturePropertiesOf<float>;
 
+bool TextureProperties::meets(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom,
+                              const Box& box) const noexcept {
+  const auto some = [](const Runs& texels, std::int64_t first, std::int64_t count) {
+    for (int k = 0; k < texels.count; ++k)
+      if (texels.from[k] < first + count && texels.to[k] >= first) return count != 0;
+    return false;
+  };
+  return some(runs(wrap_x_, left, right, width_), box.x, box.width) &&
+         some(runs(wrap_y_, top, bottom, height_), box.y, box.height);
+}
+
 Marks TextureProperties::wrapped_around(std::int64_t left, std::int64_t right, std::int64_t top,
                                         std::int64_t bottom) const noexcept {
   const Runs across = runs(wrap_x_, left, right, width_), down = runs(wrap_y_, top, bottom, height_);

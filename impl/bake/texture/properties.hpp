@@ -31,6 +31,10 @@ class TextureProperties {
     return wrapped_around(left, right, top, bottom);
   }
 
+  /// Whether the texels [left, right] x [top, bottom], before wrapping, hold one of the box.
+  bool meets(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom,
+             const Box& box) const noexcept;
+
   Extent across() const noexcept { return extent(wrap_x_, width_); }
   Extent down() const noexcept { return extent(wrap_y_, height_); }
   /// Columns that mean the same texels as [left, right]; ranges with the same texels often give the same columns.

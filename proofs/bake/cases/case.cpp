@@ -9,6 +9,7 @@
 
 #include "proofs/bake/cases/lone_texel.hpp"
 #include "proofs/bake/domains/strata.hpp"
+#include "proofs/engine/random.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {
@@ -112,6 +113,32 @@ void read_cutoff(Case& one, std::string_view value) {
   if (one.cutoff.denominator == 0) bad(value, "a cutoff over 0");
 }
 
+void read_travel(Case& one, std::string_view value) {
+  if (value.empty()) return;
+  const auto axes = split(value, ':');
+  if (axes.size() != 2) bad(value, "write travel=U:V");
+  one.travel = {finite(axes[0]), finite(axes[1])};
+  if (one.travel[0] < 0 || one.travel[1] < 0) bad(value, "a travel below 0");
+}
+
+/// Domain: the case has its sides and mips.
+void read_change(Case& one, std::string_view value) {
+  if (value.empty()) return;
+  constexpr char remedy[] = "write change=SEED:X-Y-WIDTH-HEIGHT, a box for each mip, within it";
+  const auto parts = split(value, ':');
+  if (parts.size() != one.mips + 1) bad(value, remedy);
+  one.change.seed = whole(parts[0], 10, remedy);
+  for (std::uint32_t k = 0; k < one.mips; ++k) {
+    const auto numbers = split(parts[k + 1], '-');
+    if (numbers.size() != 4) bad(value, remedy);
+    auto& box = one.change.boxes.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i) box[i] = whole(numbers[i], 10, remedy);
+    const std::uint32_t width = std::max(1u, one.width >> k), height = std::max(1u, one.height >> k);
+    if (box[0] > width || box[2] > width - box[0] || box[1] > height || box[3] > height - box[1])
+      bad(value, remedy);
+  }
+}
+
 double largest(Texel texel) { return texel == Texel::unorm8 ? 255 : 65535; }
 
 }  // namespace
@@ -121,6 +148,24 @@ std::uint64_t texels_of(std::uint32_t width, std::uint32_t height, std::uint32_t
   for (std::uint32_t k = 0; k < mips; ++k)
     sum += std::uint64_t{std::max(1u, width >> k)} * std::max(1u, height >> k);
   return sum;
+}
+
+Case before_change(const Case& one) {
+  Case before = one;
+  before.change = {};
+  before.drawn.clear();
+  Random random(one.change.seed, 0x6368, 0);
+  std::size_t from = 0;
+  for (std::uint32_t k = 0; k < one.mips; ++k) {
+    const std::uint32_t width = std::max(1u, one.width >> k), height = std::max(1u, one.height >> k);
+    const auto& [x, y, columns, rows] = one.change.boxes.at(k);
+    for (std::uint32_t j = y; j < y + rows; ++j)
+      for (std::uint32_t i = x; i < x + columns; ++i)
+        before.alpha.at(from + i + std::size_t{j} * width) =
+            converted(Texel::unorm8, one.texel, random.code());
+    from += std::size_t{width} * height;
+  }
+  return before;
 }
 
 std::string text_of(const Case& one) {
@@ -146,6 +191,10 @@ std::string text_of(const Case& one) {
   if (one.rules.contact == spec::bake::Contact::open) text += ",contact=open";
   if (one.rules.slack != 0) text += fmt::format(",slack={:a}", one.rules.slack);
   if (one.margin != 0) text += fmt::format(",margin={:a}", one.margin);
+  if (one.travel != std::array<float, 2>{})
+    text += fmt::format(",travel={:a}:{:a}", one.travel[0], one.travel[1]);
+  if (!one.change.boxes.empty()) text += ",change=" + std::to_string(one.change.seed);
+  for (const auto& b : one.change.boxes) text += fmt::format(":{}-{}-{}-{}", b[0], b[1], b[2], b[3]);
   text += ",uv=";
   for (std::size_t k = 0; k < 6; ++k) text += fmt::format("{}{:a}", k == 0 ? "" : ":", one.uv[k]);
   return text;
@@ -199,6 +248,8 @@ Case case_from(const std::string& text) {
   if (one.rules.slack < 0) bad(text, "a slack below 0");
   if (const auto value = take("margin"); !value.empty()) one.margin = finite(value);
   if (one.margin < 0) bad(text, "a margin below 0");
+  read_travel(one, take("travel"));
+  read_change(one, take("change"));
   const auto uv = split(take("uv"), ':');
   if (uv.size() != 6) bad(text, "write uv=U:V:U:V:U:V");
   for (std::size_t k = 0; k < 6; ++k) one.uv[k] = finite(uv[k]);

@@ -28,6 +28,14 @@ struct Rules {
 /// The cutoff that a state is judged at: the cutoff less the slack, the cutoff, or the cutoff plus the slack.
 enum class Threshold : std::uint8_t { lower, exact, upper };
 
+/// A change of texels that a map is brought up to date with: of mip k those of boxes[k] (x, y, width, height; none where
+/// the width is 0), which before were drawn with `seed`.
+struct TexelChange {
+  std::vector<std::array<std::uint32_t, 4>> boxes = {};
+  std::uint64_t seed = 0;
+  friend bool operator==(const TexelChange&, const TexelChange&) = default;
+};
+
 /// Texels by their bits, mip after mip, rows from the top; mip k is max(1, width >> k) x max(1, height >> k).
 struct Case {
   std::uint32_t width = 1, height = 1, mips = 1;
@@ -39,19 +47,24 @@ struct Case {
   float factor = 1, vertex_factor = 1;  ///< alpha is the sampled value times both
   bool blend = false;                   ///< the alpha mode is BLEND; else MASK, with the cutoff
   Cutoff cutoff = {};
-  float margin = 0;           ///< in texels
-  std::array<float, 6> uv{};  ///< of the three vertices
+  float margin = 0;               ///< in texels
+  std::array<float, 6> uv{};      ///< of the three vertices
+  std::array<float, 2> travel{};  ///< each vertex moves by up to this along u and v, on its own
+  TexelChange change = {};        ///< without boxes: none, and all is baked afresh
   Rules rules = {};
   std::string drawn =
       {};  ///< the name of the draw that made all texels (domains/strata.hpp, lone_texel.hpp); else empty
   friend bool operator==(const Case&, const Case&) = default;
 };
 
+/// The case before its change.  Domain: a box for each mip, within it.
+Case before_change(const Case& one);
+
 /// The number of texels of all mips together.
 std::uint64_t texels_of(std::uint32_t width, std::uint32_t height, std::uint32_t mips);
 
 /// A case as one word of a shell, "texels=u8:2x2:00ff80ff,wrap=repeat:clamp,cutoff=1/2,uv=0x0p+0:...".  Defaults (one
-/// mip, bilinear, MASK, factors 1, no margin) are left out.  The draw stands for more than 1024 drawn texels:
+/// mip, bilinear, MASK, factors 1, no margin, travel or change) are left out.  The draw stands for more than 1024 drawn texels:
 /// "texels=u8:4096x3:drawn-1-5-77", "texels=u8:256x256:lone-ff-0-17-200".
 std::string text_of(const Case& one);
 /// The case of a text.  Throws BadCase, also for a side of 0 or above 16384, a number that is not finite, a cutoff

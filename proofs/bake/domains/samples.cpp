@@ -201,6 +201,46 @@ const char* featured_samples_text() {
          "margins that reach a line by a hair or not, and a second mip; up to 96 micro-triangles of each";
 }
 
+Case moving_sample(std::uint64_t seed, std::uint64_t k) {
+  Case one = featured_sample(seed, k);
+  Random random(seed, stream + 3, k);
+  constexpr float ranges[] = {0, 0x1p-9f, 0x1p-5f, 0.1f, 0.25f, 0.3f, 1, 3};
+  for (float& range : one.travel) range = ranges[random.below(8)];
+  return one;
+}
+
+const char* moving_samples_text() {
+  return "textures of up to 7x7 texels with one mip or two, any addressing, bilinear and nearest, MASK and "
+         "BLEND, of 8 "
+         "and 16 bits and binary32, with factors and margins: triangles that move by 0 to 3 repeats along "
+         "each axis; "
+         "up to 96 micro-triangles of each";
+}
+
+Case changed_sample(std::uint64_t seed, std::uint64_t k) {
+  Case one = k % 3 == 0 ? moving_sample(seed, k) : featured_sample(seed, k);
+  Random random(seed, stream + 4, k);
+  one.change.seed = random.below(1u << 31);
+  for (std::uint32_t mip = 0; mip < one.mips; ++mip) {
+    const std::uint32_t width = std::max(1u, one.width >> mip), height = std::max(1u, one.height >> mip);
+    auto& [x, y, columns, rows] = one.change.boxes.emplace_back();
+    x = static_cast<std::uint32_t>(random.below(width));
+    y = static_cast<std::uint32_t>(random.below(height));
+    columns =
+        one.mips > 1 && random.below(2) != 0 ? 0 : 1 + static_cast<std::uint32_t>(random.below(width - x));
+    rows = 1 + static_cast<std::uint32_t>(random.below(height - y));
+  }
+  return one;
+}
+
+const char* changed_samples_text() {
+  return "textures of up to 7x7 texels with one mip or two, of which a box of each, or of one of two, had "
+         "other texels "
+         "before; any addressing, bilinear and nearest, MASK and BLEND, of 8 and 16 bits and binary32, with "
+         "factors and "
+         "margins; every third triangle moves";
+}
+
 Case large_sample(std::uint64_t seed, std::uint64_t k) {
   Random random(seed, stream + 1, k);
   Case one;

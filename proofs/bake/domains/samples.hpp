@@ -22,6 +22,15 @@ const char* samples_text();
 Case featured_sample(std::uint64_t seed, std::uint64_t k);
 const char* featured_samples_text();
 
+/// The samples with all features on triangles that move: by 0, by 2^-9 to 1 repeat, or by 3, along each axis on its own.
+Case moving_sample(std::uint64_t seed, std::uint64_t k);
+const char* moving_samples_text();
+
+/// The samples with all features, of which a box of each mip, drawn on its own, had other texels; every second mip or so
+/// had the same.  Every third sample moves.
+Case changed_sample(std::uint64_t seed, std::uint64_t k);
+const char* changed_samples_text();
+
 /// Samples with larger textures, of up to 24x24 texels, discs and noise, on triangles within [-1, 1]^2.
 Case large_sample(std::uint64_t seed, std::uint64_t k);
 const char* large_samples_text();

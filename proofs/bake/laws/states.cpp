@@ -49,6 +49,7 @@ struct Domain {
   const char* (*says)() = nullptr;                       ///< the text of samples
   std::uint64_t (*count)(Level n, Tier tier) = nullptr;  ///< the number of samples
   Levels fast = {0, 3}, long_run = {0, 3};
+  bool moving = false;  ///< its triangles move
 
   bool whole() const { return families != nullptr; }
   const Families& families_of(const Support& support) const { return fitted(families(), support); }
@@ -94,6 +95,14 @@ constexpr Domain all_samples{
     as_many,
     {2, 5},
     {0, 8}};
+constexpr Domain moving{
+    nullptr,
+    [](std::uint64_t seed, Level n, std::uint64_t k) { return moving_sample(seed, sample_of(n, k)); },
+    moving_samples_text,
+    [](Level, Tier tier) -> std::uint64_t { return tier == Tier::fast ? 52 : 10'000; },
+    {0, 4},
+    {0, 7},
+    true};
 constexpr Domain of_sides{
     nullptr,
     [](std::uint64_t seed, Level n, std::uint64_t k) { return side_sample(seed, n, k); },
@@ -163,8 +172,9 @@ bool says_the_side(const BakeSubject& s) {
 Lacks lacking(Denies denies, const Domain& domain) {
   const Family* first = domain.whole() ? &domain.families().all().front().family() : nullptr;
   const bool both = domain.whole() && domain.families().all().back().family().filter != first->filter;
-  return [=](const BakeSubject& s, Level) -> std::optional<std::string> {
+  return [=, moving = domain.moving](const BakeSubject& s, Level) -> std::optional<std::string> {
     const Support& support = s.functions.support;
+    if (moving && !support.moving) return s.name() + " has no entry point for coordinates that move";
     if (denies == differs && !s.functions.centroid)
       return s.name() + " does not promise the centroid's side for what is unknown";
     if (denies == wrong_side && !says_the_side(s))
@@ -319,6 +329,19 @@ std::vector<Law> other_laws() {
       state_law(
           "bake.unknown_side_on_strata", side, wrong_side, strata,
           {side_of_another("the side is that of coordinates in steps of 2^-12", {5, 9}, in_steps_of(12))}),
+      state_law("bake.moving", "each state is the specification's of all positions of a moving triangle",
+                differs, moving,
+                {asked_for_another("the ranges of u and v are exchanged", {0, 4},
+                                   [](Case& one) { std::swap(one.travel[0], one.travel[1]); }),
+                 asked_for_another("the margin is left out beside a range", {0, 4},
+                                   [](Case& one) {
+                                     if (one.travel[0] != 0) one.margin = 0;
+                                   }),
+                 asked_for_another("the smaller of two ranges is 0", {0, 4},
+                                   [](Case& one) {
+                                     float& smaller = one.travel[one.travel[0] < one.travel[1] ? 0 : 1];
+                                     smaller = 0;
+                                   })}),
       grid_law(),
   };
 }

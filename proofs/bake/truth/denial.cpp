@@ -40,7 +40,7 @@ std::string amount(const Case& one, Level n, const Offender& o, const Extreme& e
     const Rational by = o.said == State::O ? Rational(cutoff - e.alpha) : Rational(e.alpha - cutoff);
     if (by > 0) text = fmt::format(", {} {} the cutoff", text_of(by), o.said == State::O ? "below" : "above");
   }
-  if (one.margin == 0) {
+  if (one.margin == 0 && one.travel == std::array<float, 2>{}) {
     const double share = wrong_share(one, n, o.index, o.said, e.mip);
     text += share == 0 ? std::string(", on less than 1/256 of its area")
                        : fmt::format(", wrong on about {:.0f} % of its area", 100 * share);

@@ -17,6 +17,13 @@ spec::bake::BaseTriangle<Q> base_triangle(const Case& one) {
   return {vertex(0), vertex(1), vertex(2)};
 }
 
+/// The movement of a case's vertices, in texture coordinates.
+template <class Q>
+spec::bake::TexturePoint<Q> travel_of(const Case& one) {
+  return spec::bake::place<Q>({std::bit_cast<std::uint32_t>(one.travel[0])},
+                              {std::bit_cast<std::uint32_t>(one.travel[1])});
+}
+
 template <class Stored>
 Stored stored_as(std::uint32_t bits) {
   if constexpr (std::is_same_v<Stored, spec::bake::Binary32>)

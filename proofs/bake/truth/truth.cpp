@@ -21,7 +21,7 @@ State state_in(const Case& one, const std::vector<bake::TextureOf<Stored>>& mips
       [&](const auto& mode) {
         const Q margin = bake::number<Q>(bake::Binary32{std::bit_cast<std::uint32_t>(one.margin)});
         return bake::micro_state(std::span<const bake::TextureOf<Stored>>(mips), uv, n, index, mode, margin,
-                                 one.rules.contact);
+                                 one.rules.contact, travel_of<Q>(one));
       },
       threshold);
 }
@@ -59,7 +59,7 @@ Mixed mixed(const Case& one, Level n) {
     m.take(std::uint64_t{one.rules.above} + 2 * static_cast<std::uint64_t>(one.rules.contact));
     m.take(one.rules.slack);
   }
-  for (const float x : {one.factor, one.vertex_factor, one.margin}) m.take(x);
+  for (const float x : {one.factor, one.vertex_factor, one.margin, one.travel[0], one.travel[1]}) m.take(x);
   for (const float x : one.uv) m.take(x);
   return m;
 }
@@ -135,7 +135,9 @@ State true_state(const Case& one, Level n, std::uint32_t index) {
 
 std::vector<std::uint32_t> judged_at(const Case& one, Level n) {
   // The specification's time is that of cells: of all mips, under margins.
-  const double along = 2 + 2 * double{one.margin}, cells = along * along * one.mips;
+  const double across = 2 + 2 * (double{one.margin} + double{one.travel[0]} * one.width),
+               down = 2 + 2 * (double{one.margin} + double{one.travel[1]} * one.height),
+               cells = across * down * one.mips;
   const bool stratum = one.width > 7 || one.height > 7;  // the other samples have no such texture
   const std::uint32_t count = std::uint32_t{1} << 2 * n, drawn = 32,
                       most = stratum ? static_cast<std::uint32_t>(std::clamp(640 / cells, 8.0, 24.0)) : 64;
@@ -260,12 +262,14 @@ void extreme_places(const bake::TextureOf<Stored>& t, const bake::Polygon<Ration
 
 Extremes extremes(const Case& one, Level n, std::uint32_t index) {
   const auto margin = bake::number<Rational>(bake::Binary32{std::bit_cast<std::uint32_t>(one.margin)});
+  const auto travel = travel_of<Rational>(one);
   return with_textures(one, [&](const auto& mips) {
     std::optional<Extremes> found;
     for (std::uint32_t mip = 0; mip < mips.size(); ++mip) {
       const auto& t = mips[mip];
       const bake::Polygon<Rational> polygon = bake::dilated(
-          bake::micro_triangle(base_triangle<Rational>(one), n, index, t.width, t.height), margin);
+          bake::micro_triangle(base_triangle<Rational>(one), n, index, t.width, t.height),
+          Rational(margin + travel.x * Rational(t.width)), Rational(margin + travel.y * Rational(t.height)));
       extreme_places(t, polygon, [&](const TexturePoint& p, const Rational& alpha) {
         const Extreme here{p, alpha, mip};
         if (!found) found = Extremes{here, here};

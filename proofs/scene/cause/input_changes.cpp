@@ -23,6 +23,7 @@ class Changes {
   std::vector<InputChange> all() {
     coordinates();
     transforms();
+    animations();
     factors();
     samplers();
     add_surfaces("mask_as_blend", "the baker took alphaMode MASK for BLEND", [](Surface& s) {
@@ -125,6 +126,12 @@ class Changes {
 
   /// A change to these UVs of primitives, by vertex; those of a primitive without any stay.
   void add_primitives_uvs(std::string code, std::string says, const std::vector<std::vector<Uv>>& of) {
+    const std::vector<mmverify::scene::UvTriangle> uvs = with_primitives_uvs(of);
+    if (uvs == inputs_.uvs) return;
+    all_.push_back({std::move(code), std::move(says), [uvs](Inputs& inputs) { inputs.uvs = uvs; }});
+  }
+
+  std::vector<mmverify::scene::UvTriangle> with_primitives_uvs(const std::vector<std::vector<Uv>>& of) const {
     std::vector<mmverify::scene::UvTriangle> uvs = inputs_.uvs;
     for (std::size_t k = 0; k < uvs.size(); ++k) {
       const mmverify::scene::MapLink& link = judged_.maps.link(k);
@@ -133,8 +140,23 @@ class Changes {
       for (std::size_t vertex = 0; vertex < 3; ++vertex)
         uvs[k][vertex] = of[link.primitive][vertices[vertex]];
     }
-    if (uvs == inputs_.uvs) return;
-    all_.push_back({std::move(code), std::move(says), [uvs](Inputs& inputs) { inputs.uvs = uvs; }});
+    return uvs;
+  }
+
+  void animations() {
+    if (std::none_of(inputs_.surfaces.begin(), inputs_.surfaces.end(),
+                     [](const Surface& s) { return s.moves(); }))
+      return;
+    std::vector<std::vector<Uv>> at_rest(judged_.scene.primitives.size());
+    for (std::size_t p = 0; p < at_rest.size(); ++p)
+      if (judged_.scene.primitives[p].moving_uvs) at_rest[p] = judged_.scene.primitives[p].uvs;
+    all_.push_back(
+        {"animation_left_out",
+         "the baker left KHR_animation_pointer out: the maps hold only while no animation moves the UVs",
+         [uvs = with_primitives_uvs(at_rest)](Inputs& inputs) {
+           inputs.uvs = uvs;
+           for (Surface& surface : inputs.surfaces) surface.travel = {};
+         }});
   }
 
   void factors() {
