@@ -98,6 +98,7 @@ Result seen() {
   ViewFigures figures;
   figures.rows.resize(1);
   figures.rows[0].file = "faces_level0.png";
+  figures.reference = 2;
   return view_tables(figures);
 }
 

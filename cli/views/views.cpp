@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -59,7 +60,10 @@ void check(const ViewArguments& arguments) {
   if (parse_levels(arguments.levels, "--level").last > file_of::finest_attribute_level)
     throw UsageError(fmt::format("--level {}: maps of attributes go up to level {}", arguments.levels,
                                  file_of::finest_attribute_level));
-  const std::uint64_t rays = arguments.rays;
+  const std::uint64_t rays = arguments.cones ? std::max(arguments.rays, arguments.reference) : arguments.rays;
+  if (arguments.cones && arguments.reference % arguments.rays != 0)
+    throw UsageError(fmt::format("--reference {}: more rays than --rays {}, and a multiple of them",
+                                 arguments.reference, arguments.rays));
   const auto [width, height] = arguments.size;
   if (rays * width > 16384 || rays * height > 16384 || rays * rays * width * height > most_rays)
     throw UsageError(
@@ -75,24 +79,28 @@ void tell(const ViewArguments& arguments, const std::string& what) {
   if (!arguments.quiet) say(stderr, "views: {}\n", what);
 }
 
-/// Compares the views of each level with the textures', and writes their pictures.
-void add_rows(bench::ViewFigures& figures, const render::Views& views, const proofs::Levels& levels,
-              const ViewArguments& arguments) {
+/// Compares the views of each level with the textures' view `right`, and writes their pictures.
+void add_rows(bench::ViewFigures& figures, const render::Views& views, const render::Picture& right,
+              const proofs::Levels& levels, const ViewArguments& arguments) {
+  using render::Detail, render::ShownFrom;
   for (const std::uint8_t pixel : views.textured()) figures.textured_pixels += pixel;
-  const render::Picture textures = views.picture(render::ShownFrom::textures);
-  if (!arguments.pictures.empty()) written(arguments.pictures, "textures", textures);
+  if (!arguments.pictures.empty()) written(arguments.pictures, "textures", right);
+  const auto add = [&](ShownFrom from, unsigned level, Detail detail) {
+    const std::string name = fmt::format("{}_level{}{}", from == ShownFrom::faces ? "faces" : "vertices",
+                                         level, detail == Detail::cones ? "_cones" : "");
+    tell(arguments, name);
+    const render::Picture maps = views.picture(from, level, detail);
+    bench::ViewRow row{
+        from, level, detail, bench::view_error(right, maps, views.textured(), arguments.threads), {}};
+    if (!arguments.pictures.empty())
+      row.file = written(arguments.pictures, name, bench::beside(right, maps, row.error, longest_view));
+    row.error.map.clear();
+    figures.rows.push_back(std::move(row));
+  };
   for (unsigned level = levels.first; level <= levels.last; ++level)
-    for (const render::ShownFrom from : {render::ShownFrom::faces, render::ShownFrom::vertices}) {
-      const std::string name =
-          fmt::format("{}_level{}", from == render::ShownFrom::faces ? "faces" : "vertices", level);
-      tell(arguments, name);
-      const render::Picture maps = views.picture(from, level);
-      bench::ViewRow row{
-          from, level, bench::view_error(textures, maps, views.textured(), arguments.threads), {}};
-      if (!arguments.pictures.empty())
-        row.file = written(arguments.pictures, name, bench::beside(textures, maps, row.error, longest_view));
-      row.error.map.clear();
-      figures.rows.push_back(std::move(row));
+    for (const ShownFrom from : {ShownFrom::faces, ShownFrom::vertices}) {
+      add(from, level, Detail::finest);
+      if (arguments.cones) add(from, level, Detail::cones);
     }
 }
 
@@ -122,18 +130,21 @@ int render_views(const ViewArguments& arguments) {
   const render::Tracer tracer(world.world);
   const render::Camera camera = camera_of(world.world, arguments);
   tell(arguments, "rays");
-  const render::TraceOptions trace{.width = arguments.rays * arguments.size.width,
-                                   .height = arguments.rays * arguments.size.height,
-                                   .threads = arguments.threads,
-                                   .shadows = !arguments.no_shadows,
-                                   .done = [&](std::uint64_t) { stop(); }};
-  const render::Frame frame = tracer.frame(camera, nullptr, trace);
+  const auto traced = [&](std::uint32_t rays) {
+    return tracer.frame(camera, nullptr,
+                        {.width = rays * arguments.size.width,
+                         .height = rays * arguments.size.height,
+                         .threads = arguments.threads,
+                         .shadows = !arguments.no_shadows,
+                         .done = [&](std::uint64_t) { stop(); }});
+  };
+  const auto options = [&](std::uint32_t rays) {
+    return render::ViewOptions{
+        .rays = rays, .shading = arguments.shading, .threads = arguments.threads, .stop = stop};
+  };
+  const render::Frame frame = traced(arguments.rays);
   const render::Views views(read.scene, world, read.attributes, read.shading, frame, camera,
-                            {.rays = arguments.rays,
-                             .shading = arguments.shading,
-                             .sun = trace.light,
-                             .threads = arguments.threads,
-                             .stop = stop});
+                            options(arguments.rays));
   if (views.triangles() == 0)
     throw UsageError(
         fmt::format("{}: no ray met a triangle with a texture, so nothing was compared; another --camera or "
@@ -147,12 +158,23 @@ int render_views(const ViewArguments& arguments) {
                              .width = arguments.size.width,
                              .height = arguments.size.height,
                              .rays = arguments.rays,
+                             .reference = arguments.cones ? arguments.reference : 0,
                              .shading = arguments.shading,
                              .camera = arguments.camera,
                              .seed = arguments.seed,
                              .threads = arguments.threads,
                              .rows = {}};
-  add_rows(figures, views, levels, arguments);
+  render::Picture right = views.picture(render::ShownFrom::textures);
+  if (arguments.cones) {
+    tell(arguments, "the view with more rays");
+    const render::Frame finer = traced(arguments.reference);
+    const render::Picture reference = render::Views(read.scene, world, read.attributes, read.shading, finer,
+                                                    camera, options(arguments.reference))
+                                          .picture(render::ShownFrom::textures);
+    figures.textures = bench::view_error(reference, right, views.textured(), arguments.threads);
+    right = reference;
+  }
+  add_rows(figures, views, right, levels, arguments);
   const bench::Result result = bench::view_tables(figures);
   print_result(json.text(), result);
   json.write([&] { return result_json(result); });
