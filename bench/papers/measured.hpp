@@ -62,7 +62,7 @@ class Measured {
   const std::optional<scene::Sizes>& sizes(std::size_t scene, unsigned level);
   /// The square maps of a scene's pairs, and the bytes of both codecs' blocks.  Domain: a scene of masked().
   const Squares& squares(std::size_t scene);
-  /// Attribute maps of levels 0 to 5, or 4 with more than 30,000 triangles, codes averaged.
+  /// Attribute maps of levels 0 to 5, or to the last one whose work fits a page made within minutes; codes averaged.
   const scene::AttributeFigures& attributes(std::size_t scene);
   /// The alpha textures by name, and their maps.
   const std::map<std::string, AlphaTexture>& alpha();

@@ -138,7 +138,8 @@ std::string page(const Paper& paper, Measured& measured, const std::vector<Pictu
   std::string text = fmt::format("# {}\n\n{}", paper.title, table(paper, measured, false));
   for (const Item& item : paper.items) {
     std::string below;
-    if (item.grid) below += "\n" + markdown(item.grid(measured));
+    if (item.grid)
+      if (const Grid grid = item.grid(measured); !grid.rows.empty()) below += "\n" + markdown(grid);
     if (item.on_this_machine)
       if (const Grid times = item.on_this_machine(measured); !times.rows.empty())
         below += "\nOn this machine, another time at each run:\n\n" + markdown(times);

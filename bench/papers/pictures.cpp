@@ -100,8 +100,12 @@ Pictures som(Measured& m, std::size_t at) {
                    fmt::format("Bits of the 2-state tree that a lookup reads on our leaves, level {}", level),
                    bits_by_level(m, at, level)});
   for (Drawn& atlas : atlases(m, at)) all.push_back(std::move(atlas));
-  if (render::has_embree())
-    for (Drawn& rays : bits_of_rays(m, at)) all.push_back(std::move(rays));
+  if (!render::has_embree()) return all;
+  for (Drawn& rays : bits_of_rays(m, at)) all.push_back(std::move(rays));
+  all.push_back({"figure 6", "two_states_rendered",
+                 m.scenes()[at].name + " by 2-state maps of each level, and by a bitmask of 1 bit a texel: each is "
+                                       "another picture",
+                 two_state_pictures(m, at)});
   return all;
 }
 
@@ -137,7 +141,7 @@ Pictures cam(Measured& m, std::size_t at) {
   if (!render::has_embree()) return all;
   all.push_back(
       {"figure 6", "max", "Hits that blend by max, colours of faces of level 3", blended_by_max(m, at)});
-  for (Drawn& view : views(m, at, {0, 2, 4, 6})) all.push_back(std::move(view));
+  for (Drawn& view : views(m, {0, 2, 4, 6})) all.push_back(std::move(view));
   return all;
 }
 
