@@ -12,6 +12,7 @@
 #include "scene/bake/surface_baker.hpp"
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/load.hpp"
+#include "scene/sample/quad.hpp"
 #include "scene/sample/scene.hpp"
 
 namespace mmverify::bench::papers {
@@ -34,12 +35,11 @@ std::vector<AlphaTexture> read_textures(const Sources& sources) {
   return leaves;
 }
 
-PlannedScene planned(std::string name, const std::string& file) {
-  PlannedScene one{.name = std::move(name), .file = file, .scene = {}, .plan = {}, .uses = {}};
+PlannedScene planned(std::string name, const std::string& file, const scene::Bytes& bytes = {}) {
+  PlannedScene one{.name = std::move(name), .file = file, .bytes = bytes, .scene = {}, .plan = {}, .uses = {}};
   if (file.empty()) {
-    const scene::Bytes bytes = scene::sample_scene();
-    one.scene = scene::load(own_scene, bytes);
-    one.uses = scene::load_uses(own_scene, bytes);
+    one.scene = scene::load(one.name, bytes);
+    one.uses = scene::load_uses(one.name, bytes);
   } else {
     one.scene = scene::load(file);
     one.uses = scene::load_uses(file);
@@ -130,7 +130,10 @@ scene::BakeOptions Measured::options() const {
 
 const std::vector<PlannedScene>& Measured::scenes() {
   if (!scenes_.empty()) return scenes_;
-  if (sources_.scenes.empty()) scenes_.push_back(planned(own_scene, ""));
+  if (sources_.scenes.empty()) {
+    scenes_.push_back(planned(own_scene, "", scene::sample_scene()));
+    scenes_.push_back(planned("Quad", "", scene::quad_scene()));
+  }
   for (const std::string& file : sources_.scenes) {
     begins(file);
     try {
@@ -173,9 +176,7 @@ const scene::AttributeFigures& Measured::attributes(std::size_t at) {
   if (known != attributes_.end()) return known->second;
   const PlannedScene& of = scenes()[at];
   begins(of.name + ", attributes");
-  const scene::Bytes sample = of.file.empty() ? scene::sample_scene() : scene::Bytes();
-  const scene::AttributeScene read =
-      of.file.empty() ? scene::load_attributes(own_scene, sample) : scene::load_attributes(of.file);
+  const scene::AttributeScene read = attributes_of(of);
   scene::AttributeOptions options;
   options.last = last_level_within(read);
   if (options.last < last_attribute_level && sources_.note)
@@ -242,6 +243,10 @@ const VqLoss& Measured::loss(VqEncoder encoder, bool of_parts) {
     loss.lost.push_back(lost_of(encoder, maps, loss.transforms.emplace_back()));
   }
   return losses_.emplace(std::pair(encoder, of_parts), std::move(loss)).first->second;
+}
+
+scene::AttributeScene attributes_of(const PlannedScene& of) {
+  return of.file.empty() ? scene::load_attributes(of.name, of.bytes) : scene::load_attributes(of.file);
 }
 
 std::vector<std::size_t> masked(Measured& measured) {

@@ -19,7 +19,7 @@ namespace mmverify::bench::papers {
 
 /// The sources of numbers of ours.
 struct Sources {
-  std::vector<std::string> scenes = {};  ///< files; none: the suite's own scene
+  std::vector<std::string> scenes = {};  ///< files; none: the suite's own scene and the Quad
   std::string textures = {};             ///< a folder of alpha textures; empty: 60 generated leaves
   unsigned threads = 0;
   std::function<void(const std::string&)> progress = {};  ///< receives the name of each step that begins
@@ -29,7 +29,8 @@ struct Sources {
 
 /// A scene, and the plan of its maps.
 struct PlannedScene {
-  std::string name, file;  ///< file: empty for the suite's own
+  std::string name, file;  ///< file: empty for the suite's own and for the Quad
+  scene::Bytes bytes;      ///< of these
   scene::Scene scene;
   scene::Plan plan;
   std::vector<scene::MeshUse> uses;
@@ -84,6 +85,8 @@ class Measured {
   std::vector<OpacityMaps> textures_, parts_;
   std::map<std::pair<VqEncoder, bool>, VqLoss> losses_;
 };
+
+scene::AttributeScene attributes_of(const PlannedScene& scene);
 
 /// The numbers of the scenes that have triangles to bake.
 std::vector<std::size_t> masked(Measured& measured);

@@ -15,8 +15,6 @@
 #include "scene/attribute/mip_errors.hpp"
 #include "scene/attribute/picture.hpp"
 #include "scene/picture/opacity_picture.hpp"
-#include "scene/read/load.hpp"
-#include "scene/sample/scene.hpp"
 
 namespace mmverify::bench::papers {
 namespace {
@@ -112,9 +110,7 @@ Pictures som(Measured& m, std::size_t at) {
 /// Figure 7: mips of the first image whose colours are drawn.
 Pictures mips(Measured& m, std::size_t at) {
   const PlannedScene& of = m.scenes()[at];
-  const scene::Bytes sample = of.file.empty() ? scene::sample_scene() : scene::Bytes();
-  const scene::AttributeScene read =
-      of.file.empty() ? scene::load_attributes(of.name, sample) : scene::load_attributes(of.file);
+  const scene::AttributeScene read = attributes_of(of);
   Pictures all;
   const scene::ColourImage* first = nullptr;
   scene::AttributeOptions options;

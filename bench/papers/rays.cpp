@@ -18,7 +18,6 @@
 #include "scene/bake/arrays.hpp"
 #include "scene/read/load.hpp"
 #include "scene/read/shading.hpp"
-#include "scene/sample/scene.hpp"
 
 namespace mmverify::bench::papers {
 namespace {
@@ -56,14 +55,8 @@ render::CompareOptions compare_options(Measured& m, unsigned first, unsigned las
   return options;
 }
 
-scene::AttributeScene attributes_of(const PlannedScene& of) {
-  const scene::Bytes sample = of.file.empty() ? scene::sample_scene() : scene::Bytes();
-  return of.file.empty() ? scene::load_attributes(of.name, sample) : scene::load_attributes(of.file);
-}
-
 std::vector<scene::PrimitiveShading> shading_of(const PlannedScene& of) {
-  const scene::Bytes sample = of.file.empty() ? scene::sample_scene() : scene::Bytes();
-  return of.file.empty() ? scene::load_shading(of.name, sample) : scene::load_shading(of.file);
+  return of.file.empty() ? scene::load_shading(of.name, of.bytes) : scene::load_shading(of.file);
 }
 
 /// Flat maps that add up the bits of their trees which Algorithm 3 would read.  For one thread.

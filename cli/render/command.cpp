@@ -28,7 +28,6 @@
 #include "proofs/engine/progress.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/read/load.hpp"
-#include "scene/sample/scene.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -74,9 +73,8 @@ std::vector<render::Method> wanted_methods(const std::vector<std::string>& names
 
 std::vector<mmverify::scene::MeshUse> uses_of(const std::string& file) {
   using namespace mmverify::scene;
-  if (!file.empty()) return load_uses(file);
-  const Bytes bytes = sample_scene();
-  return load_uses(sample_name, bytes);
+  if (const auto made = generated_scene(file)) return load_uses(made->name, made->bytes);
+  return load_uses(file);
 }
 
 void commit(OutputFile& file, const render::Picture& picture) {
@@ -150,9 +148,8 @@ std::optional<render::ColoursOf> wanted_colours(const RenderOptions& options) {
 
 mmverify::scene::AttributeScene attributes_of(const std::string& file) {
   using namespace mmverify::scene;
-  if (!file.empty()) return load_attributes(file);
-  const Bytes bytes = sample_scene();
-  return load_attributes(sample_name, bytes);
+  if (const auto made = generated_scene(file)) return load_attributes(made->name, made->bytes);
+  return load_attributes(file);
 }
 
 proofs::Levels levels_of_maps(const std::string& text) {
@@ -424,7 +421,7 @@ Action add_render(CLI::App& program) {
                              "trace a glTF scene with Embree, any-hit shaders by texture and by micromaps; "
                              "exit 1 where a pixel differs, 2 where nothing was compared");
   auto options = std::make_shared<RenderOptions>();
-  command->add_option("file", options->file, "the scene; without it the suite's own, a plant and a fence")
+  command->add_option("file", options->file, "the scene; quad: two triangles with two textures; without it the suite's own, a plant and a fence")
       ->type_name("FILE.gltf|FILE.glb");
   command->add_option("--level", options->level, "level of maps; 6 where not given")->type_name("N|A..B");
   command

@@ -18,7 +18,6 @@
 #include "proofs/engine/interrupt.hpp"
 #include "scene/attribute/footprint.hpp"
 #include "scene/read/load.hpp"
-#include "scene/sample/scene.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -40,12 +39,12 @@ struct Loaded {
 };
 
 Loaded loaded(const std::string& file) {
-  if (!file.empty())
+  const auto made = generated_scene(file);
+  if (!made)
     return {loaded_scene(file), file_of::load_uses(file), file_of::load_attributes(file),
             file_of::load_shading(file)};
-  const file_of::Bytes bytes = file_of::sample_scene();
-  return {loaded_scene(file), file_of::load_uses(sample_name, bytes),
-          file_of::load_attributes(sample_name, bytes), file_of::load_shading(sample_name, bytes)};
+  return {file_of::load(made->name, made->bytes), file_of::load_uses(made->name, made->bytes),
+          file_of::load_attributes(made->name, made->bytes), file_of::load_shading(made->name, made->bytes)};
 }
 
 /// Writes FOLDER/NAME.png and returns its path.
