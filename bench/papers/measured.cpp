@@ -36,7 +36,8 @@ std::vector<AlphaTexture> read_textures(const Sources& sources) {
 }
 
 PlannedScene planned(std::string name, const std::string& file, const scene::Bytes& bytes = {}) {
-  PlannedScene one{.name = std::move(name), .file = file, .bytes = bytes, .scene = {}, .plan = {}, .uses = {}};
+  PlannedScene one{
+      .name = std::move(name), .file = file, .bytes = bytes, .scene = {}, .plan = {}, .uses = {}};
   if (file.empty()) {
     one.scene = scene::load(one.name, bytes);
     one.uses = scene::load_uses(one.name, bytes);
@@ -57,15 +58,13 @@ double attribute_work(const scene::AttributeScene& read, unsigned level) {
       for (const scene::Triangle& t : primitive.triangles)
         maps.push_back({use.texture, {use.uvs[t[0]], use.uvs[t[1]], use.uvs[t[2]]}});
   const std::vector<std::size_t> first = scene::first_of_same_uvs(maps);
-  const auto values =
-      static_cast<double>(scene::values_of_map(scene::MapKind::faces, level) +
-                          scene::values_of_map(scene::MapKind::vertices, level));
+  const auto values = static_cast<double>(scene::values_of_map(scene::MapKind::faces, level) +
+                                          scene::values_of_map(scene::MapKind::vertices, level));
   double work = 0;
   for (std::size_t k = 0; k < maps.size(); ++k) {
     const scene::ColourImage& image = read.images[read.textures[maps[k].texture].image];
     if (first[k] != k || !scene::within_reach(maps[k].uvs, image)) continue;
-    const double twice =
-        scene::TexelPlane(scene::in_texels(maps[k].uvs, image.width, image.height)).area();
+    const double twice = scene::TexelPlane(scene::in_texels(maps[k].uvs, image.width, image.height)).area();
     work += std::abs(twice) / 2 + values;
   }
   return work;
@@ -75,7 +74,8 @@ double attribute_work(const scene::AttributeScene& read, unsigned level) {
 unsigned last_level_within(const scene::AttributeScene& read) {
   double work = attribute_work(read, 0);
   unsigned last = 0;
-  while (last < last_attribute_level && (work += attribute_work(read, last + 1)) <= most_attribute_work) ++last;
+  while (last < last_attribute_level && (work += attribute_work(read, last + 1)) <= most_attribute_work)
+    ++last;
   return last;
 }
 

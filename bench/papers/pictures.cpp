@@ -101,8 +101,9 @@ Pictures som(Measured& m, std::size_t at) {
   if (!render::has_embree()) return all;
   for (Drawn& rays : bits_of_rays(m, at)) all.push_back(std::move(rays));
   all.push_back({"figure 6", "two_states_rendered",
-                 m.scenes()[at].name + " by 2-state maps of each level, and by a bitmask of 1 bit a texel: each is "
-                                       "another picture",
+                 m.scenes()[at].name +
+                     " by 2-state maps of each level, and by a bitmask of 1 bit a texel: each is "
+                     "another picture",
                  two_state_pictures(m, at)});
   return all;
 }

@@ -24,7 +24,7 @@ std::vector<Drawn> pictures(const Paper& paper, Measured& measured);
 /// Embree.
 Grid frame_times(Measured& measured);
 
-/// Of the same scene: the pictures by 2-state maps and a bitmask of 1 bit, beside the texture's.
+/// The same scene's pictures by 2-state maps and a bitmask of 1 bit, beside the texture's.
 Grid two_state_figures(Measured& measured);
 /// Times of frames by bitmasks of 1 and 2 bits a texel.
 Grid bitmask_times(Measured& measured);

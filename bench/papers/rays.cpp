@@ -193,8 +193,9 @@ struct Viewed {
       : of(scene), traced(scene), attributes(attributes_of(scene)), shading(shading_of(scene)) {}
 };
 
-constexpr std::uint32_t view_rays = 2;       ///< along each side of a pixel
-constexpr std::uint64_t most_shown = 10'000;  ///< triangles: each is baked at each level, seconds for a thousand
+constexpr std::uint32_t view_rays = 2;  ///< along each side of a pixel
+constexpr std::uint64_t most_shown =
+    10'000;  ///< triangles: each is baked at each level, seconds for a thousand
 
 render::Frame view_frame(Measured& m, const Viewed& viewed, std::uint32_t smaller) {
   return viewed.traced.tracer.frame(viewed.traced.camera, nullptr,
@@ -205,7 +206,12 @@ render::Frame view_frame(Measured& m, const Viewed& viewed, std::uint32_t smalle
 }
 
 render::Views views_of(Measured& m, const Viewed& viewed, const render::Frame& frame) {
-  return {viewed.of.scene, viewed.traced.world, viewed.attributes, viewed.shading, frame, viewed.traced.camera,
+  return {viewed.of.scene,
+          viewed.traced.world,
+          viewed.attributes,
+          viewed.shading,
+          frame,
+          viewed.traced.camera,
           {.rays = view_rays, .threads = m.sources().threads, .stop = [&m] { m.stop(); }}};
 }
 
@@ -240,8 +246,8 @@ std::vector<Drawn> views(Measured& m, const std::vector<unsigned>& levels) {
   const Viewed viewed(m.scenes()[chosen->scene]);
   const render::Frame frame = view_frame(m, viewed, chosen->smaller);
   const render::Views shown = views_of(m, viewed, frame);
-  const std::string which = fmt::format("{}, {} triangles in view ({} at most)", viewed.of.name, shown.triangles(),
-                                        most_shown);
+  const std::string which =
+      fmt::format("{}, {} triangles in view ({} at most)", viewed.of.name, shown.triangles(), most_shown);
   const render::Picture textures = shown.picture(render::ShownFrom::textures);
   const auto draw = [&](render::ShownFrom from, unsigned level, render::Detail detail) {
     const bool cones = detail == render::Detail::cones;
@@ -249,11 +255,11 @@ std::vector<Drawn> views(Measured& m, const std::vector<unsigned>& levels) {
     m.begins(fmt::format("{}, views by {} of level {}", viewed.of.name, kind, level));
     const render::Picture maps = shown.picture(from, level, detail);
     const ViewError error = view_error(textures, maps, shown.textured(), m.sources().threads);
-    all.push_back({cones ? "figure 8" : "table 3", fmt::format("view_{}_{}{}", kind, level, cones ? "_cones" : ""),
-                   fmt::format("{}: textures, {} of level {}{}, FLIP: mean {:.4f}, {:.4f} where a texture shows", which,
-                               kind, level, cones ? " and its mips by ray cones" : "", error.flip,
-                               error.textured_flip),
-                   beside(textures, maps, error, width)});
+    all.push_back(
+        {cones ? "figure 8" : "table 3", fmt::format("view_{}_{}{}", kind, level, cones ? "_cones" : ""),
+         fmt::format("{}: textures, {} of level {}{}, FLIP: mean {:.4f}, {:.4f} where a texture shows", which,
+                     kind, level, cones ? " and its mips by ray cones" : "", error.flip, error.textured_flip),
+         beside(textures, maps, error, width)});
   };
   for (const unsigned level : levels)
     for (const render::ShownFrom from : {render::ShownFrom::faces, render::ShownFrom::vertices})
@@ -279,8 +285,9 @@ std::vector<render::MethodFigures> compared(const Traced& traced, const PlannedS
 }
 
 std::string title_of(const render::MethodFigures& row) {
-  return row.level ? fmt::format("level {}", *row.level)
-                   : row.method == render::Method::texture ? "texture" : "bitmask";
+  return row.level                               ? fmt::format("level {}", *row.level)
+         : row.method == render::Method::texture ? "texture"
+                                                 : "bitmask";
 }
 
 }  // namespace
@@ -337,8 +344,8 @@ Grid viewpoint_means(Measured& m) {
   constexpr std::uint64_t cameras = 4;
   constexpr unsigned ambient = 4;
   const std::vector<std::size_t> scenes = masked(m);
-  Grid grid{{"scene", "method", "calls a ray: mean", "least", "most", "deviation", "over the texture's: mean", "least",
-             "most", "deviation"},
+  Grid grid{{"scene", "method", "calls a ray: mean", "least", "most", "deviation", "over the texture's: mean",
+             "least", "most", "deviation"},
             {}};
   if (!render::has_embree() || scenes.empty()) return grid;
   const PlannedScene& of = m.scenes()[scenes.front()];
@@ -348,8 +355,8 @@ Grid viewpoint_means(Measured& m) {
       compare_options(m, of_tables, of_tables, {Method::flat, Method::tree, Method::ranked, Method::bitmask});
   options.trace.threads = 1;
   options.trace.ambient = ambient;
-  const render::Path path = render::along_path(of.scene, of.plan, traced.world, traced.tracer, options.forms(),
-                                               options.trace, 1, cameras);
+  const render::Path path = render::along_path(of.scene, of.plan, traced.world, traced.tracer,
+                                               options.forms(), options.trace, 1, cameras);
   for (const render::PathRow& row : path.rows) {
     std::vector<std::string> cells{of.name, std::string(name_of(row.method))};
     for (const std::vector<double>& figure : {row.calls_a_ray, row.times_texture}) {

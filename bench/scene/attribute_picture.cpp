@@ -69,7 +69,9 @@ picture::Picture scene_attribute_picture(const AttributeFigures& figures, const 
             {static_cast<double>(at.level), static_cast<double>(figures.bytes(at.level, kind))});
     bytes.series.push_back(series);
   }
-  const auto has_colours = [](const AttributeSetFigures& set) { return has(set.set, scene::Attribute::base_color); };
+  const auto has_colours = [](const AttributeSetFigures& set) {
+    return has(set.set, scene::Attribute::base_color);
+  };
   // The panel beside it has the key; here it would lie on the textures' label.
   if (std::any_of(figures.sets.begin(), figures.sets.end(), has_colours)) bytes.key = Key::none;
   drawn.rows.push_back({bytes});

@@ -236,14 +236,15 @@ std::vector<picture::Panel> error_against_time(const scene::AttributeFigures& fi
   if (set == figures.sets.end()) return {};
   const auto error_of = [&](const LookupTimes& of) {
     const auto kind = of.way == LookupWay::face ? scene::MapKind::faces : scene::MapKind::vertices;
-    return std::find_if(set->levels.begin(), set->levels.end(), [&](const scene::MapsAtLevel& at) {
-      return at.level == of.level && at.kind == kind;
-    })->error.rmse.value_or(0);
+    return std::find_if(set->levels.begin(), set->levels.end(),
+                        [&](const scene::MapsAtLevel& at) { return at.level == of.level && at.kind == kind; })
+        ->error.rmse.value_or(0);
   };
   std::vector<Panel> panels;
   for (const PointOrder order : orders) {
-    Panel panel{.title = order == PointOrder::scattered ? "Base colour: error against run time, scattered points"
-                                                        : "Base colour: error against run time, points along",
+    Panel panel{.title = order == PointOrder::scattered
+                             ? "Base colour: error against run time, scattered points"
+                             : "Base colour: error against run time, points along",
                 .x = {.title = "ns a lookup", .least = 0},
                 .y = {.title = "RMSE, codes of 8 bits", .logarithmic = true},
                 .key = Key::top_right};
@@ -254,7 +255,9 @@ std::vector<picture::Panel> error_against_time(const scene::AttributeFigures& fi
         if (of.set != set->set || of.way != way) continue;
         const TimesOfOrder& its = of.by_order[static_cast<std::size_t>(order)];
         of_texture.push_back(its.texture_ns);
-        series.points.push_back({its.map_ns, error_of(of), std::to_string(of.level)});
+        // Low levels take the same time, and level 0 has no order, so not every label has room.
+        const bool named = of.level % 2 == 0 && (of.level != 0 || way != LookupWay::vertices_bird);
+        series.points.push_back({its.map_ns, error_of(of), named ? std::to_string(of.level) : std::string()});
       }
       panel.series.push_back(std::move(series));
     }

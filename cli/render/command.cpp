@@ -217,17 +217,16 @@ class Pictures {
     if (!options.picture.empty()) seen_file_.emplace(options.picture);
     if (!options.heat.empty()) heat_file_.emplace(options.heat);
   }
-  /// Draws each frame of the comparison. `compared`, `world` and `colours`, which may be null, outlive the run.
-  void draw_frames_of(render::CompareOptions& compared, const render::World& world,
-                      const render::ColourMaps* colours) {
+  /// Draws each frame of the comparison. `compared`, its colours and `world` outlive the run.
+  void draw_frames_of(render::CompareOptions& compared, const render::World& world) {
     compared.blend_frame = [this, &compared, &world](const render::BlendFigures&,
                                                      const render::BlendFrame& frame) {
       if (seen_file_) seen_ = render::blended(world, frame, *compared.blending);
     };
-    compared.frame = [this, &compared, &world, colours](const render::MethodFigures& figures,
-                                                        const render::Frame& frame) {
+    compared.frame = [this, &compared, &world](const render::MethodFigures& figures,
+                                               const render::Frame& frame) {
       if (seen_file_ && !compared.blending) {
-        seen_ = render::seen(world, frame, colours);
+        seen_ = render::seen(world, frame, compared.colours);
         if (options_.states == 2 && two_states_.fit(options_.size.height))
           two_states_.add(figures, fmt::format("{} differ", figures.differing), *seen_);
       }
@@ -328,10 +327,9 @@ int render_scene(const RenderOptions& options) {
     colours = render::colours_of(scene, world, attributes_of(options.file), *colours_of, options.colour_level,
                                  options.threads, compared.done);
   }
-  const render::ColourMaps* const of_colours = colours ? &*colours : nullptr;
-  compared.colours = of_colours;
-  if (operation) compared.blending = render::Blending{.operation = *operation, .colours = of_colours};
-  pictures.draw_frames_of(compared, world.world, of_colours);
+  compared.colours = colours ? &*colours : nullptr;
+  if (operation) compared.blending = render::Blending{.operation = *operation, .colours = compared.colours};
+  pictures.draw_frames_of(compared, world.world);
   bench::RenderFigures figures;
   std::string nothing;
   try {
@@ -421,7 +419,10 @@ Action add_render(CLI::App& program) {
                              "trace a glTF scene with Embree, any-hit shaders by texture and by micromaps; "
                              "exit 1 where a pixel differs, 2 where nothing was compared");
   auto options = std::make_shared<RenderOptions>();
-  command->add_option("file", options->file, "the scene; quad: two triangles with two textures; without it the suite's own, a plant and a fence")
+  command
+      ->add_option(
+          "file", options->file,
+          "the scene; quad: two triangles with two textures; without it the suite's own, a plant and a fence")
       ->type_name("FILE.gltf|FILE.glb");
   command->add_option("--level", options->level, "level of maps; 6 where not given")->type_name("N|A..B");
   command

@@ -13,7 +13,10 @@ Action add_views(CLI::App& program) {
                                          "render one view of a glTF scene with its textures and with "
                                          "attribute micromaps, and compare them by FLIP");
   auto arguments = std::make_shared<ViewArguments>();
-  command->add_option("file", arguments->file, "the scene; quad: two triangles with two textures; without it the suite's own, a plant and a fence")
+  command
+      ->add_option(
+          "file", arguments->file,
+          "the scene; quad: two triangles with two textures; without it the suite's own, a plant and a fence")
       ->type_name("FILE.gltf|FILE.glb");
   command->add_option("--level", arguments->levels, "levels of the maps; 0..6 where not given")
       ->type_name("N|A..B");

@@ -110,6 +110,46 @@ render::Camera camera_of(const render::World& world, const ViewArguments& argume
                                : render::on_path(box, arguments.seed, arguments.camera, aspect);
 }
 
+/// Traces and shades views of a scene from one camera.  What the constructor takes outlives it.
+class Viewer {
+ public:
+  Viewer(const Loaded& read, const render::SceneWorld& world, const ViewArguments& arguments)
+      : read_(read),
+        world_(world),
+        arguments_(arguments),
+        tracer_(world.world),
+        camera_(camera_of(world.world, arguments)) {}
+
+  render::Frame traced(std::uint32_t rays) const {
+    return tracer_.frame(camera_, nullptr,
+                         {.width = rays * arguments_.size.width,
+                          .height = rays * arguments_.size.height,
+                          .threads = arguments_.threads,
+                          .shadows = !arguments_.no_shadows,
+                          .done = [](std::uint64_t) { stop(); }});
+  }
+  render::Views views(const render::Frame& frame, std::uint32_t rays) const {
+    return {read_.scene,
+            world_,
+            read_.attributes,
+            read_.shading,
+            frame,
+            camera_,
+            {.rays = rays, .shading = arguments_.shading, .threads = arguments_.threads, .stop = stop}};
+  }
+
+ private:
+  static void stop() {
+    if (proofs::interrupted()) throw proofs::Interrupted();
+  }
+
+  const Loaded& read_;
+  const render::SceneWorld& world_;
+  const ViewArguments& arguments_;
+  render::Tracer tracer_;
+  render::Camera camera_;
+};
+
 }  // namespace
 
 int render_views(const ViewArguments& arguments) {
@@ -118,32 +158,14 @@ int render_views(const ViewArguments& arguments) {
   need_folder("--pictures", arguments.pictures);
   JsonOutput json(arguments.json);
   const proofs::InterruptGuard guard;
-  const auto stop = [] {
-    if (proofs::interrupted()) throw proofs::Interrupted();
-  };
-
   const Loaded read = loaded(arguments.file);
   const render::SceneWorld world = render::world_of(read.scene, read.uses, file_of::plan(read.scene));
   if (world.world.instances.empty())
     throw EnvironmentError(fmt::format("{}: no triangle to render", read.scene.file));
-  const render::Tracer tracer(world.world);
-  const render::Camera camera = camera_of(world.world, arguments);
+  const Viewer viewer(read, world, arguments);
   tell(arguments, "rays");
-  const auto traced = [&](std::uint32_t rays) {
-    return tracer.frame(camera, nullptr,
-                        {.width = rays * arguments.size.width,
-                         .height = rays * arguments.size.height,
-                         .threads = arguments.threads,
-                         .shadows = !arguments.no_shadows,
-                         .done = [&](std::uint64_t) { stop(); }});
-  };
-  const auto options = [&](std::uint32_t rays) {
-    return render::ViewOptions{
-        .rays = rays, .shading = arguments.shading, .threads = arguments.threads, .stop = stop};
-  };
-  const render::Frame frame = traced(arguments.rays);
-  const render::Views views(read.scene, world, read.attributes, read.shading, frame, camera,
-                            options(arguments.rays));
+  const render::Frame frame = viewer.traced(arguments.rays);
+  const render::Views views = viewer.views(frame, arguments.rays);
   if (views.triangles() == 0)
     throw UsageError(
         fmt::format("{}: no ray met a triangle with a texture, so nothing was compared; another --camera or "
@@ -166,10 +188,9 @@ int render_views(const ViewArguments& arguments) {
   render::Picture right = views.picture(render::ShownFrom::textures);
   if (arguments.cones) {
     tell(arguments, "the view with more rays");
-    const render::Frame finer = traced(arguments.reference);
-    const render::Picture reference = render::Views(read.scene, world, read.attributes, read.shading, finer,
-                                                    camera, options(arguments.reference))
-                                          .picture(render::ShownFrom::textures);
+    const render::Frame finer = viewer.traced(arguments.reference);
+    const render::Picture reference =
+        viewer.views(finer, arguments.reference).picture(render::ShownFrom::textures);
     figures.textures = bench::view_error(reference, right, views.textured(), arguments.threads);
     right = reference;
   }

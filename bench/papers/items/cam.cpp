@@ -70,7 +70,8 @@ Ours opacity(std::uint64_t scene::Footprint::*count) {
 
 /// Table 2: the counts of distinct maps of each scene's attributes, from the least to the greatest of the levels.
 Grid counts_by_scene(Measured& m) {
-  Grid grid{{"scene", "attributes", "levels, as far as they take seconds", "triangles", "faces", "vertices"}, {}};
+  Grid grid{{"scene", "attributes", "levels, as far as they take seconds", "triangles", "faces", "vertices"},
+            {}};
   for (std::size_t k = 0; k < m.scenes().size(); ++k)
     for (const scene::AttributeSetFigures& set : m.attributes(k).sets) {
       const auto range = [&set](MapKind kind) {
@@ -82,8 +83,8 @@ Grid counts_by_scene(Measured& m) {
           }
         return fmt::format("{} to {}", least, most);
       };
-      grid.rows.push_back({m.scenes()[k].name, scene::name(set.set), fmt::format("0 to {}", set.levels.back().level),
-                           std::to_string(set.triangles),
+      grid.rows.push_back({m.scenes()[k].name, scene::name(set.set),
+                           fmt::format("0 to {}", set.levels.back().level), std::to_string(set.triangles),
                            range(MapKind::faces), range(MapKind::vertices)});
     }
   return grid;

@@ -406,7 +406,8 @@ std::vector<Item> runtime() {
        .what = "one twig at levels 1 to 12: frame times, and 2-state pictures",
        .status = Status::differs,
        .show = "render FILE --states 2 --level 1..9 --method flat,bitmask -o OUT.png",
-       .why = "no graphics card; 2-state pictures by level, and how far each is from the texture's: RENDER.md, Two states",
+       .why = "no graphics card; 2-state pictures by level, and how far each is from the texture's: "
+              "RENDER.md, Two states",
        .grid = two_state_figures},
       {.id = "figure 7",
        .what = "frame times by level, RTX 4080",
@@ -444,7 +445,8 @@ std::vector<Item> runtime_claims() {
       {.id = "6.1 e",
        .what = "a bitmask hardly better than a texture",
        .status = Status::ok,
-       .show = "render FILE --states 2 --method bitmask --repeat 7; render FILE --method bitmask --repeat 7; bench vq",
+       .show = "render FILE --states 2 --method bitmask --repeat 7; render FILE --method bitmask --repeat 7; "
+               "bench vq",
        .why = "RENDER.md, Bitmasks; VQ of square maps is the compression that it asks for (VQ.md)",
        .on_this_machine = bitmask_times},
       {"6.1 f", "the tree comparable at levels 3 or 4", Status::ok, "render FILE --level 0..9 --repeat 7",

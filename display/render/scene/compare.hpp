@@ -20,8 +20,8 @@ struct MethodFigures {
   Counts counts = {};
   std::uint64_t bytes = 0;          ///< maps, records and indices; for texture, its texels
   std::uint64_t differing = 0;      ///< pixels that differ from the texture's
-  std::optional<double> flip = {};  ///< of 2 states: mean FLIP of the picture beside the texture's
-  /// Of 2 states: pixels that differ from the first form of the same maps.  None may.
+  std::optional<double> flip = {};  ///< with 2 states: mean FLIP of the picture beside the texture's
+  /// With 2 states, pixels that differ from the first form of the same maps.  None may.
   std::optional<std::uint64_t> apart = {};
   double seconds = 0, cpu_seconds = 0;  ///< a frame's least times over the rounds, each by itself
   double times_texture = 0;  ///< cpu_seconds over the least of the texture's frames in the same rounds
