@@ -7,9 +7,12 @@
 #include "bench/papers/pieces.hpp"
 #include "bench/textures/leaf_texture.hpp"
 #include "impl/vq/vq.hpp"
+#include "scene/attribute/atlas.hpp"
+#include "scene/attribute/set_triangles.hpp"
 #include "scene/bake/surface_baker.hpp"
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/load.hpp"
+#include "scene/sample/quad.hpp"
 #include "scene/sample/scene.hpp"
 
 namespace mmverify::bench::papers {
@@ -21,7 +24,9 @@ constexpr std::size_t generated_leaves = 60;
 constexpr std::uint64_t most_map_bytes = std::uint64_t{1} << 30;
 constexpr char own_scene[] = "own scene";
 constexpr double least_part = 0.03;
-constexpr std::uint64_t most_triangles_at_level_5 = 30'000;  ///< above, the level takes minutes
+constexpr unsigned last_attribute_level = 5;
+/// The work of a scene's attribute maps that fits a page made within minutes, in texels.
+constexpr double most_attribute_work = 4.2e8;
 
 std::vector<AlphaTexture> read_textures(const Sources& sources) {
   if (!sources.textures.empty()) return alpha_textures(sources.textures);
@@ -30,18 +35,48 @@ std::vector<AlphaTexture> read_textures(const Sources& sources) {
   return leaves;
 }
 
-PlannedScene planned(std::string name, const std::string& file) {
-  PlannedScene one{.name = std::move(name), .file = file, .scene = {}, .plan = {}, .uses = {}};
+PlannedScene planned(std::string name, const std::string& file, const scene::Bytes& bytes = {}) {
+  PlannedScene one{
+      .name = std::move(name), .file = file, .bytes = bytes, .scene = {}, .plan = {}, .uses = {}};
   if (file.empty()) {
-    const scene::Bytes bytes = scene::sample_scene();
-    one.scene = scene::load(own_scene, bytes);
-    one.uses = scene::load_uses(own_scene, bytes);
+    one.scene = scene::load(one.name, bytes);
+    one.uses = scene::load_uses(one.name, bytes);
   } else {
     one.scene = scene::load(file);
     one.uses = scene::load_uses(file);
   }
   one.plan = scene::plan(one.scene);
   return one;
+}
+
+/// The work of a level of attribute maps, in texels: those under each distinct triangle, and the values of both kinds of
+/// maps, whose cost is about that of a texel each.
+double attribute_work(const scene::AttributeScene& read, unsigned level) {
+  std::vector<scene::MapOfTriangle> maps;
+  for (const scene::AttributePrimitive& primitive : read.primitives)
+    for (const scene::AttributeUse& use : primitive.uses)
+      for (const scene::Triangle& t : primitive.triangles)
+        maps.push_back({use.texture, {use.uvs[t[0]], use.uvs[t[1]], use.uvs[t[2]]}});
+  const std::vector<std::size_t> first = scene::first_of_same_uvs(maps);
+  const auto values = static_cast<double>(scene::values_of_map(scene::MapKind::faces, level) +
+                                          scene::values_of_map(scene::MapKind::vertices, level));
+  double work = 0;
+  for (std::size_t k = 0; k < maps.size(); ++k) {
+    const scene::ColourImage& image = read.images[read.textures[maps[k].texture].image];
+    if (first[k] != k || !scene::within_reach(maps[k].uvs, image)) continue;
+    const double twice = scene::TexelPlane(scene::in_texels(maps[k].uvs, image.width, image.height)).area();
+    work += std::abs(twice) / 2 + values;
+  }
+  return work;
+}
+
+/// The last level up to which all levels' work fits; at least 0.
+unsigned last_level_within(const scene::AttributeScene& read) {
+  double work = attribute_work(read, 0);
+  unsigned last = 0;
+  while (last < last_attribute_level && (work += attribute_work(read, last + 1)) <= most_attribute_work)
+    ++last;
+  return last;
 }
 
 /// The 4-state map of a triangle of the plan.
@@ -95,7 +130,10 @@ scene::BakeOptions Measured::options() const {
 
 const std::vector<PlannedScene>& Measured::scenes() {
   if (!scenes_.empty()) return scenes_;
-  if (sources_.scenes.empty()) scenes_.push_back(planned(own_scene, ""));
+  if (sources_.scenes.empty()) {
+    scenes_.push_back(planned(own_scene, "", scene::sample_scene()));
+    scenes_.push_back(planned("Quad", "", scene::quad_scene()));
+  }
   for (const std::string& file : sources_.scenes) {
     begins(file);
     try {
@@ -138,11 +176,12 @@ const scene::AttributeFigures& Measured::attributes(std::size_t at) {
   if (known != attributes_.end()) return known->second;
   const PlannedScene& of = scenes()[at];
   begins(of.name + ", attributes");
-  const scene::Bytes sample = of.file.empty() ? scene::sample_scene() : scene::Bytes();
-  const scene::AttributeScene read =
-      of.file.empty() ? scene::load_attributes(own_scene, sample) : scene::load_attributes(of.file);
+  const scene::AttributeScene read = attributes_of(of);
   scene::AttributeOptions options;
-  options.last = read.triangles > most_triangles_at_level_5 ? 4 : 5;
+  options.last = last_level_within(read);
+  if (options.last < last_attribute_level && sources_.note)
+    sources_.note(of.name + ": attribute maps of levels 0 to " + std::to_string(options.last) +
+                  " alone; more would take minutes");
   options.averaging = scene::Averaging::codes;
   options.threads = sources_.threads;
   options.stop = [this] { stop(); };
@@ -204,6 +243,10 @@ const VqLoss& Measured::loss(VqEncoder encoder, bool of_parts) {
     loss.lost.push_back(lost_of(encoder, maps, loss.transforms.emplace_back()));
   }
   return losses_.emplace(std::pair(encoder, of_parts), std::move(loss)).first->second;
+}
+
+scene::AttributeScene attributes_of(const PlannedScene& of) {
+  return of.file.empty() ? scene::load_attributes(of.name, of.bytes) : scene::load_attributes(of.file);
 }
 
 std::vector<std::size_t> masked(Measured& measured) {

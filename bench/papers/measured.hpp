@@ -19,7 +19,7 @@ namespace mmverify::bench::papers {
 
 /// The sources of numbers of ours.
 struct Sources {
-  std::vector<std::string> scenes = {};  ///< files; none: the suite's own scene
+  std::vector<std::string> scenes = {};  ///< files; none: the suite's own scene and the Quad
   std::string textures = {};             ///< a folder of alpha textures; empty: 60 generated leaves
   unsigned threads = 0;
   std::function<void(const std::string&)> progress = {};  ///< receives the name of each step that begins
@@ -29,7 +29,8 @@ struct Sources {
 
 /// A scene, and the plan of its maps.
 struct PlannedScene {
-  std::string name, file;  ///< file: empty for the suite's own
+  std::string name, file;  ///< file: empty for the suite's own and for the Quad
+  scene::Bytes bytes;      ///< of these
   scene::Scene scene;
   scene::Plan plan;
   std::vector<scene::MeshUse> uses;
@@ -62,7 +63,7 @@ class Measured {
   const std::optional<scene::Sizes>& sizes(std::size_t scene, unsigned level);
   /// The square maps of a scene's pairs, and the bytes of both codecs' blocks.  Domain: a scene of masked().
   const Squares& squares(std::size_t scene);
-  /// Attribute maps of levels 0 to 5, or 4 with more than 30,000 triangles, codes averaged.
+  /// Attribute maps of levels 0 to 5, or to the last one whose work fits a page made within minutes; codes averaged.
   const scene::AttributeFigures& attributes(std::size_t scene);
   /// The alpha textures by name, and their maps.
   const std::map<std::string, AlphaTexture>& alpha();
@@ -84,6 +85,8 @@ class Measured {
   std::vector<OpacityMaps> textures_, parts_;
   std::map<std::pair<VqEncoder, bool>, VqLoss> losses_;
 };
+
+scene::AttributeScene attributes_of(const PlannedScene& scene);
 
 /// The numbers of the scenes that have triangles to bake.
 std::vector<std::size_t> masked(Measured& measured);

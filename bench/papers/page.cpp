@@ -90,7 +90,8 @@ ours. `mmverify paper` prints any row (`mmverify paper som --figure 5`), and `mm
 paper, with the tables and pictures that can be made here; `./run tables` writes this page. The last column leaves out
 the word `mmverify`: type it before each command. FILE is a glTF scene of yours, since the papers do not ship theirs.
 
-Numbers of ours are those of the suite's own scene and of 60 generated leaves: small, free, and the same everywhere.
+Numbers of ours are those of the suite's own scene, for attributes of a quad as well, and of 60 generated leaves: small,
+free, and the same everywhere.
 `--scenes DIR` and `--textures DIR` take others in their place. *Ratio* is our number divided by the paper's. Where the
 paper gives a range, it is `within` if ours lies inside, else ours divided by the nearest end; of several numbers of
 ours it is a range. [ERRATA.md](ERRATA.md) has the claims that are wrong or open.
@@ -138,7 +139,8 @@ std::string page(const Paper& paper, Measured& measured, const std::vector<Pictu
   std::string text = fmt::format("# {}\n\n{}", paper.title, table(paper, measured, false));
   for (const Item& item : paper.items) {
     std::string below;
-    if (item.grid) below += "\n" + markdown(item.grid(measured));
+    if (item.grid)
+      if (const Grid grid = item.grid(measured); !grid.rows.empty()) below += "\n" + markdown(grid);
     if (item.on_this_machine)
       if (const Grid times = item.on_this_machine(measured); !times.rows.empty())
         below += "\nOn this machine, another time at each run:\n\n" + markdown(times);

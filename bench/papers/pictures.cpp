@@ -15,8 +15,6 @@
 #include "scene/attribute/mip_errors.hpp"
 #include "scene/attribute/picture.hpp"
 #include "scene/picture/opacity_picture.hpp"
-#include "scene/read/load.hpp"
-#include "scene/sample/scene.hpp"
 
 namespace mmverify::bench::papers {
 namespace {
@@ -100,17 +98,20 @@ Pictures som(Measured& m, std::size_t at) {
                    fmt::format("Bits of the 2-state tree that a lookup reads on our leaves, level {}", level),
                    bits_by_level(m, at, level)});
   for (Drawn& atlas : atlases(m, at)) all.push_back(std::move(atlas));
-  if (render::has_embree())
-    for (Drawn& rays : bits_of_rays(m, at)) all.push_back(std::move(rays));
+  if (!render::has_embree()) return all;
+  for (Drawn& rays : bits_of_rays(m, at)) all.push_back(std::move(rays));
+  all.push_back({"figure 6", "two_states_rendered",
+                 m.scenes()[at].name +
+                     " by 2-state maps of each level, and by a bitmask of 1 bit a texel: each is "
+                     "another picture",
+                 two_state_pictures(m, at)});
   return all;
 }
 
 /// Figure 7: mips of the first image whose colours are drawn.
 Pictures mips(Measured& m, std::size_t at) {
   const PlannedScene& of = m.scenes()[at];
-  const scene::Bytes sample = of.file.empty() ? scene::sample_scene() : scene::Bytes();
-  const scene::AttributeScene read =
-      of.file.empty() ? scene::load_attributes(of.name, sample) : scene::load_attributes(of.file);
+  const scene::AttributeScene read = attributes_of(of);
   Pictures all;
   const scene::ColourImage* first = nullptr;
   scene::AttributeOptions options;
@@ -137,7 +138,7 @@ Pictures cam(Measured& m, std::size_t at) {
   if (!render::has_embree()) return all;
   all.push_back(
       {"figure 6", "max", "Hits that blend by max, colours of faces of level 3", blended_by_max(m, at)});
-  for (Drawn& view : views(m, at, {0, 2, 4, 6})) all.push_back(std::move(view));
+  for (Drawn& view : views(m, {0, 2, 4, 6})) all.push_back(std::move(view));
   return all;
 }
 

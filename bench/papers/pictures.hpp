@@ -24,4 +24,12 @@ std::vector<Drawn> pictures(const Paper& paper, Measured& measured);
 /// Embree.
 Grid frame_times(Measured& measured);
 
+/// The same scene's pictures by 2-state maps and a bitmask of 1 bit, beside the texture's.
+Grid two_state_figures(Measured& measured);
+/// Times of frames by bitmasks of 1 and 2 bits a texel.
+Grid bitmask_times(Measured& measured);
+/// Any-hit calls and times of level 6 over four cameras of a path, with four rays of ambient occlusion from each hit.
+/// Source: Succinct Opacity Micromaps, 5.2.
+Grid viewpoint_means(Measured& measured);
+
 }  // namespace mmverify::bench::papers

@@ -12,12 +12,12 @@
 #include "bench/scene/view_tables.hpp"
 #include "display/render/scene/colours_of.hpp"
 #include "display/render/scene/compare.hpp"
+#include "display/render/scene/path.hpp"
 #include "display/render/scene/views.hpp"
 #include "impl/index/index.hpp"
 #include "scene/bake/arrays.hpp"
 #include "scene/read/load.hpp"
 #include "scene/read/shading.hpp"
-#include "scene/sample/scene.hpp"
 
 namespace mmverify::bench::papers {
 namespace {
@@ -26,6 +26,12 @@ constexpr std::uint32_t width = 320, height = 240;
 constexpr std::uint64_t most_read_bytes = std::uint64_t{1}
                                           << 26;  ///< of maps: a number of 32 bits for each state
 constexpr float aspect = static_cast<float>(width) / height;
+
+/// The box around all that a texture tests, or around everything without that.
+render::Box framed(const render::World& world) {
+  const render::Box tested = render::box_of(world, true);
+  return tested.empty ? render::box_of(world, false) : tested;
+}
 
 /// A scene made ready for rays.
 struct Traced {
@@ -36,7 +42,7 @@ struct Traced {
   explicit Traced(const PlannedScene& of)
       : world(render::world_of(of.scene, of.uses, of.plan)),
         tracer(world.world),
-        camera(render::overview(render::box_of(world.world, true), aspect)) {}
+        camera(render::overview(framed(world.world), aspect)) {}
 };
 
 render::CompareOptions compare_options(Measured& m, unsigned first, unsigned last,
@@ -49,14 +55,8 @@ render::CompareOptions compare_options(Measured& m, unsigned first, unsigned las
   return options;
 }
 
-scene::AttributeScene attributes_of(const PlannedScene& of) {
-  const scene::Bytes sample = of.file.empty() ? scene::sample_scene() : scene::Bytes();
-  return of.file.empty() ? scene::load_attributes(of.name, sample) : scene::load_attributes(of.file);
-}
-
 std::vector<scene::PrimitiveShading> shading_of(const PlannedScene& of) {
-  const scene::Bytes sample = of.file.empty() ? scene::sample_scene() : scene::Bytes();
-  return of.file.empty() ? scene::load_shading(of.name, sample) : scene::load_shading(of.file);
+  return of.file.empty() ? scene::load_shading(of.name, of.bytes) : scene::load_shading(of.file);
 }
 
 /// Flat maps that add up the bits of their trees which Algorithm 3 would read.  For one thread.
@@ -181,37 +181,192 @@ render::Picture blended_by_max(Measured& m, std::size_t at) {
   return render::blended(traced.world.world, frame, blending);
 }
 
-std::vector<Drawn> views(Measured& m, std::size_t at, const std::vector<unsigned>& levels) {
-  constexpr std::uint32_t rays = 2;  ///< along each side of a pixel
-  constexpr std::uint64_t most_shown =
-      10'000;  ///< triangles: each is baked at each level, seconds for a thousand
+namespace {
+
+/// A scene's files, made ready for views.
+struct Viewed {
+  const PlannedScene& of;
+  Traced traced;
+  scene::AttributeScene attributes;
+  std::vector<scene::PrimitiveShading> shading;
+  explicit Viewed(const PlannedScene& scene)
+      : of(scene), traced(scene), attributes(attributes_of(scene)), shading(shading_of(scene)) {}
+};
+
+constexpr std::uint32_t view_rays = 2;  ///< along each side of a pixel
+constexpr std::uint64_t most_shown =
+    10'000;  ///< triangles: each is baked at each level, seconds for a thousand
+
+render::Frame view_frame(Measured& m, const Viewed& viewed, std::uint32_t smaller) {
+  return viewed.traced.tracer.frame(viewed.traced.camera, nullptr,
+                                    {.width = view_rays * width / smaller,
+                                     .height = view_rays * height / smaller,
+                                     .threads = m.sources().threads,
+                                     .done = [&m](std::uint64_t) { m.stop(); }});
+}
+
+render::Views views_of(Measured& m, const Viewed& viewed, const render::Frame& frame) {
+  return {viewed.of.scene,
+          viewed.traced.world,
+          viewed.attributes,
+          viewed.shading,
+          frame,
+          viewed.traced.camera,
+          {.rays = view_rays, .threads = m.sources().threads, .stop = [&m] { m.stop(); }}};
+}
+
+/// The scene whose views fit the budget: the first that shows at most most_shown textured triangles, in pictures whose
+/// sides are halved up to `halvings` times if no scene does.  None if no scene shows any.
+struct Budgeted {
+  std::size_t scene;
+  std::uint32_t smaller;
+};
+std::optional<Budgeted> within_budget(Measured& m) {
+  constexpr unsigned halvings = 4;
+  for (unsigned k = 0; k <= halvings; ++k)
+    for (std::size_t at = 0; at < m.scenes().size(); ++at) {
+      m.stop();
+      const PlannedScene& of = m.scenes()[at];
+      if (render::world_of(of.scene, of.uses, of.plan).world.instances.empty()) continue;
+      const Viewed viewed(of);
+      const render::Frame frame = view_frame(m, viewed, 1u << k);
+      const std::uint64_t shown = views_of(m, viewed, frame).triangles();
+      if (shown != 0 && shown <= most_shown) return Budgeted{at, 1u << k};
+    }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Drawn> views(Measured& m, const std::vector<unsigned>& levels) {
+  m.begins("views");
+  const auto chosen = within_budget(m);
+  std::vector<Drawn> all;
+  if (!chosen) return all;
+  const Viewed viewed(m.scenes()[chosen->scene]);
+  const render::Frame frame = view_frame(m, viewed, chosen->smaller);
+  const render::Views shown = views_of(m, viewed, frame);
+  const std::string which =
+      fmt::format("{}, {} triangles in view ({} at most)", viewed.of.name, shown.triangles(), most_shown);
+  const render::Picture textures = shown.picture(render::ShownFrom::textures);
+  const auto draw = [&](render::ShownFrom from, unsigned level, render::Detail detail) {
+    const bool cones = detail == render::Detail::cones;
+    const char* const kind = from == render::ShownFrom::faces ? "faces" : "vertices";
+    m.begins(fmt::format("{}, views by {} of level {}", viewed.of.name, kind, level));
+    const render::Picture maps = shown.picture(from, level, detail);
+    const ViewError error = view_error(textures, maps, shown.textured(), m.sources().threads);
+    all.push_back(
+        {cones ? "figure 8" : "table 3", fmt::format("view_{}_{}{}", kind, level, cones ? "_cones" : ""),
+         fmt::format("{}: textures, {} of level {}{}, FLIP: mean {:.4f}, {:.4f} where a texture shows", which,
+                     kind, level, cones ? " and its mips by ray cones" : "", error.flip, error.textured_flip),
+         beside(textures, maps, error, width)});
+  };
+  for (const unsigned level : levels)
+    for (const render::ShownFrom from : {render::ShownFrom::faces, render::ShownFrom::vertices})
+      draw(from, level, render::Detail::finest);
+  for (const render::ShownFrom from : {render::ShownFrom::faces, render::ShownFrom::vertices})
+    draw(from, levels.back(), render::Detail::cones);
+  return all;
+}
+
+namespace {
+
+constexpr unsigned of_tables = 6;  ///< the level of the paper's tables
+
+render::CompareOptions two_states(Measured& m, std::vector<render::Method> wanted) {
+  render::CompareOptions options = compare_options(m, 1, of_tables, std::move(wanted));
+  options.states = 2;
+  return options;
+}
+
+std::vector<render::MethodFigures> compared(const Traced& traced, const PlannedScene& of,
+                                            const render::CompareOptions& options) {
+  return render::compare(of.scene, of.plan, traced.world, traced.tracer, traced.camera, options).methods;
+}
+
+std::string title_of(const render::MethodFigures& row) {
+  return row.level                               ? fmt::format("level {}", *row.level)
+         : row.method == render::Method::texture ? "texture"
+                                                 : "bitmask";
+}
+
+}  // namespace
+
+render::Picture two_state_pictures(Measured& m, std::size_t at) {
   const PlannedScene& of = m.scenes()[at];
   const Traced traced(of);
-  const scene::AttributeScene attributes = attributes_of(of);
-  const std::vector<scene::PrimitiveShading> shading = shading_of(of);
-  const auto stop = [&m] { m.stop(); };
-  const render::TraceOptions trace{.width = rays * width,
-                                   .height = rays * height,
-                                   .threads = m.sources().threads,
-                                   .done = [&m](std::uint64_t) { m.stop(); }};
-  const render::Frame frame = traced.tracer.frame(traced.camera, nullptr, trace);
-  const render::Views shown(of.scene, traced.world, attributes, shading, frame, traced.camera,
-                            {.rays = rays, .sun = trace.light, .threads = m.sources().threads, .stop = stop});
-  std::vector<Drawn> all;
-  if (shown.triangles() == 0 || shown.triangles() > most_shown) return all;
-  const render::Picture textures = shown.picture(render::ShownFrom::textures);
-  for (const unsigned level : levels)
-    for (const render::ShownFrom from : {render::ShownFrom::faces, render::ShownFrom::vertices}) {
-      const char* const kind = from == render::ShownFrom::faces ? "faces" : "vertices";
-      m.begins(fmt::format("{}, views by {} of level {}", of.name, kind, level));
-      const render::Picture maps = shown.picture(from, level);
-      const ViewError error = view_error(textures, maps, shown.textured(), m.sources().threads);
-      all.push_back({"table 3", fmt::format("view_{}_{}", kind, level),
-                     fmt::format("Textures, {} of level {}, FLIP: mean {:.4f}, {:.4f} where a texture shows",
-                                 kind, level, error.flip, error.textured_flip),
-                     beside(textures, maps, error, width)});
+  std::vector<render::Picture> pictures;
+  std::vector<std::string> titles;
+  render::CompareOptions options = two_states(m, {render::Method::flat, render::Method::bitmask});
+  options.frame = [&](const render::MethodFigures& figures, const render::Frame& frame) {
+    pictures.push_back(render::seen(traced.world.world, frame));
+    titles.push_back(title_of(figures) + (figures.flip ? fmt::format(": FLIP {:.4f}", *figures.flip) : ""));
+  };
+  compared(traced, of, options);
+  return render::side_by_side(pictures, titles, 0);
+}
+
+Grid two_state_figures(Measured& m) {
+  const std::vector<std::size_t> scenes = masked(m);
+  Grid grid{{"scene", "picture by", "pixels unlike the texture's", "FLIP", "any-hit calls", "bytes"}, {}};
+  if (!render::has_embree() || scenes.empty()) return grid;
+  const PlannedScene& of = m.scenes()[scenes.front()];
+  const Traced traced(of);
+  for (const render::MethodFigures& row :
+       compared(traced, of, two_states(m, {render::Method::flat, render::Method::bitmask})))
+    grid.rows.push_back({of.name, title_of(row), std::to_string(row.differing),
+                         row.flip ? fmt::format("{:.4f}", *row.flip) : "0", std::to_string(row.counts.shader),
+                         std::to_string(row.bytes)});
+  return grid;
+}
+
+Grid bitmask_times(Measured& m) {
+  const std::vector<std::size_t> scenes = masked(m);
+  Grid grid{{"scene", "method", "calls a ray", "bytes", "frame over the texture's"}, {}};
+  if (!render::has_embree() || scenes.empty()) return grid;
+  const PlannedScene& of = m.scenes()[scenes.front()];
+  const Traced traced(of);
+  for (const unsigned states : {2u, 4u}) {
+    render::CompareOptions options = compare_options(m, of_tables, of_tables, {render::Method::bitmask});
+    options.states = states;
+    options.repeats = 3;
+    options.trace.threads = 1;
+    for (const render::MethodFigures& row : compared(traced, of, options))
+      if (row.method == render::Method::bitmask)
+        grid.rows.push_back({of.name, fmt::format("bitmask, {}-state", states),
+                             fmt::format("{:.3f}", calls_a_ray(row.counts)), std::to_string(row.bytes),
+                             ratio_text(row.times_texture)});
+  }
+  return grid;
+}
+
+Grid viewpoint_means(Measured& m) {
+  constexpr std::uint64_t cameras = 4;
+  constexpr unsigned ambient = 4;
+  const std::vector<std::size_t> scenes = masked(m);
+  Grid grid{{"scene", "method", "calls a ray: mean", "least", "most", "deviation", "over the texture's: mean",
+             "least", "most", "deviation"},
+            {}};
+  if (!render::has_embree() || scenes.empty()) return grid;
+  const PlannedScene& of = m.scenes()[scenes.front()];
+  const Traced traced(of);
+  using render::Method;
+  render::CompareOptions options =
+      compare_options(m, of_tables, of_tables, {Method::flat, Method::tree, Method::ranked, Method::bitmask});
+  options.trace.threads = 1;
+  options.trace.ambient = ambient;
+  const render::Path path = render::along_path(of.scene, of.plan, traced.world, traced.tracer,
+                                               options.forms(), options.trace, 1, cameras);
+  for (const render::PathRow& row : path.rows) {
+    std::vector<std::string> cells{of.name, std::string(name_of(row.method))};
+    for (const std::vector<double>& figure : {row.calls_a_ray, row.times_texture}) {
+      const render::Spread spread = render::spread_of(figure);
+      for (const double value : {spread.mean, spread.least, spread.most, spread.deviation})
+        cells.push_back(fmt::format("{:.3f}", value));
     }
-  return all;
+    grid.rows.push_back(std::move(cells));
+  }
+  return grid;
 }
 
 Grid frame_times(Measured& m) {
@@ -224,14 +379,10 @@ Grid frame_times(Measured& m) {
   render::CompareOptions options = compare_options(m, 0, 6, {Method::flat, Method::tree, Method::ranked});
   options.repeats = 3;
   options.trace.threads = 1;
-  for (const render::MethodFigures& row :
-       render::compare(of.scene, of.plan, traced.world, traced.tracer, traced.camera, options).methods) {
-    const double rays = static_cast<double>(row.counts.rays + row.counts.shadow_rays);
+  for (const render::MethodFigures& row : compared(traced, of, options))
     grid.rows.push_back({of.name, std::string(render::name_of(row.method)),
                          row.level ? std::to_string(*row.level) : "",
-                         fmt::format("{:.3f}", static_cast<double>(row.counts.shader) / rays),
-                         ratio_text(row.times_texture)});
-  }
+                         fmt::format("{:.3f}", calls_a_ray(row.counts)), ratio_text(row.times_texture)});
   return grid;
 }
 

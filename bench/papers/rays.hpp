@@ -19,8 +19,14 @@ std::vector<Drawn> bits_of_rays(Measured& measured, std::size_t scene);
 /// Hits that blend by max.  Source: Color and Attribute Micromaps, figure 6.  Domain: as above.
 render::Picture blended_by_max(Measured& measured, std::size_t scene);
 
-/// The view by textures, by attribute maps of the levels, and FLIP's map, from left to right.
-/// Source: Color and Attribute Micromaps, figure 1 and table 3.  Domain: as above.
-std::vector<Drawn> views(Measured& measured, std::size_t scene, const std::vector<unsigned>& levels);
+/// The picture by the texture, by its bitmask of 1 bit, and by 2-state maps of levels 1 to 6.
+/// Source: Succinct Opacity Micromaps, figure 6.  Domain: as above.
+render::Picture two_state_pictures(Measured& measured, std::size_t scene);
+
+/// The view by textures, by attribute maps of the levels, and FLIP's map, from left to right; then maps of the last level
+/// read by ray cones.  The scene is the first that shows at most 10,000 textured triangles.  If none does, pictures are
+/// smaller.
+/// Source: Color and Attribute Micromaps, figures 1 and 8 and table 3.  Domain: as above; a level at least.
+std::vector<Drawn> views(Measured& measured, const std::vector<unsigned>& levels);
 
 }  // namespace mmverify::bench::papers

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "bench/scene/attribute_tables.hpp"
 
 namespace mmverify::bench {
@@ -67,9 +69,14 @@ picture::Picture scene_attribute_picture(const AttributeFigures& figures, const 
             {static_cast<double>(at.level), static_cast<double>(figures.bytes(at.level, kind))});
     bytes.series.push_back(series);
   }
+  const auto has_colours = [](const AttributeSetFigures& set) {
+    return has(set.set, scene::Attribute::base_color);
+  };
+  // The panel beside it has the key; here it would lie on the textures' label.
+  if (std::any_of(figures.sets.begin(), figures.sets.end(), has_colours)) bytes.key = Key::none;
   drawn.rows.push_back({bytes});
   for (const AttributeSetFigures& set : figures.sets) {
-    if (!has(set.set, scene::Attribute::base_color)) continue;
+    if (!has_colours(set)) continue;
     Panel by_level{.title = "Base colour: FLIP in texture space",
                    .x = {.title = "level of every triangle", .whole = true},
                    .y = {.title = "mean FLIP", .least = 0},

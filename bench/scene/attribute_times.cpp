@@ -210,4 +210,63 @@ Table attribute_times_table(const std::vector<LookupTimes>& times) {
                      fields, times);
 }
 
+namespace {
+
+picture::Series series_of(LookupWay way) {
+  using namespace picture;
+  switch (way) {
+    case LookupWay::face:
+      return {.name = name_of(way), .colour = vermilion, .shape = Shape::square};
+    case LookupWay::vertices_w_minor:
+      return {.name = name_of(way), .colour = blue, .shape = Shape::disc};
+    case LookupWay::vertices_bird:
+      break;
+  }
+  return {.name = name_of(way), .colour = purple, .shape = Shape::triangle};
+}
+
+}  // namespace
+
+std::vector<picture::Panel> error_against_time(const scene::AttributeFigures& figures,
+                                               const std::vector<LookupTimes>& times) {
+  using namespace picture;
+  const auto set = std::find_if(figures.sets.begin(), figures.sets.end(), [](const auto& one) {
+    return has(one.set, scene::Attribute::base_color) && one.shown != 0;
+  });
+  if (set == figures.sets.end()) return {};
+  const auto error_of = [&](const LookupTimes& of) {
+    const auto kind = of.way == LookupWay::face ? scene::MapKind::faces : scene::MapKind::vertices;
+    return std::find_if(set->levels.begin(), set->levels.end(),
+                        [&](const scene::MapsAtLevel& at) { return at.level == of.level && at.kind == kind; })
+        ->error.rmse.value_or(0);
+  };
+  std::vector<Panel> panels;
+  for (const PointOrder order : orders) {
+    Panel panel{.title = order == PointOrder::scattered
+                             ? "Base colour: error against run time, scattered points"
+                             : "Base colour: error against run time, points along",
+                .x = {.title = "ns a lookup", .least = 0},
+                .y = {.title = "RMSE, codes of 8 bits", .logarithmic = true},
+                .key = Key::top_right};
+    std::vector<double> of_texture;
+    for (const LookupWay way : {LookupWay::face, LookupWay::vertices_w_minor, LookupWay::vertices_bird}) {
+      Series series = series_of(way);
+      for (const LookupTimes& of : times) {
+        if (of.set != set->set || of.way != way) continue;
+        const TimesOfOrder& its = of.by_order[static_cast<std::size_t>(order)];
+        of_texture.push_back(its.texture_ns);
+        // Low levels take the same time, and level 0 has no order, so not every label has room.
+        const bool named = of.level % 2 == 0 && (of.level != 0 || way != LookupWay::vertices_bird);
+        series.points.push_back({its.map_ns, error_of(of), named ? std::to_string(of.level) : std::string()});
+      }
+      panel.series.push_back(std::move(series));
+    }
+    if (of_texture.empty()) return {};
+    panel.series.push_back(
+        {.name = "texture", .colour = green, .shape = Shape::diamond, .points = {{median(of_texture), 0}}});
+    panels.push_back(std::move(panel));
+  }
+  return panels;
+}
+
 }  // namespace mmverify::bench

@@ -7,7 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "bench/picture.hpp"
 #include "bench/table.hpp"
+#include "scene/attribute/measure.hpp"
 #include "scene/attribute/set_maps.hpp"
 
 namespace mmverify::bench {
@@ -81,5 +83,12 @@ class AttributeTimer {
 };
 
 Table attribute_times_table(const std::vector<LookupTimes>& times);
+
+/// Error against run time: a panel for each order of points, of the first set of base colours.  A curve is a way of
+/// lookups, a point a level; labels name the even ones; the texture is a point without error, at its median over the levels.
+/// Empty without such a set, or without times of it.
+/// Domain: times of these figures.
+std::vector<picture::Panel> error_against_time(const scene::AttributeFigures& figures,
+                                               const std::vector<LookupTimes>& times);
 
 }  // namespace mmverify::bench

@@ -67,8 +67,13 @@ Result attributes_by(scene::TextureCoder coder) {
 
 Result rendered() {
   RenderFigures figures;
+  figures.states = 2;
+  figures.ambient = 1;
   figures.methods.resize(1);
   figures.methods[0].level = 2;
+  figures.methods[0].flip = 0.5;
+  figures.methods[0].apart = 0;
+  figures.methods[0].counts.ambient_rays = 1;
   figures.methods[0].predicted = figures.methods[0].even = 0.5;
   figures.blends.resize(1);
   figures.blends[0].level = 2;
@@ -83,7 +88,9 @@ Result walked() {
   along.cameras.resize(1);
   along.rows.resize(1);
   along.rows[0].level = 2;
+  along.cameras[0].frame.counts.ambient_rays = 1;
   PathFigures figures;
+  figures.ambient = 1;
   figures.path = &along;
   return path_tables(figures);
 }
@@ -92,6 +99,7 @@ Result seen() {
   ViewFigures figures;
   figures.rows.resize(1);
   figures.rows[0].file = "faces_level0.png";
+  figures.reference = 2;
   return view_tables(figures);
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "bench/scene/render_words.hpp"
+
 namespace mmverify::bench {
 namespace {
 
@@ -17,7 +19,12 @@ Fields<render::CameraView> camera_fields() {
        [](const S& s) { return s.frame.counts.rays; }},
       {{count("shadow_rays", same, "one where a primary ray hits"), "shadow rays"},
        [](const S& s) { return s.frame.counts.shadow_rays; }},
-      {{count("met", same, "rays of both kinds with a candidate on a triangle that gets a micromap"),
+      {{count("ambient_rays", same, "of ambient occlusion; not there without any").if_any(), "ambient rays"},
+       [](const S& s) {
+         const std::uint64_t rays = s.frame.counts.ambient_rays;
+         return rays == 0 ? Value() : Value(rays);
+       }},
+      {{count("met", same, "rays of all kinds with a candidate on a triangle that gets a micromap"),
         "met a map"},
        [](const S& s) { return s.frame.counts.met; }},
       {{count("any_hit", same, "any-hit calls of the texture alone"), "any-hit"},
@@ -28,14 +35,11 @@ Fields<render::CameraView> camera_fields() {
 Fields<render::PathRow> row_fields() {
   using R = render::PathRow;
   return {
-      {{.key = one_of("method", key, {"special", "flat", "tree", "ranked", "vq2", "vq4"},
-                      "how opacity is asked for"),
+      {{.key = one_of_range("method", key, all_methods(), "how opacity is asked for"),
         .heading = "method",
         .leads = true},
        [](const R& r) { return std::string(name_of(r.method)); }},
-      {{.key = level(12, key, "of all maps; not there of VQ2 and VQ4, whose sides are fixed").if_any(),
-        .heading = "level",
-        .leads = true},
+      {{.key = level(12, key, without_levels).if_any(), .heading = "level", .leads = true},
        [](const R& r) { return r.level ? Value(std::uint64_t{*r.level}) : Value(); }},
       {{count("frames", same, "one a camera"), "frames"}, [](const R& r) { return r.frames; }},
       {{count("pixels", same, "of these frames"), "pixels"}, [](const R& r) { return r.pixels; }},
@@ -51,6 +55,53 @@ Fields<render::PathRow> row_fields() {
       {{count("differing", less, "pixels that are not the texture's"), "differing"},
        [](const R& r) { return r.differing; }},
   };
+}
+
+/// A figure over the cameras: its mean, extremes and standard deviation.
+struct SpreadRow {
+  std::string method;
+  std::optional<unsigned> level;
+  render::Spread calls, times;
+};
+
+std::vector<SpreadRow> spreads(const render::Path& path) {
+  std::vector<double> calls;
+  for (const render::CameraView& seen : path.cameras) calls.push_back(calls_a_ray(seen.frame.counts));
+  std::vector<SpreadRow> rows{{"texture", {}, render::spread_of(calls), {1, 1, 1, 0}}};
+  for (const render::PathRow& row : path.rows)
+    rows.push_back({std::string(name_of(row.method)), row.level, render::spread_of(row.calls_a_ray),
+                    render::spread_of(row.times_texture)});
+  return rows;
+}
+
+/// The columns of one spread.
+void add_spread(Fields<SpreadRow>& fields, const char* name, const char* group, Rule rule,
+                int after_the_point, render::Spread SpreadRow::*its) {
+  const auto add = [&](const char* which, double render::Spread::*figure, const char* says) {
+    fields.push_back({{.key = number(std::string(name) + "_" + which, rule, says),
+                       .heading = which,
+                       .print = digits(after_the_point),
+                       .group = group},
+                      [its, figure](const SpreadRow& row) { return row.*its.*figure; }});
+  };
+  add("mean", &render::Spread::mean, "over the cameras, each of the same weight");
+  add("least", &render::Spread::least, "of a camera");
+  add("most", &render::Spread::most, "of a camera");
+  add("deviation", &render::Spread::deviation, "the standard deviation over the cameras");
+}
+
+Fields<SpreadRow> spread_fields() {
+  Fields<SpreadRow> fields{
+      {{.key = one_of_range("method", key, all_methods(), "how opacity is asked for"),
+        .heading = "method",
+        .leads = true},
+       [](const SpreadRow& r) { return r.method; }},
+      {{.key = level(12, key, without_levels).if_any(), .heading = "level", .leads = true},
+       [](const SpreadRow& r) { return r.level ? Value(std::uint64_t{*r.level}) : Value(); }},
+  };
+  add_spread(fields, "any_hit_a_ray", "any-hit calls a ray", left_out, 3, &SpreadRow::calls);
+  add_spread(fields, "times_texture", "x texture", left_out, 2, &SpreadRow::times);
+  return fields;
 }
 
 }  // namespace
@@ -93,7 +144,7 @@ Result path_tables(const PathFigures& figures) {
          return sum;
        }},
   };
-  return {
+  Result result{
       .topic = "render_path",
       .description = "mmverify render --cameras: law traverse.same_image on a scene, along a random path",
       .settings = {{text("embree", left_out, "the ray tracer and its version"), figures.embree},
@@ -112,7 +163,13 @@ Result path_tables(const PathFigures& figures) {
                "texture decides; tries: places until a ray of the camera met a map",
       .tables = {table_of<F>({.form = Form::members}, members, {figures}),
                  table_of<render::CameraView>({.key = "cameras"}, camera_fields(), figures.path->cameras),
-                 table_of<render::PathRow>({.key = list("rows", "", {})}, row_fields(), rows)}};
+                 table_of<render::PathRow>({.key = list("rows", "", {})}, row_fields(), rows),
+                 table_of<SpreadRow>({.key = list("spreads", "of figures over the cameras of the path"),
+                                      .caption = "over the cameras, each of the same weight; x texture: the "
+                                                 "processor time of a frame over that by the texture"},
+                                     spread_fields(), spreads(*figures.path))}};
+  add_ambient(result, figures.ambient);
+  return result;
 }
 
 }  // namespace mmverify::bench

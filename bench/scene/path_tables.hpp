@@ -14,6 +14,7 @@ struct PathFigures {
   std::uint32_t width = 0, height = 0;
   std::uint64_t seed = 0, threads = 0;
   bool shadows = true;
+  unsigned ambient = 0;  ///< rays of ambient occlusion from each hit
   std::string embree;
   const render::Path* path = nullptr;
 };

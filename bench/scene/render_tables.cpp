@@ -1,28 +1,42 @@
 #include "bench/scene/render_tables.hpp"
 
+#include <algorithm>
+
+#include "bench/scene/render_words.hpp"
+
 namespace mmverify::bench {
 namespace {
 
 using render::MethodFigures;
 
-double a_ray(const MethodFigures& m, std::uint64_t count) {
-  const std::uint64_t rays = m.counts.rays + m.counts.shadow_rays;
-  return rays == 0 ? 0 : static_cast<double>(count) / static_cast<double>(rays);
+/// The columns of 2-state pictures, which are not the texture's.
+void add_two_states(Fields<MethodFigures>& fields) {
+  using M = MethodFigures;
+  const auto after = std::find_if(fields.begin(), fields.end(),
+                                  [](const auto& field) { return field.column.key.name == "differing"; });
+  fields.insert(
+      after + 1,
+      {{{share("flip", about_less, "mean FLIP of the picture beside the texture's; only with 2 states")
+             .if_any(),
+         "FLIP", "", digits(4)},
+        [](const M& m) { return m.flip ? Value(*m.flip) : Value(); }},
+       {{count("apart", less,
+               "pixels that are not those of the first form of the same maps, of which there may be none; "
+               "not there "
+               "of a texture and of special indices alone")
+             .if_any(),
+         "apart"},
+        [](const M& m) { return m.apart ? Value(*m.apart) : Value(); }}});
 }
 
-Fields<MethodFigures> method_fields() {
+Fields<MethodFigures> method_fields(bool two_states) {
   using M = MethodFigures;
-  return {
-      {{.key = one_of("method", key, {"texture", "special", "flat", "tree", "ranked", "vq2", "vq4"},
-                      "how opacity is asked for"),
+  Fields<M> fields{
+      {{.key = one_of_range("method", key, all_methods(), "how opacity is asked for"),
         .heading = "method",
         .leads = true},
        [](const M& m) { return std::string(name_of(m.method)); }},
-      {{.key =
-            level(12, key, "of all maps; not there of a texture, nor of VQ2 and VQ4, whose sides are fixed")
-                .if_any(),
-        .heading = "level",
-        .leads = true},
+      {{.key = level(12, key, without_levels).if_any(), .heading = "level", .leads = true},
        [](const M& m) { return m.level ? Value(std::uint64_t{*m.level}) : Value(); }},
       {{count("candidates", same, "hits on triangles that have a surface"), "candidates"},
        [](const M& m) { return m.counts.candidates; }},
@@ -32,8 +46,9 @@ Fields<MethodFigures> method_fields() {
        [](const M& m) { return m.counts.opaque; }},
       {{count("any_hit", less, "the rest: any-hit calls, decided by the texture"), "any-hit"},
        [](const M& m) { return m.counts.shader; }},
-      {{number("any_hit_a_ray", about_less, "any_hit / (rays + shadow_rays)"), "a ray", "", digits(3)},
-       [](const M& m) { return a_ray(m, m.counts.shader); }},
+      {{number("any_hit_a_ray", about_less, "any_hit / (rays + shadow_rays + ambient_rays)"), "a ray", "",
+        digits(3)},
+       [](const M& m) { return calls_a_ray(m.counts); }},
       {{share("known", about_more, "(ignored + opaque) / the candidates on triangles that get micromaps"),
         "known", "", percents(2)},
        [](const M& m) { return m.counts.known(); }},
@@ -63,21 +78,18 @@ Fields<MethodFigures> method_fields() {
       {{ratio("times_texture", speed_less, "cpu_ms / that of texture"), "x texture"},
        [](const M& m) { return m.times_texture; }},
   };
+  if (two_states) add_two_states(fields);
+  return fields;
 }
 
 Fields<render::BlendFigures> blend_fields() {
   using B = render::BlendFigures;
   return {
-      {{.key = one_of("method", key, {"texture", "special", "flat", "tree", "ranked", "vq2", "vq4"},
-                      "how opacity is asked for"),
+      {{.key = one_of_range("method", key, all_methods(), "how opacity is asked for"),
         .heading = "method",
         .leads = true},
        [](const B& b) { return std::string(name_of(b.method)); }},
-      {{.key =
-            level(12, key, "of all maps; not there of a texture, nor of VQ2 and VQ4, whose sides are fixed")
-                .if_any(),
-        .heading = "level",
-        .leads = true},
+      {{.key = level(12, key, without_levels).if_any(), .heading = "level", .leads = true},
        [](const B& b) { return b.level ? Value(std::uint64_t{*b.level}) : Value(); }},
       {{.key = one_of(
             "by", key, {"shader", "fixed"},
@@ -135,6 +147,12 @@ Result render_tables(const RenderFigures& figures) {
        [](const F& f) { return f.methods.front().counts.rays; }},
       {{count("shadow_rays", same, "one where a primary ray hits"), "shadow rays"},
        [](const F& f) { return f.methods.front().counts.shadow_rays; }},
+      {{count("ambient_rays", same, "of ambient occlusion, from each hit; not there without any").if_any(),
+        "rays of ambient occlusion"},
+       [](const F& f) {
+         const std::uint64_t rays = f.methods.front().counts.ambient_rays;
+         return rays == 0 ? Value() : Value(rays);
+       }},
   };
   const Fields<P> pictures{
       {{.key = one_of("shows", key, {"seen", "blended", "heat"},
@@ -162,8 +180,16 @@ Result render_tables(const RenderFigures& figures) {
                "with micromaps that a map decides; predicted: the same by the maps' area; even: the same, "
                "met by rays from everywhere; bytes: of maps, records and indices, of texture its texels; "
                "differing: pixels whose rays met another triangle, t or light than with the texture alone",
-      .tables = {table_of<F>({.form = Form::members}, members, {figures}),
-                 table_of<MethodFigures>({.key = "rows"}, method_fields(), figures.methods)}};
+      .tables = {
+          table_of<F>({.form = Form::members}, members, {figures}),
+          table_of<MethodFigures>({.key = "rows"}, method_fields(figures.states == 2), figures.methods)}};
+  add_ambient(result, figures.ambient);
+  if (figures.states == 2)
+    result.settings.push_back({one_of("states", setting, {std::uint64_t{2}},
+                                      "of maps and bitmasks; there where these have no unknown states, and "
+                                      "pictures differ from the texture's")
+                                   .if_any(),
+                               std::uint64_t{2}});
   if (!figures.blends.empty()) {
     result.settings.push_back({one_of("blend", setting, {"max", "min", "add"},
                                       "the operation by which hits blend; there where blends is")

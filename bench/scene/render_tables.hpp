@@ -17,6 +17,7 @@ struct RenderPictureFile {
 
 struct RenderFigures {
   std::string file;
+  unsigned states = 4, ambient = 0;             ///< states of maps; rays of ambient occlusion from each hit
   std::uint64_t triangles = 0, placed = 0;      ///< of the scene
   std::uint64_t tested = 0, tested_placed = 0;  ///< triangles that get micromaps
   std::uint64_t unplanned = 0;                  ///< triangles that a texture tests, but the plan leaves out

@@ -15,6 +15,10 @@ std::string text_of(render::ShownFrom from) {
                                              : "vertices";
 }
 
+std::string text_of(render::Shading shading) {
+  return shading == render::Shading::lit ? "lit" : shading == render::Shading::unlit ? "unlit" : "normals";
+}
+
 /// The mean of channel c over the block of pixels at (x, y).
 template <class Channel>
 std::uint8_t mean_of_block(const render::Picture& of, std::uint32_t x, std::uint32_t y, std::uint32_t block,
@@ -74,7 +78,7 @@ render::Picture beside(const render::Picture& textures, const render::Picture& m
 Result view_tables(const ViewFigures& figures) {
   using F = ViewFigures;
   using R = ViewRow;
-  const Fields<F> members{
+  Fields<F> members{
       {{.key = text("file", left_out)}, [](const F& f) { return f.file; }},
       {{count("triangles", same, "of the file"), "triangles"}, [](const F& f) { return f.triangles; }},
       {{positive("textured_triangles", same, "with a texture, that rays met"), "with a texture, and in view"},
@@ -83,6 +87,23 @@ Result view_tables(const ViewFigures& figures) {
         "pixels that show a texture"},
        [](const F& f) { return f.textured_pixels; }},
   };
+  if (figures.reference != 0) {
+    members.push_back(
+        {{share("textures_flip", about_less,
+                "mean FLIP of the textures' view with as many rays as the rows; there with reference")
+              .if_any(),
+          "FLIP of the textures with these rays",
+          "",
+          {5}},
+         [](const F& f) { return f.textures.flip; }});
+    members.push_back(
+        {{share("textures_textured_flip", about_less, "the same over the pixels that show a texture")
+              .if_any(),
+          "the same, textured",
+          "",
+          {5}},
+         [](const F& f) { return f.textures.textured_flip; }});
+  }
   Fields<R> rows{
       {{.key = one_of("from", key, {"faces", "vertices"}, "what the maps have values of"),
         .heading = "maps of",
@@ -90,6 +111,18 @@ Result view_tables(const ViewFigures& figures) {
        [](const R& r) { return text_of(r.from); }},
       {{.key = level(10, key, "of all maps"), .heading = "level", .leads = true},
        [](const R& r) { return std::uint64_t{r.level}; }},
+  };
+  if (figures.reference != 0)
+    rows.push_back(
+        {{.key = one_of("detail", key, {"finest", "cones"},
+                        "the level at which they are read: their own, or two of their mips by the cone of "
+                        "each ray; "
+                        "not there without --cones")
+                     .if_any(),
+          .heading = "read at",
+          .leads = true},
+         [](const R& r) { return std::string(r.detail == render::Detail::cones ? "cones" : "finest"); }});
+  const Fields<R> errors{
       {{share("flip", about_less, "mean FLIP over all pixels, 67 a degree"), "FLIP", "", {5}},
        [](const R& r) { return r.error.flip; }},
       {{share("textured_flip", about_less, "mean FLIP over the pixels that show a texture"),
@@ -104,6 +137,7 @@ Result view_tables(const ViewFigures& figures) {
         {3}},
        [](const R& r) { return r.error.textured_rmse; }},
   };
+  rows.insert(rows.end(), errors.begin(), errors.end());
   if (std::any_of(figures.rows.begin(), figures.rows.end(), [](const R& r) { return !r.file.empty(); }))
     rows.push_back({{text("picture", left_out,
                           "textures, maps and FLIP beside each other; a path from the folder that the "
@@ -111,29 +145,37 @@ Result view_tables(const ViewFigures& figures) {
                          .if_any(),
                      "picture"},
                     [](const R& r) { return r.file; }});
-  return {
+  Result result{
       .topic = "views",
       .description =
           "mmverify views FILE: one view shaded by attribute micromaps, held against the "
           "textures' view",
-      .settings = {{text("embree", left_out, "the ray tracer and its version"), figures.embree},
-                   {whole("width", setting, {1, 4096}, "pixels"), std::uint64_t{figures.width}},
-                   {whole("height", setting, {1, 4096}, "pixels"), std::uint64_t{figures.height}},
-                   {whole("rays", setting, {1, 64}, "primary rays of each pixel"),
-                    std::uint64_t{figures.rays} * figures.rays},
-                   {one_of("shading", setting, {"lit", "unlit"},
-                           "lit: a sun with shadows and two lamps, GGX; unlit: base colour times occlusion"),
-                    std::string(figures.shading == render::Shading::lit ? "lit" : "unlit")},
-                   {count("camera", setting, "0: all of the scene; else a number of the random path"),
-                    figures.camera},
-                   {count("seed", setting, "of the random path"), figures.seed},
-                   {count("threads", left_out, "worker threads; 0: as many as the machine has"),
-                    figures.threads}},
+      .settings =
+          {{text("embree", left_out, "the ray tracer and its version"), figures.embree},
+           {whole("width", setting, {1, 4096}, "pixels"), std::uint64_t{figures.width}},
+           {whole("height", setting, {1, 4096}, "pixels"), std::uint64_t{figures.height}},
+           {whole("rays", setting, {1, 64}, "primary rays of each pixel"),
+            std::uint64_t{figures.rays} * figures.rays},
+           {one_of("shading", setting, {"lit", "unlit", "normals"},
+                   "lit: a sun with shadows and two lamps, GGX; unlit: base colour times occlusion; normals: "
+                   "(n + 1)/2 of the scene's own space"),
+            text_of(figures.shading)},
+           {count("camera", setting, "0: all of the scene; else a number of the random path"),
+            figures.camera},
+           {count("seed", setting, "of the random path"), figures.seed},
+           {count("threads", left_out, "worker threads; 0: as many as the machine has"), figures.threads}},
       .about = figures.file +
                ": one view, its attributes read of maps in the place of textures, and held against the "
                "textures' own view; FLIP: its mean over all pixels; textured: over those that show a texture",
       .tables = {table_of<F>({.form = Form::members}, members, {figures}),
                  table_of<R>({.key = "rows"}, rows, figures.rows)}};
+  if (figures.reference != 0)
+    result.settings.push_back({whole("reference", setting, {4, 64},
+                                     "rays of each pixel of the textures' view that rows are compared with; "
+                                     "not there without --cones")
+                                   .if_any(),
+                               std::uint64_t{figures.reference} * figures.reference});
+  return result;
 }
 
 }  // namespace mmverify::bench

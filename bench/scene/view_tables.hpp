@@ -30,6 +30,7 @@ render::Picture beside(const render::Picture& textures, const render::Picture& m
 struct ViewRow {
   render::ShownFrom from = render::ShownFrom::faces;
   unsigned level = 0;
+  render::Detail detail = render::Detail::finest;
   ViewError error = {};
   std::string file = {};  ///< its picture; empty if none was written
 };
@@ -40,6 +41,9 @@ struct ViewFigures {
   std::uint64_t textured_triangles = 0;  ///< with a texture, that rays met
   std::uint64_t textured_pixels = 0;
   std::uint32_t width = 0, height = 0, rays = 1;  ///< rays along each side of a pixel
+  /// The same of the textures' view with more rays that the rows are compared with; 0: the rows' own number.
+  std::uint32_t reference = 0;
+  ViewError textures = {};  ///< with a reference: the textures' view with as many rays as the rows
   render::Shading shading = render::Shading::lit;
   std::uint64_t camera = 0, seed = 0, threads = 0;
   std::vector<ViewRow> rows;

@@ -30,7 +30,6 @@
 #include "scene/attribute/mip_errors.hpp"
 #include "scene/attribute/picture.hpp"
 #include "scene/attribute/planned_maps.hpp"
-#include "scene/sample/scene.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -115,7 +114,7 @@ void write_maps(const std::string& folder, const StoredAttributes& stored) {
 constexpr std::size_t most_plans = 16;
 
 AttributeScene loaded_attributes(const std::string& file) {
-  if (file.empty()) return load_attributes(sample_name, sample_scene());
+  if (const auto made = generated_scene(file)) return load_attributes(made->name, made->bytes);
   if (std::error_code none; std::filesystem::is_directory(file, none))
     throw UsageError(
         fmt::format("{}: a folder of textures has no triangles of its own; name a glTF file", file));
@@ -199,7 +198,14 @@ int measure_attributes(const AttributeArguments& arguments) {
   if (arguments.mips) options.atlas = [&mips](const AttributeAtlas& atlas) { mips.take(atlas); };
   const AttributeFigures figures = measure(read, options);
   bench::Result result = bench::scene_attribute_tables(figures, read, options);
-  if (arguments.time) result.tables.push_back(bench::attribute_times_table(timer.times()));
+  if (arguments.time) {
+    result.tables.push_back(bench::attribute_times_table(timer.times()));
+    if (auto panels = bench::error_against_time(figures, timer.times()); !panels.empty()) {
+      constexpr int height_of_row = 450;
+      result.drawn->rows.push_back(std::move(panels));
+      result.drawn->height += height_of_row;
+    }
+  }
   if (!arguments.plan.empty())
     for (bench::Table& table :
          bench::attribute_plan_tables(figures, planned_maps(read, options, arguments.plan)))

@@ -40,7 +40,10 @@ Action add_attributes(CLI::App& program) {
       "measure micromaps of a scene's colours, normals and roughness: how many, how large, how far from the "
       "textures");
   auto arguments = std::make_shared<AttributeArguments>();
-  command->add_option("file", arguments->file, "the scene; without it the suite's own, a plant and a fence")
+  command
+      ->add_option(
+          "file", arguments->file,
+          "the scene; quad: two triangles with two textures; without it the suite's own, a plant and a fence")
       ->type_name("FILE.gltf|FILE.glb");
   command->add_option("--level", arguments->levels, "levels of the maps; 0..5 where not given")
       ->type_name("N|A..B");
@@ -66,7 +69,9 @@ Action add_attributes(CLI::App& program) {
       ->add_option("--pictures", arguments->pictures,
                    "write each base colour beside its maps and their FLIP, a PNG a level")
       ->type_name("FOLDER");
-  command->add_option("--plot", arguments->plot, "draw errors against sizes")->type_name("FILE.svg|FILE.png");
+  command
+      ->add_option("--plot", arguments->plot, "draw errors against sizes, and with --time against run times")
+      ->type_name("FILE.svg|FILE.png");
   command->add_option("--json", arguments->json, "write the figures as JSON; - is stdout")
       ->type_name("FILE|-");
   command

@@ -28,7 +28,6 @@
 #include "proofs/engine/progress.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/read/load.hpp"
-#include "scene/sample/scene.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -44,18 +43,29 @@ struct RenderOptions {
   unsigned colour_level = 3;
   PictureSize size;
   std::uint64_t camera = 0, cameras = 0, seed = 1, memory = std::uint64_t{1} << 30;
-  unsigned threads = 0, repeats = 1;
+  unsigned threads = 0, repeats = 1, states = 4, ambient = 0;
   bool no_shadows = false, quiet = false;
 };
 
-std::vector<render::Method> wanted_methods(const std::vector<std::string>& names) {
+bool has_unknown_regions(render::Method method) {
+  return method == render::Method::vq2 || method == render::Method::vq4;
+}
+
+std::vector<render::Method> wanted_methods(const std::vector<std::string>& names, unsigned states) {
   std::vector<render::Method> wanted;
   for (const std::string& name : names) {
-    if (name == "all") return {std::begin(render::methods), std::end(render::methods)};
+    if (name == "all") {
+      std::vector<render::Method> all(std::begin(render::methods), std::end(render::methods));
+      if (states == 2) std::erase_if(all, has_unknown_regions);
+      return all;
+    }
     const auto method = render::method_of(name);
     if (!method)
       throw UsageError(fmt::format(
-          "--method {}: it is one of texture, special, flat, tree, ranked, vq2, vq4 and all", name));
+          "--method {}: it is one of texture, special, flat, tree, ranked, vq2, vq4, bitmask and all", name));
+    if (states == 2 && has_unknown_regions(*method))
+      throw UsageError(
+          fmt::format("--method {}: square maps have unknown regions; leave --states 2 out", name));
     wanted.push_back(*method);
   }
   return wanted;
@@ -63,9 +73,8 @@ std::vector<render::Method> wanted_methods(const std::vector<std::string>& names
 
 std::vector<mmverify::scene::MeshUse> uses_of(const std::string& file) {
   using namespace mmverify::scene;
-  if (!file.empty()) return load_uses(file);
-  const Bytes bytes = sample_scene();
-  return load_uses(sample_name, bytes);
+  if (const auto made = generated_scene(file)) return load_uses(made->name, made->bytes);
+  return load_uses(file);
 }
 
 void commit(OutputFile& file, const render::Picture& picture) {
@@ -85,26 +94,27 @@ std::string vacuous(const render::Compared& compared, const mmverify::scene::Pla
   return {};
 }
 
-/// The heat maps of a run; the first one sets the scale.
-class HeatMaps {
+/// The pictures of a run, each below its method and a figure.
+class Tiles {
  public:
-  void add(const render::MethodFigures& figures, const render::Frame& frame) {
-    if (maps_.empty()) most_ = render::scale_of(frame);
-    maps_.push_back(render::heat(frame, most_));
-    titles_.push_back(fmt::format("{}{}: {}", render::name_of(figures.method),
-                                  figures.level ? fmt::format(" {}", *figures.level) : "",
-                                  figures.counts.shader));
+  void add(const render::MethodFigures& of, const std::string& figure, render::Picture picture) {
+    pictures_.push_back(std::move(picture));
+    titles_.push_back(fmt::format("{}{}: {}", render::name_of(of.method),
+                                  of.level ? fmt::format(" {}", *of.level) : "", figure));
   }
-  render::Picture beside_each_other() const { return render::side_by_side(maps_, titles_, most_); }
-  /// Whether the picture fits: PNG allows sides up to 32768; four maps make a row.
+  /// `most`: the end of a heat map's scale, else 0.
+  render::Picture beside_each_other(std::uint32_t most) const {
+    return render::side_by_side(pictures_, titles_, most);
+  }
+  bool empty() const { return pictures_.empty(); }
+  /// Whether the picture fits: PNG allows sides up to 32768; four pictures make a row.
   bool fit(std::uint32_t height) const {
-    return (std::uint64_t{height} + 40) * (maps_.size() / 4 + 1) < 32000;
+    return (std::uint64_t{height} + 40) * (pictures_.size() / 4 + 1) < 32000;
   }
 
  private:
-  std::vector<render::Picture> maps_;
+  std::vector<render::Picture> pictures_;
   std::vector<std::string> titles_;
-  std::uint32_t most_ = 1;
 };
 
 render::Camera camera_of(const render::World& world, const RenderOptions& options) {
@@ -138,9 +148,8 @@ std::optional<render::ColoursOf> wanted_colours(const RenderOptions& options) {
 
 mmverify::scene::AttributeScene attributes_of(const std::string& file) {
   using namespace mmverify::scene;
-  if (!file.empty()) return load_attributes(file);
-  const Bytes bytes = sample_scene();
-  return load_attributes(sample_name, bytes);
+  if (const auto made = generated_scene(file)) return load_attributes(made->name, made->bytes);
+  return load_attributes(file);
 }
 
 proofs::Levels levels_of_maps(const std::string& text) {
@@ -170,10 +179,15 @@ void tell_options(bench::RenderFigures& figures, const RenderOptions& options) {
   figures.threads = options.threads;
   figures.embree = render::embree_text();
   figures.operation = options.blend;
+  figures.states = options.states;
+  figures.ambient = options.ambient;
 }
 
 bool some_pixel_differs(const bench::RenderFigures& figures) {
   const auto differs = [](const auto& run) { return run.differing != 0; };
+  if (figures.states == 2)
+    return std::any_of(figures.methods.begin(), figures.methods.end(),
+                       [](const render::MethodFigures& run) { return run.apart.value_or(0) != 0; });
   return std::any_of(figures.methods.begin(), figures.methods.end(), differs) ||
          std::any_of(figures.blends.begin(), figures.blends.end(), differs);
 }
@@ -196,33 +210,38 @@ void refuse_what_cannot_be_rendered(const RenderOptions& options) {
   if (!render::has_embree()) throw EnvironmentError("render: " + render::embree_text());
 }
 
-/// The pictures that a run is asked for: what the last method saw, and the heat maps of all.
+/// The pictures that a run is asked for: what the last method saw, or each of 2 states, and the heat maps of all.
 class Pictures {
  public:
   explicit Pictures(const RenderOptions& options) : options_(options) {
     if (!options.picture.empty()) seen_file_.emplace(options.picture);
     if (!options.heat.empty()) heat_file_.emplace(options.heat);
   }
-  /// Draws each frame of the comparison. `compared`, `world` and `colours`, which may be null, outlive the run.
-  void draw_frames_of(render::CompareOptions& compared, const render::World& world,
-                      const render::ColourMaps* colours) {
+  /// Draws each frame of the comparison. `compared`, its colours and `world` outlive the run.
+  void draw_frames_of(render::CompareOptions& compared, const render::World& world) {
     compared.blend_frame = [this, &compared, &world](const render::BlendFigures&,
                                                      const render::BlendFrame& frame) {
       if (seen_file_) seen_ = render::blended(world, frame, *compared.blending);
     };
-    compared.frame = [this, &compared, &world, colours](const render::MethodFigures& figures,
-                                                        const render::Frame& frame) {
-      if (seen_file_ && !compared.blending) seen_ = render::seen(world, frame, colours);
-      if (heat_file_ && heat_maps_.fit(options_.size.height)) heat_maps_.add(figures, frame);
+    compared.frame = [this, &compared, &world](const render::MethodFigures& figures,
+                                               const render::Frame& frame) {
+      if (seen_file_ && !compared.blending) {
+        seen_ = render::seen(world, frame, compared.colours);
+        if (options_.states == 2 && two_states_.fit(options_.size.height))
+          two_states_.add(figures, fmt::format("{} differ", figures.differing), *seen_);
+      }
+      if (!heat_file_ || !heat_maps_.fit(options_.size.height)) return;
+      if (heat_maps_.empty()) most_ = render::scale_of(frame);
+      heat_maps_.add(figures, std::to_string(figures.counts.shader), render::heat(frame, most_));
     };
   }
   void write(bench::RenderFigures& figures) {
     if (seen_file_) {
-      commit(*seen_file_, *seen_);
+      commit(*seen_file_, two_states_.empty() ? *seen_ : two_states_.beside_each_other(0));
       figures.pictures.push_back({options_.blend.empty() ? "seen" : "blended", options_.picture});
     }
     if (heat_file_) {
-      commit(*heat_file_, heat_maps_.beside_each_other());
+      commit(*heat_file_, heat_maps_.beside_each_other(most_));
       figures.pictures.push_back({"heat", options_.heat});
     }
   }
@@ -231,7 +250,8 @@ class Pictures {
   const RenderOptions& options_;
   std::optional<OutputFile> seen_file_, heat_file_;
   std::optional<render::Picture> seen_;
-  HeatMaps heat_maps_;
+  Tiles heat_maps_, two_states_;
+  std::uint32_t most_ = 1;  ///< the scale of heat maps, which the first one sets
 };
 
 render::CompareOptions compare_options(const proofs::Levels& levels,
@@ -241,7 +261,10 @@ render::CompareOptions compare_options(const proofs::Levels& levels,
   compared.trace = {.width = options.size.width,
                     .height = options.size.height,
                     .threads = options.threads,
-                    .shadows = !options.no_shadows};
+                    .shadows = !options.no_shadows,
+                    .ambient = options.ambient,
+                    .seed = options.seed};
+  compared.states = options.states;
   compared.repeats = options.repeats;
   compared.seed = options.seed;
   compared.memory = options.memory;
@@ -274,7 +297,7 @@ mmverify::scene::Plan planned(const mmverify::scene::Scene& scene) {
 
 int render_scene(const RenderOptions& options) {
   const proofs::Levels levels = levels_of_maps(options.level);
-  const std::vector<render::Method> wanted = wanted_methods(options.methods);
+  const std::vector<render::Method> wanted = wanted_methods(options.methods, options.states);
   const auto operation = wanted_operation(options.blend);
   const auto colours_of = wanted_colours(options);
   refuse_what_cannot_be_rendered(options);
@@ -304,9 +327,9 @@ int render_scene(const RenderOptions& options) {
     colours = render::colours_of(scene, world, attributes_of(options.file), *colours_of, options.colour_level,
                                  options.threads, compared.done);
   }
-  const render::ColourMaps* const of_colours = colours ? &*colours : nullptr;
-  if (operation) compared.blending = render::Blending{.operation = *operation, .colours = of_colours};
-  pictures.draw_frames_of(compared, world.world, of_colours);
+  compared.colours = colours ? &*colours : nullptr;
+  if (operation) compared.blending = render::Blending{.operation = *operation, .colours = compared.colours};
+  pictures.draw_frames_of(compared, world.world);
   bench::RenderFigures figures;
   std::string nothing;
   try {
@@ -346,7 +369,9 @@ void add_drawing(CLI::App& command, RenderOptions& options) {
       ->type_name("faces|vertices");
   command.add_option("--colour-level", options.colour_level, "level of these maps; 3 where not given")
       ->check(whole_within(0, 8));
-  command.add_option("-o,--output", options.picture, "write the picture, of the last method")
+  command
+      .add_option("-o,--output", options.picture,
+                  "write the picture, of the last method; with --states 2 of each beside the texture's")
       ->check(png_name)
       ->type_name("FILE.png");
   command
@@ -369,15 +394,21 @@ void add_cameras(CLI::App& command, RenderOptions& options) {
                       "looks at a triangle with micromaps")
           ->check(whole_within(1, 10'000));
   command.add_option("--seed", options.seed, "seed of the random path")->check(fits_64_bits);
-  command.add_flag("--no-shadows", options.no_shadows, "primary rays alone");
+  command.add_flag("--no-shadows", options.no_shadows, "no shadow rays");
+  command
+      .add_option("--ambient-occlusion", options.ambient,
+                  "so many rays from each hit, of random directions about its normal, darken the picture")
+      ->check(whole_within(1, render::most_ambient))
+      ->type_name("N");
   command
       .add_option("--repeat", options.repeats,
                   "rounds of a frame by the texture and by each method; the least time counts")
       ->check(whole_within(1, 1000));
   // Along a path frames are compared, and neither drawn nor timed.
   for (const char* const other :
-       {"--camera", "--blend", "--colours", "--colour-level", "--output", "--heat", "--repeat"})
+       {"--camera", "--blend", "--colours", "--colour-level", "--output", "--heat", "--repeat", "--states"})
     cameras->excludes(command.get_option(other));
+  command.get_option("--states")->excludes(command.get_option("--blend"));
 }
 
 }  // namespace
@@ -388,16 +419,24 @@ Action add_render(CLI::App& program) {
                              "trace a glTF scene with Embree, any-hit shaders by texture and by micromaps; "
                              "exit 1 where a pixel differs, 2 where nothing was compared");
   auto options = std::make_shared<RenderOptions>();
-  command->add_option("file", options->file, "the scene; without it the suite's own, a plant and a fence")
+  command
+      ->add_option(
+          "file", options->file,
+          "the scene; quad: two triangles with two textures; without it the suite's own, a plant and a fence")
       ->type_name("FILE.gltf|FILE.glb");
   command->add_option("--level", options->level, "level of maps; 6 where not given")->type_name("N|A..B");
   command
-      ->add_option(
-          "--method", options->methods,
-          "how opacity is asked for, beside the texture alone: special, flat, tree, ranked, vq2, vq4; all")
+      ->add_option("--method", options->methods,
+                   "how opacity is asked for, beside the texture alone: special, flat, tree, ranked, vq2, "
+                   "vq4, bitmask; "
+                   "all")
       ->delimiter(',')
       ->type_name("NAME[,NAME...]")
       ->allow_extra_args(false);
+  command
+      ->add_option("--states", options->states,
+                   "2: maps and bitmask without unknown states, whose pictures are not the texture's")
+      ->check(CLI::IsMember({2u, 4u}));
   add_drawing(*command, *options);
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
   add_picture_size(*command, options->size);

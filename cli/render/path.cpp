@@ -57,6 +57,7 @@ int render_path(const PathRun& run, const render::CompareOptions& options) {
                                                    .seed = run.seed,
                                                    .threads = options.trace.threads,
                                                    .shadows = options.trace.shadows,
+                                                   .ambient = options.trace.ambient,
                                                    .embree = render::embree_text(),
                                                    .path = &path});
   print_result(run.json.text(), result);

@@ -1,10 +1,12 @@
 // Loads the scene of a command.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/output/output_file.hpp"
+#include "scene/read/file.hpp"
 #include "scene/scene.hpp"
 
 namespace mmverify::cli {
@@ -12,7 +14,15 @@ namespace mmverify::cli {
 /// The name of the built-in scene in messages.
 inline constexpr char sample_name[] = "the suite's own scene";
 
-/// A glTF or GLB file's scene, or a folder's textures; the built-in scene if no file is named. Errors:
+/// A scene that the suite makes itself.
+struct GeneratedScene {
+  std::string name;  ///< in messages
+  mmverify::scene::Bytes bytes;
+};
+/// The suite's own scene if no file is named; the Quad for "quad", unless a file has that name.  None for others.
+std::optional<GeneratedScene> generated_scene(const std::string& file);
+
+/// A glTF or GLB file's scene, or a folder's textures, or a generated_scene(). Errors:
 /// scene::BadScene.
 mmverify::scene::Scene loaded_scene(const std::string& file);
 

@@ -13,7 +13,10 @@ Action add_views(CLI::App& program) {
                                          "render one view of a glTF scene with its textures and with "
                                          "attribute micromaps, and compare them by FLIP");
   auto arguments = std::make_shared<ViewArguments>();
-  command->add_option("file", arguments->file, "the scene; without it the suite's own, a plant and a fence")
+  command
+      ->add_option(
+          "file", arguments->file,
+          "the scene; quad: two triangles with two textures; without it the suite's own, a plant and a fence")
       ->type_name("FILE.gltf|FILE.glb");
   command->add_option("--level", arguments->levels, "levels of the maps; 0..6 where not given")
       ->type_name("N|A..B");
@@ -21,10 +24,21 @@ Action add_views(CLI::App& program) {
       ->add_option_function<std::string>(
           "--shading",
           [arguments](const std::string& name) {
-            arguments->shading = name == "lit" ? render::Shading::lit : render::Shading::unlit;
+            arguments->shading = name == "lit"     ? render::Shading::lit
+                                 : name == "unlit" ? render::Shading::unlit
+                                                   : render::Shading::normals;
           },
-          "lit, or base colours as they are")
-      ->check(CLI::IsMember({"lit", "unlit"}));
+          "lit, base colours as they are (unlit), or normals in the scene's space")
+      ->check(CLI::IsMember({"lit", "unlit", "normals"}));
+  auto* const cones = command->add_flag(
+      "--cones", arguments->cones,
+      "read maps at the level that each ray's cone asks for, too, beside a view of the textures "
+      "with more rays");
+  command
+      ->add_option("--reference", arguments->reference,
+                   "rays along each side of a pixel of that view; 4 where not given")
+      ->check(whole_within(2, 8))
+      ->needs(cones);
   command->add_option("--rays", arguments->rays, "rays along each side of a pixel; 1 where not given")
       ->check(whole_within(1, 8));
   command

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -17,7 +18,6 @@
 #include "proofs/engine/interrupt.hpp"
 #include "scene/attribute/footprint.hpp"
 #include "scene/read/load.hpp"
-#include "scene/sample/scene.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -39,12 +39,12 @@ struct Loaded {
 };
 
 Loaded loaded(const std::string& file) {
-  if (!file.empty())
+  const auto made = generated_scene(file);
+  if (!made)
     return {loaded_scene(file), file_of::load_uses(file), file_of::load_attributes(file),
             file_of::load_shading(file)};
-  const file_of::Bytes bytes = file_of::sample_scene();
-  return {loaded_scene(file), file_of::load_uses(sample_name, bytes),
-          file_of::load_attributes(sample_name, bytes), file_of::load_shading(sample_name, bytes)};
+  return {file_of::load(made->name, made->bytes), file_of::load_uses(made->name, made->bytes),
+          file_of::load_attributes(made->name, made->bytes), file_of::load_shading(made->name, made->bytes)};
 }
 
 /// Writes FOLDER/NAME.png and returns its path.
@@ -59,7 +59,10 @@ void check(const ViewArguments& arguments) {
   if (parse_levels(arguments.levels, "--level").last > file_of::finest_attribute_level)
     throw UsageError(fmt::format("--level {}: maps of attributes go up to level {}", arguments.levels,
                                  file_of::finest_attribute_level));
-  const std::uint64_t rays = arguments.rays;
+  const std::uint64_t rays = arguments.cones ? std::max(arguments.rays, arguments.reference) : arguments.rays;
+  if (arguments.cones && arguments.reference % arguments.rays != 0)
+    throw UsageError(fmt::format("--reference {}: more rays than --rays {}, and a multiple of them",
+                                 arguments.reference, arguments.rays));
   const auto [width, height] = arguments.size;
   if (rays * width > 16384 || rays * height > 16384 || rays * rays * width * height > most_rays)
     throw UsageError(
@@ -75,24 +78,28 @@ void tell(const ViewArguments& arguments, const std::string& what) {
   if (!arguments.quiet) say(stderr, "views: {}\n", what);
 }
 
-/// Compares the views of each level with the textures', and writes their pictures.
-void add_rows(bench::ViewFigures& figures, const render::Views& views, const proofs::Levels& levels,
-              const ViewArguments& arguments) {
+/// Compares the views of each level with the textures' view `right`, and writes their pictures.
+void add_rows(bench::ViewFigures& figures, const render::Views& views, const render::Picture& right,
+              const proofs::Levels& levels, const ViewArguments& arguments) {
+  using render::Detail, render::ShownFrom;
   for (const std::uint8_t pixel : views.textured()) figures.textured_pixels += pixel;
-  const render::Picture textures = views.picture(render::ShownFrom::textures);
-  if (!arguments.pictures.empty()) written(arguments.pictures, "textures", textures);
+  if (!arguments.pictures.empty()) written(arguments.pictures, "textures", right);
+  const auto add = [&](ShownFrom from, unsigned level, Detail detail) {
+    const std::string name = fmt::format("{}_level{}{}", from == ShownFrom::faces ? "faces" : "vertices",
+                                         level, detail == Detail::cones ? "_cones" : "");
+    tell(arguments, name);
+    const render::Picture maps = views.picture(from, level, detail);
+    bench::ViewRow row{
+        from, level, detail, bench::view_error(right, maps, views.textured(), arguments.threads), {}};
+    if (!arguments.pictures.empty())
+      row.file = written(arguments.pictures, name, bench::beside(right, maps, row.error, longest_view));
+    row.error.map.clear();
+    figures.rows.push_back(std::move(row));
+  };
   for (unsigned level = levels.first; level <= levels.last; ++level)
-    for (const render::ShownFrom from : {render::ShownFrom::faces, render::ShownFrom::vertices}) {
-      const std::string name =
-          fmt::format("{}_level{}", from == render::ShownFrom::faces ? "faces" : "vertices", level);
-      tell(arguments, name);
-      const render::Picture maps = views.picture(from, level);
-      bench::ViewRow row{
-          from, level, bench::view_error(textures, maps, views.textured(), arguments.threads), {}};
-      if (!arguments.pictures.empty())
-        row.file = written(arguments.pictures, name, bench::beside(textures, maps, row.error, longest_view));
-      row.error.map.clear();
-      figures.rows.push_back(std::move(row));
+    for (const ShownFrom from : {ShownFrom::faces, ShownFrom::vertices}) {
+      add(from, level, Detail::finest);
+      if (arguments.cones) add(from, level, Detail::cones);
     }
 }
 
@@ -103,6 +110,46 @@ render::Camera camera_of(const render::World& world, const ViewArguments& argume
                                : render::on_path(box, arguments.seed, arguments.camera, aspect);
 }
 
+/// Traces and shades views of a scene from one camera.  What the constructor takes outlives it.
+class Viewer {
+ public:
+  Viewer(const Loaded& read, const render::SceneWorld& world, const ViewArguments& arguments)
+      : read_(read),
+        world_(world),
+        arguments_(arguments),
+        tracer_(world.world),
+        camera_(camera_of(world.world, arguments)) {}
+
+  render::Frame traced(std::uint32_t rays) const {
+    return tracer_.frame(camera_, nullptr,
+                         {.width = rays * arguments_.size.width,
+                          .height = rays * arguments_.size.height,
+                          .threads = arguments_.threads,
+                          .shadows = !arguments_.no_shadows,
+                          .done = [](std::uint64_t) { stop(); }});
+  }
+  render::Views views(const render::Frame& frame, std::uint32_t rays) const {
+    return {read_.scene,
+            world_,
+            read_.attributes,
+            read_.shading,
+            frame,
+            camera_,
+            {.rays = rays, .shading = arguments_.shading, .threads = arguments_.threads, .stop = stop}};
+  }
+
+ private:
+  static void stop() {
+    if (proofs::interrupted()) throw proofs::Interrupted();
+  }
+
+  const Loaded& read_;
+  const render::SceneWorld& world_;
+  const ViewArguments& arguments_;
+  render::Tracer tracer_;
+  render::Camera camera_;
+};
+
 }  // namespace
 
 int render_views(const ViewArguments& arguments) {
@@ -111,29 +158,14 @@ int render_views(const ViewArguments& arguments) {
   need_folder("--pictures", arguments.pictures);
   JsonOutput json(arguments.json);
   const proofs::InterruptGuard guard;
-  const auto stop = [] {
-    if (proofs::interrupted()) throw proofs::Interrupted();
-  };
-
   const Loaded read = loaded(arguments.file);
   const render::SceneWorld world = render::world_of(read.scene, read.uses, file_of::plan(read.scene));
   if (world.world.instances.empty())
     throw EnvironmentError(fmt::format("{}: no triangle to render", read.scene.file));
-  const render::Tracer tracer(world.world);
-  const render::Camera camera = camera_of(world.world, arguments);
+  const Viewer viewer(read, world, arguments);
   tell(arguments, "rays");
-  const render::TraceOptions trace{.width = arguments.rays * arguments.size.width,
-                                   .height = arguments.rays * arguments.size.height,
-                                   .threads = arguments.threads,
-                                   .shadows = !arguments.no_shadows,
-                                   .done = [&](std::uint64_t) { stop(); }};
-  const render::Frame frame = tracer.frame(camera, nullptr, trace);
-  const render::Views views(read.scene, world, read.attributes, read.shading, frame, camera,
-                            {.rays = arguments.rays,
-                             .shading = arguments.shading,
-                             .sun = trace.light,
-                             .threads = arguments.threads,
-                             .stop = stop});
+  const render::Frame frame = viewer.traced(arguments.rays);
+  const render::Views views = viewer.views(frame, arguments.rays);
   if (views.triangles() == 0)
     throw UsageError(
         fmt::format("{}: no ray met a triangle with a texture, so nothing was compared; another --camera or "
@@ -147,12 +179,22 @@ int render_views(const ViewArguments& arguments) {
                              .width = arguments.size.width,
                              .height = arguments.size.height,
                              .rays = arguments.rays,
+                             .reference = arguments.cones ? arguments.reference : 0,
                              .shading = arguments.shading,
                              .camera = arguments.camera,
                              .seed = arguments.seed,
                              .threads = arguments.threads,
                              .rows = {}};
-  add_rows(figures, views, levels, arguments);
+  render::Picture right = views.picture(render::ShownFrom::textures);
+  if (arguments.cones) {
+    tell(arguments, "the view with more rays");
+    const render::Frame finer = viewer.traced(arguments.reference);
+    const render::Picture reference =
+        viewer.views(finer, arguments.reference).picture(render::ShownFrom::textures);
+    figures.textures = bench::view_error(reference, right, views.textured(), arguments.threads);
+    right = reference;
+  }
+  add_rows(figures, views, right, levels, arguments);
   const bench::Result result = bench::view_tables(figures);
   print_result(json.text(), result);
   json.write([&] { return result_json(result); });

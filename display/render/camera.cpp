@@ -13,6 +13,7 @@ float size_of(const Box& box) {
   return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
 }
 
+constexpr float full_turn = 6.2831853f;
 constexpr float half_angle = 0.35f;  // some 39 degrees from bottom to top
 
 /// The next pseudo-random number in [0,1).
@@ -81,16 +82,24 @@ Camera on_path(const Box& box, std::uint64_t seed, std::uint64_t number, float a
   return looking(from, at, half_angle + 0.4f * share(state), aspect);
 }
 
+Point about_normal(const Point& normal, std::uint64_t seed) {
+  std::uint64_t state = seed;
+  const float squared = share(state), angle = full_turn * share(state), r = std::sqrt(squared);
+  const Point across = unit(cross(normal, std::fabs(normal[2]) < 0.7f ? Point{0, 0, 1} : Point{1, 0, 0})),
+              other = cross(normal, across);
+  return unit(plus(times(normal, std::sqrt(1 - squared)),
+                   plus(times(across, r * std::cos(angle)), times(other, r * std::sin(angle)))));
+}
+
 Ray line_through_ball(const Point& middle, float radius, std::uint64_t seed) {
-  constexpr float turn = 6.2831853f;
   std::uint64_t state = seed;
   // If z is even on the axis, the direction is even on the sphere (Archimedes).
-  const float z = 2 * share(state) - 1, around = turn * share(state),
+  const float z = 2 * share(state) - 1, around = full_turn * share(state),
               r = std::sqrt(std::max(0.0f, 1 - z * z));
   const Point direction{r * std::cos(around), r * std::sin(around), z};
   const Point across = unit(cross(direction, std::fabs(z) < 0.7f ? Point{0, 0, 1} : Point{1, 0, 0})),
               other = cross(direction, across);
-  const float from_middle = radius * std::sqrt(share(state)), at = turn * share(state);
+  const float from_middle = radius * std::sqrt(share(state)), at = full_turn * share(state);
   const Point beside =
       plus(times(across, from_middle * std::cos(at)), times(other, from_middle * std::sin(at)));
   return {minus(plus(middle, beside), times(direction, 1.01f * radius)), direction};

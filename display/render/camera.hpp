@@ -38,6 +38,11 @@ constexpr std::uint64_t mixed(std::uint64_t x) noexcept {
   return x ^ x >> 31;
 }
 
+/// A random direction on the side of a normal, its density in proportion to the cosine between both: the share of such
+/// rays that meet nothing estimates ambient occlusion without weights.
+/// Domain: a normal of length 1.  Source: Malley's method: a point even on the disc, lifted to the sphere.
+Point about_normal(const Point& normal, std::uint64_t seed);
+
 /// A random line through a ball, even over directions and over the disc that the ball shows to each
 /// direction.
 Ray line_through_ball(const Point& middle, float radius, std::uint64_t seed);

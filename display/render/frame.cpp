@@ -7,6 +7,7 @@ namespace mmverify::render {
 Counts& Counts::operator+=(const Counts& other) {
   rays += other.rays;
   shadow_rays += other.shadow_rays;
+  ambient_rays += other.ambient_rays;
   candidates += other.candidates;
   ignored += other.ignored;
   opaque += other.opaque;
@@ -17,7 +18,9 @@ Counts& Counts::operator+=(const Counts& other) {
   return *this;
 }
 
-bool same(const Pixel& a, const Pixel& b) { return a.primary == b.primary && a.lit == b.lit; }
+bool same(const Pixel& a, const Pixel& b) {
+  return a.primary == b.primary && a.lit == b.lit && a.open == b.open;
+}
 
 std::uint64_t differing(const Frame& a, const Frame& b) {
   if (a.width != b.width || a.height != b.height)
@@ -38,6 +41,9 @@ std::uint64_t digest(const Frame& frame) {
     add(pixel.primary.geometry);
     add(pixel.primary.triangle);
     add(pixel.lit);
+    if (frame.ambient == 0) continue;
+    add(static_cast<std::uint32_t>(pixel.open));
+    add(static_cast<std::uint32_t>(pixel.open >> 32));
   }
   return hash;
 }

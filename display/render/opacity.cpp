@@ -17,7 +17,8 @@ using impl::micromap::Record;
 using impl::micromap::State;
 namespace micromap = impl::micromap;
 
-constexpr std::array<std::string_view, 7> names{"texture", "special", "flat", "tree", "ranked", "vq2", "vq4"};
+constexpr std::array<std::string_view, 8> names{"texture", "special", "flat", "tree",
+                                                "ranked",  "vq2",     "vq4",  "bitmask"};
 
 /// The packed bytes of a record's map.
 std::span<const std::uint8_t> map_of(const micromap::Array& array, const Record& record) {
@@ -182,7 +183,8 @@ std::optional<Method> method_of(std::string_view name) {
 }
 
 bool has_levels(Method method) {
-  return method != Method::texture && method != Method::vq2 && method != Method::vq4;
+  return method != Method::texture && method != Method::vq2 && method != Method::vq4 &&
+         method != Method::bitmask;
 }
 
 std::unique_ptr<Opacity> opacity_of(Method method, const Micromaps& micromaps) {
@@ -198,6 +200,7 @@ std::unique_ptr<Opacity> opacity_of(Method method, const Micromaps& micromaps) {
     case Method::texture:
     case Method::vq2:
     case Method::vq4:
+    case Method::bitmask:
       break;
   }
   throw std::invalid_argument("opacity_of: no method of micromaps");

@@ -59,16 +59,17 @@ enum class Method : std::uint8_t {
   ranked,   ///< impl::tree::Tree, for random access
   vq2,      ///< 16 x 16 regions a pair of triangles, whatever the level
   vq4,      ///< 32 x 32 regions
+  bitmask,  ///< the texture's alpha test in bits a texel: see bitmask.hpp
 };
 inline constexpr Method methods[] = {Method::texture, Method::special, Method::flat, Method::tree,
-                                     Method::ranked,  Method::vq2,     Method::vq4};
+                                     Method::ranked,  Method::vq2,     Method::vq4,  Method::bitmask};
 std::string_view name_of(Method method);
 /// The method with this name; none if there is no such method.
 std::optional<Method> method_of(std::string_view name);
-/// Whether the method's maps have a level.  The sides of VQ2 and VQ4 are fixed, and a texture has no maps.
+/// Whether the method's maps have a level.  The sides of VQ2 and VQ4 are fixed, and textures and bitmasks have no maps.
 bool has_levels(Method method);
 
-/// The micromaps in a method's form.  Domain: not texture, vq2 or vq4; the micromaps outlive the result.
+/// The micromaps in a method's form.  Domain: a method with levels; the micromaps outlive the result.
 std::unique_ptr<Opacity> opacity_of(Method method, const Micromaps& micromaps);
 /// The square maps, encoded: VQ2 by its optimal encoder, VQ4 by the balanced one.  Domain: vq2 or vq4; the
 /// maps outlive the result.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <string_view>
@@ -97,10 +98,14 @@ Picture seen(const World& world, const Frame& frame, const ColourMaps* colours) 
     for (std::uint32_t x = 0; x < frame.width; ++x) {
       const Pixel& pixel = frame.pixels[std::size_t{y} * frame.width + x];
       const float height = 1 - static_cast<float>(y) / static_cast<float>(frame.height);
-      put(picture, x, y,
-          bytes_of(pixel.primary.hit()
-                       ? shaded(world, colours, pixel.primary, pixel.at, pixel.lit ? pixel.shade : 0)
-                       : std::array{0.92f - 0.22f * height, 0.94f - 0.12f * height, 0.97f}));
+      std::array<float, 3> rgb{0.92f - 0.22f * height, 0.94f - 0.12f * height, 0.97f};
+      if (pixel.primary.hit()) {
+        rgb = shaded(world, colours, pixel.primary, pixel.at, pixel.lit ? pixel.shade : 0);
+        if (frame.ambient != 0)
+          for (float& c : rgb)
+            c *= static_cast<float>(std::popcount(pixel.open)) / static_cast<float>(frame.ambient);
+      }
+      put(picture, x, y, bytes_of(rgb));
     }
   return picture;
 }
@@ -138,14 +143,14 @@ Picture heat(const Frame& frame, std::uint32_t most) {
   for (std::uint32_t y = 0; y < frame.height; ++y)
     for (std::uint32_t x = 0; x < frame.width; ++x) {
       const Pixel& pixel = frame.pixels[std::size_t{y} * frame.width + x];
-      put(picture, x, y, heat_colour(pixel.by_primary.shader + pixel.by_shadow.shader, most));
+      put(picture, x, y, heat_colour(pixel.calls(), most));
     }
   return picture;
 }
 
 std::uint32_t scale_of(const Frame& frame) {
   std::vector<std::uint32_t> calls;
-  for (const Pixel& pixel : frame.pixels) calls.push_back(pixel.by_primary.shader + pixel.by_shadow.shader);
+  for (const Pixel& pixel : frame.pixels) calls.push_back(pixel.calls());
   if (calls.empty()) return 1;
   const auto at = calls.begin() + static_cast<std::ptrdiff_t>(calls.size() - 1 - calls.size() / 1000);
   std::nth_element(calls.begin(), at, calls.end());

@@ -17,13 +17,14 @@ struct Picture {
 };
 
 /// The picture that the camera sees.  A triangle has the colours of its map, or else its geometry's colour;
-/// it is darker away from the light and in shadow.  The sky is behind.
+/// it is darker away from the light and in shadow, and in proportion to the rays of ambient occlusion that met
+/// something.  The sky is behind.
 Picture seen(const World& world, const Frame& frame, const ColourMaps* colours = nullptr);
 
 /// The accepted hits as in seen() without shadows, black if there is none, with the payload blended on top.
 Picture blended(const World& world, const BlendFrame& frame, const Blending& blending);
 
-/// The any-hit calls of each pixel's primary and shadow ray, from dark blue (none) by green and yellow to red
+/// The any-hit calls of all rays of each pixel, from dark blue (none) by green and yellow to red
 /// (`most` or more).
 Picture heat(const Frame& frame, std::uint32_t most);
 std::array<std::uint8_t, 3> heat_colour(std::uint32_t calls, std::uint32_t most);

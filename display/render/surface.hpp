@@ -1,6 +1,7 @@
 // The alpha test of an any-hit shader: the texture at one point, against the cutoff.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "display/render/barycentrics.hpp"
@@ -24,6 +25,24 @@ class Surface {
   /// Domain: barycentrics of a point of the triangle; coordinates below 2^20 in size.
   bool opaque(const impl::bake::BaseTriangle& uv, const Barycentrics& at, float chance) const;
 
+  /// The texel whose square holds the hit, before it is wrapped: floor of u width and of v height, exactly.
+  /// Domain: that of opaque().
+  std::array<std::int64_t, 2> texel(const impl::bake::BaseTriangle& uv, const Barycentrics& at) const;
+
+  /// The code of a texel, wrapped, or of the border.
+  std::uint32_t code(std::int64_t x, std::int64_t y) const noexcept;
+
+  /// Sums of `parts` codes, whose mean stands for one code.  From `opaque` on, alpha >= cutoff (BLEND: >= 1).  Below
+  /// `transparent`, alpha < cutoff (BLEND: <= 0).  From `half` on, alpha >= cutoff (BLEND: >= 1/2).
+  /// A sum that no code reaches stands for none.
+  struct SumBounds {
+    std::uint64_t opaque, transparent, half;
+  };
+  SumBounds bounds_of_sums(std::uint32_t parts) const;
+
+  std::uint32_t width() const { return width_; }
+  std::uint32_t height() const { return height_; }
+
   /// The number of texels that opaque() reads: 4 bilinear, 1 nearest.
   unsigned fetches() const { return nearest_ ? 1 : 4; }
 
@@ -32,7 +51,6 @@ class Surface {
   const impl::bake::AlphaMode& mode() const { return mode_; }
 
  private:
-  std::uint32_t code(std::int64_t x, std::int64_t y) const noexcept;
   bool opaque_exactly(const impl::bake::BaseTriangle& uv, const Barycentrics& at) const;
 
   impl::bake::Texels texels_;

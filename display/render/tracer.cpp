@@ -301,20 +301,34 @@ struct Tracer::EmbreeScene {
     if (dot(normal, ray.direction) > 0) normal = times(normal, -1);  // the side that is seen
     pixel.shade = dot(normal, light);
     pixel.lit = true;
-    if (!options.shadows) return pixel;
     Point at{};
     const float offset = 1e-4f * scale;
     for (std::size_t k = 0; k < 3; ++k)
       at[k] = ray.from[k] + pixel.primary.t * ray.direction[k] + offset * normal[k];
-    Context shadow = context_of(opacity, number + 1);
-    RTCRay towards_light = embree_ray({at, light}, offset, std::numeric_limits<float>::infinity());
-    rtcOccluded1(scene, &shadow.embree, &towards_light);
-    pixel.lit = !(towards_light.tfar < 0);
-    pixel.by_shadow = shadow.asked;
-    shadow.counts.met = shadow.counts.planned != 0;
-    counts += shadow.counts;
-    ++counts.shadow_rays;
+    if (options.shadows) {
+      Context shadow = context_of(opacity, number + 1);
+      pixel.lit = open(at, light, offset, shadow, counts);
+      pixel.by_shadow = shadow.asked;
+      ++counts.shadow_rays;
+    }
+    for (unsigned k = 0; k < options.ambient; ++k) {
+      const std::uint64_t own = mixed(mixed(options.seed) ^ (number * most_ambient + k));
+      Context ambient = context_of(opacity, own);
+      pixel.open |= std::uint64_t{open(at, about_normal(normal, own), offset, ambient, counts)} << k;
+      pixel.by_ambient.candidates += ambient.asked.candidates;
+      pixel.by_ambient.shader += ambient.asked.shader;
+      ++counts.ambient_rays;
+    }
     return pixel;
+  }
+
+  /// Whether a ray meets nothing.
+  bool open(const Point& from, const Point& direction, float near, Context& context, Counts& counts) const {
+    RTCRay ray = embree_ray({from, direction}, near, std::numeric_limits<float>::infinity());
+    rtcOccluded1(scene, &context.embree, &ray);
+    context.counts.met = context.counts.planned != 0;
+    counts += context.counts;
+    return !(ray.tfar < 0);
   }
 
   BlendHits blend_hits(const Ray& ray, const Opacity* opacity, const Blending& blending, std::uint64_t number,
@@ -444,9 +458,13 @@ Frame filled(const TraceOptions& options, OfPixel of_pixel) {
 }  // namespace
 
 Frame Tracer::frame(const Camera& camera, const Opacity* opacity, const TraceOptions& options) const {
-  return filled<Frame>(options, [&](std::uint32_t x, std::uint32_t y, Counts& counts) {
+  if (options.ambient > most_ambient)
+    throw std::invalid_argument("Tracer: too many rays of ambient occlusion");
+  Frame frame = filled<Frame>(options, [&](std::uint32_t x, std::uint32_t y, Counts& counts) {
     return built_->pixel(camera, opacity, options, x, y, counts);
   });
+  frame.ambient = options.ambient;
+  return frame;
 }
 
 BlendFrame Tracer::blend_frame(const Camera& camera, const Opacity* opacity, const Blending& blending,

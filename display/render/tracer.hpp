@@ -22,9 +22,13 @@ struct TraceOptions {
   unsigned threads = 0;  ///< 0: as many as the machine has
   bool shadows = true;
   Point light{0.4f, 1, 0.3f};  ///< the direction to the light, of any length
+  unsigned ambient = 0;        ///< rays of ambient occlusion from each hit, up to most_ambient
+  std::uint64_t seed = 1;      ///< of their directions
   /// Counts finished primary rays, from any thread; an exception from it ends the frame.
   std::function<void(std::uint64_t)> done = {};
 };
+
+inline constexpr unsigned most_ambient = 64;
 
 /// A world with its bounding volumes, built once for all methods, so that all methods meet the same
 /// candidates.
@@ -37,12 +41,13 @@ class Tracer {
   Tracer(Tracer&&) noexcept;
   Tracer& operator=(Tracer&&) noexcept;
 
-  /// Traces a primary ray a pixel, and a shadow ray if the primary ray hits.  For a candidate on a surface,
+  /// Traces a primary ray a pixel, and, if it hits, a shadow ray and `options.ambient` rays of ambient occlusion, whose
+  /// directions about_normal() derives from seed, pixel and number alone.  For a candidate on a surface,
   /// impl::traverse::decide turns the state in `opacity` into ignored, opaque or non-opaque.  The texture
   /// decides non-opaque candidates, and candidates without a micromap, at the same barycentrics.  If
   /// `opacity` is null, the texture decides all.
   /// The pixels and counts do not depend on the number of threads.
-  /// Errors: std::invalid_argument for a side of 0 or above 16384; exceptions of `done`.
+  /// Errors: std::invalid_argument for a side of 0 or above 16384, or more than most_ambient rays; exceptions of `done`.
   Frame frame(const Camera& camera, const Opacity* opacity, const TraceOptions& options) const;
 
   /// One pixel of such a frame.  Domain: x and y below the frame's sides.

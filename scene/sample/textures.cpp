@@ -85,7 +85,36 @@ Dot compound_leaf(double x, double y) {
   return {inside ? 1.0 : 0.0, mixed(light_green, green, across)};
 }
 
+/// A square picture, alpha 255, of the colour at each texel's centre.
+template <class ColourAt>
+Picture painted(const char* name, const ColourAt& colour_at) {
+  constexpr std::uint32_t side = 1024;
+  Picture picture{name, side, side, {}};
+  picture.rgba.reserve(std::size_t{4} * side * side);
+  for (std::uint32_t y = 0; y < side; ++y)
+    for (std::uint32_t x = 0; x < side; ++x) {
+      for (const double c : colour_at((x + 0.5) / side, (y + 0.5) / side)) picture.rgba.push_back(as_byte(c));
+      picture.rgba.push_back(255);
+    }
+  return picture;
+}
+
 }  // namespace
+
+Picture rings() {
+  return painted("rings", [](double x, double y) {
+    const double squared = (x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5);
+    return mixed(mixed(green, light_green, y), yellow, tooth(squared, 60));
+  });
+}
+
+Picture waves() {
+  return painted("waves", [](double x, double y) {
+    // Slopes of at most 1/2 along each axis leave a third component.
+    const double a = tooth(x, 16) - 0.5, b = tooth(y, 16) - 0.5;
+    return Colour{0.5 + 0.5 * a, 0.5 + 0.5 * b, 0.5 + 0.5 * std::sqrt(1 - a * a - b * b)};
+  });
+}
 
 Picture leaves() {
   return drawn("leaves", 256, 128, [](double x, double y) {

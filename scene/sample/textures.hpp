@@ -24,6 +24,10 @@ Picture flower();  ///< 96 x 96: five petals
 Picture blades();  ///< 128 x 64: grass
 Picture pond();    ///< 64 x 64: a soft disc, alpha 255 in its middle
 
+/// 1024 x 1024 texels each, alpha 255, the value of the texel's centre.
+Picture rings();  ///< base colours: rings that get finer outwards
+Picture waves();  ///< normals in tangent space, of waves along both axes
+
 /// A picture as PNG.  Errors: std::runtime_error if the library has no memory.
 Bytes png(const Picture& picture);
 

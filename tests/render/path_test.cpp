@@ -58,13 +58,23 @@ TEST(Path, IsThatOfItsSeed) {
   EXPECT_NE(digest(a[1].frame), digest(c[1].frame));
 }
 
+TEST(Path, HasTheSpreadOfAFigure) {
+  const std::vector<double> values{2, 4, 4, 4, 5, 5, 7, 9};
+  const Spread spread = spread_of(values);
+  EXPECT_EQ(spread.mean, 5);
+  EXPECT_EQ(spread.least, 2);
+  EXPECT_EQ(spread.most, 9);
+  EXPECT_EQ(spread.deviation, 2);
+  EXPECT_EQ(spread_of({}).most, 0);
+}
+
 TEST(Path, SeesTheSameByAllForms) {
   NEEDS_EMBREE;
   const Own& own = Own::get();
   FormsOptions forms{.first = 0, .last = 4, .wanted = {std::begin(methods), std::end(methods)}};
   const Path path = along_path(own.scene, own.plan, own.world, own.tracer, forms, own.trace, 5, 3);
   ASSERT_EQ(path.cameras.size(), 3u);
-  ASSERT_EQ(path.rows.size(), 2u + 4 * 5);
+  ASSERT_EQ(path.rows.size(), 3u + 4 * 5);
   EXPECT_FALSE(path.left_out.first);
   std::uint64_t met = 0;
   for (const CameraView& seen : path.cameras) met += seen.frame.counts.met;
@@ -72,12 +82,16 @@ TEST(Path, SeesTheSameByAllForms) {
     EXPECT_EQ(row.differing, 0u) << name_of(row.method);
     EXPECT_FALSE(row.first);
     EXPECT_EQ(row.frames, 3u);
+    ASSERT_EQ(row.calls_a_ray.size(), 3u);
+    ASSERT_EQ(row.times_texture.size(), 3u);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_LE(row.calls_a_ray[k], calls_a_ray(path.cameras[k].frame.counts));
     EXPECT_EQ(row.pixels, 3u * 60 * 40);
     EXPECT_EQ(row.counts.met, met);
   }
   forms.memory = 1;
   const Path none = along_path(own.scene, own.plan, own.world, own.tracer, forms, own.trace, 5, 1);
-  EXPECT_EQ(none.rows.size(), 2u) << "square maps, which have no level";
+  EXPECT_EQ(none.rows.size(), 3u) << "square maps and bitmask, which have no level";
   EXPECT_EQ(none.left_out.first, 0u);
 }
 

@@ -61,7 +61,7 @@ TEST(Render, EveryMethodSeesWhatTheTextureAloneSees) {
   options.last = 5;
   options.wanted = {std::begin(methods), std::end(methods)};
   const Compared all = Garden::get().compared(options);
-  ASSERT_EQ(all.methods.size(), 3u + 4 * 6);
+  ASSERT_EQ(all.methods.size(), 4u + 4 * 6);
   const Counts& texture = all.methods.front().counts;
   EXPECT_EQ(texture.shader, texture.candidates);
   EXPECT_GT(texture.candidates, 3000u);

@@ -196,4 +196,35 @@ TEST(AttributeTimer, HasARowForEachWay) {
   EXPECT_EQ(timer.times().size(), rows.size());
 }
 
+TEST(ErrorAgainstTime, HasAPointForEachWayAndLevelAndTheTextureWithoutError) {
+  const AttributeScene scene = three_triangles();
+  AttributeTimer timer(scene, {.points = 500, .rounds = 2});
+  AttributeOptions options{.first = 0, .last = 2};
+  options.kept = [&](const SetMaps& maps) { timer.take(maps); };
+  const AttributeFigures figures = measure(scene, options);
+  const auto panels = mmverify::bench::error_against_time(figures, timer.times());
+  ASSERT_EQ(panels.size(), 2u) << "scattered and along";
+  for (std::size_t order = 0; order < 2; ++order) {
+    const auto& series = panels[order].series;
+    ASSERT_EQ(series.size(), 4u);
+    for (const auto& times : timer.times()) {
+      const auto& curve = series[static_cast<std::size_t>(times.way)];
+      ASSERT_EQ(curve.points.size(), 3u);
+      const auto& point = curve.points[times.level];
+      const bool named = times.level == 2 || (times.level == 0 && times.way != LookupWay::vertices_bird);
+      EXPECT_EQ(point.label, named ? std::to_string(times.level) : "");
+      EXPECT_EQ(point.x, times.by_order[order].map_ns);
+      const MapKind kind = times.way == LookupWay::face ? MapKind::faces : MapKind::vertices;
+      const auto& levels = figures.sets.front().levels;
+      const auto& at = *std::find_if(levels.begin(), levels.end(),
+                                     [&](const auto& l) { return l.level == times.level && l.kind == kind; });
+      EXPECT_EQ(point.y, at.error.rmse);
+    }
+    ASSERT_EQ(series[3].points.size(), 1u);
+    EXPECT_EQ(series[3].points[0].y, 0);
+    EXPECT_GT(series[3].points[0].x, 0);
+  }
+  EXPECT_TRUE(mmverify::bench::error_against_time(figures, {}).empty()) << "no times";
+}
+
 }  // namespace scene_attribute_times_test

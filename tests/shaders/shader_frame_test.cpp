@@ -3,12 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <memory>
+#include <set>
 
+#include "display/render/attribute/cones.hpp"
 #include "display/render/scene/colours_of.hpp"
 #include "display/render/tracer.hpp"
+#include "display/render/vectors.hpp"
 #include "scene/read/load.hpp"
 #include "scene/sample/scene.hpp"
 #include "subjects/shaders/compile/compile.hpp"
@@ -121,6 +125,62 @@ TEST(ShaderFrame, shades_every_hit_as_the_renderer_does_bit_for_bit) {
       RecordProperty(std::string(of == ColoursOf::faces ? "faces" : "vertices") + std::to_string(level),
                      static_cast<int>(compared));
     }
+}
+
+// Areas of cones and triangles in, levels out: each of a frame's hits, by the text that the renderer's views read.
+TEST(ShaderFrame, asks_for_the_level_of_every_hits_cone_as_the_renderer_does) {
+  if (!render::has_embree()) GTEST_SKIP() << render::embree_text();
+  std::unique_ptr<shaders::Device> device;
+  try {
+    device = std::make_unique<shaders::Device>(0, true);
+  } catch (const shaders::NoDevice& why) {
+    GTEST_SKIP() << "no Vulkan device: " << why.what();
+  }
+  const shaders::Compiled compiled =
+      shaders::compile({std::string(MMVERIFY_ROOT) + "/tests/shaders/lod.comp"});
+  shaders::Program program(*device, compiled.manifest.modules.front());
+
+  const scene::Bytes bytes = scene::sample_scene();
+  const scene::Scene scene = scene::load("sample", bytes);
+  const render::SceneWorld world =
+      render::world_of(scene, scene::load_uses("sample", bytes), scene::plan(scene));
+  const render::Camera camera = render::overview(render::box_of(world.world, false), 4.0f / 3);
+  const render::Frame frame =
+      render::Tracer(world.world).frame(camera, nullptr, {.width = 320, .height = 240, .shadows = false});
+  const float half = std::sqrt(render::dot(camera.up, camera.up));
+  std::vector<float> cones, triangles;
+  std::vector<std::array<render::Point, 3>> corners;
+  for (std::uint32_t at = 0; at < frame.pixels.size(); ++at) {
+    const render::Met& met = frame.pixels[at].primary;
+    if (!met.hit()) continue;
+    const render::Geometry& geometry = world.world.geometries[met.geometry];
+    std::array<render::Point, 3>& p = corners.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k)
+      p[k] = render::placed(world.world.instances[met.instance],
+                            geometry.positions[geometry.triangles[met.triangle][k]]);
+    const render::Point across = render::cross(render::minus(p[1], p[0]), render::minus(p[2], p[0]));
+    triangles.push_back(0.5f * std::sqrt(render::dot(across, across)));
+    const render::Ray ray =
+        render::ray_of(camera, at % frame.width, at / frame.width, frame.width, frame.height);
+    cones.push_back(render::cone_area(render::spread_of_pixel(half, frame.height), met.t,
+                                      render::dot(render::unit(across), ray.direction)));
+  }
+  ASSERT_GT(cones.size(), 10'000u);
+  const auto vector = [](const render::Point& q) { return render::glsl::vec3(q[0], q[1], q[2]); };
+  for (const std::uint32_t finest : {1u, 5u, 10u}) {
+    const std::uint32_t* answers = program.run(
+        {.level = finest, .arrays = {cones.data(), triangles.data()}, .count = cones.size(), .values = 2});
+    std::set<std::uint32_t> levels;
+    for (std::size_t k = 0; k < cones.size(); ++k) {
+      const auto& p = corners[k];
+      const render::DetailLevel right =
+          render::detail_level(finest, cones[k], vector(p[0]), vector(p[1]), vector(p[2]));
+      ASSERT_EQ(answers[2 * k], right.level) << finest << " " << cones[k] << " " << triangles[k];
+      ASSERT_NEAR(std::bit_cast<float>(answers[2 * k + 1]), right.blend, 0x1p-20);
+      levels.insert(right.level);
+    }
+    EXPECT_GE(levels.size(), std::min(finest, 4u));
+  }
 }
 
 }  // namespace

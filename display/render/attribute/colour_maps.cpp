@@ -1,6 +1,9 @@
 #include "display/render/attribute/colour_maps.hpp"
 
+#include <cmath>
 #include <stdexcept>
+
+#include "display/render/attribute/cones.hpp"
 
 // The shaders' own text.  A block of values is a pointer here, and a structure is made of its members in braces.
 #pragma GCC diagnostic push
@@ -83,6 +86,20 @@ std::uint64_t ColourMaps::bytes() const {
   std::uint64_t records = 0;
   for (const auto& of_geometry : maps_) records += of_geometry.size();
   return 4 * faces_.size() + 16 * vertices_.size() + 8 * records;
+}
+
+float spread_of_pixel(float half, std::uint32_t rows) {
+  return std::atan(2 * half / static_cast<float>(rows));
+}
+
+float cone_area(float spread, float distance, float facing) {
+  return glsl::mm_cone_area(0, spread, distance, facing);
+}
+
+DetailLevel detail_level(std::uint32_t finest, float area, const glsl::vec3& a, const glsl::vec3& b,
+                         const glsl::vec3& c) {
+  const glsl::MmLod lod = glsl::mm_lod_of_triangle({0, finest}, area, a, b, c);
+  return {lod.level, lod.blend};
 }
 
 }  // namespace mmverify::render

@@ -4,6 +4,9 @@
 #include <iterator>
 #include <set>
 
+#include "display/render/picture.hpp"
+#include "scene/flip/flip.hpp"
+
 namespace mmverify::render {
 namespace {
 
@@ -75,11 +78,19 @@ class Comparison {
     if (options_.blend_frame) options_.blend_frame(blends, blended_texture_);
   }
 
+  /// Mean FLIP of a frame's picture beside the texture's.
+  double flip_of(const Frame& frame) const {
+    const Picture right = seen(world_.world, texture_, options_.colours),
+                  its = seen(world_.world, frame, options_.colours);
+    return flip::mean(flip::error_map({right.width, right.height, right.rgb},
+                                      {its.width, its.height, its.rgb}, {.threads = options_.trace.threads}));
+  }
+
   /// The other load of the machine changes from minute to minute.  So each round traces the texture's frame
   /// again beside all forms.
   void held_against(const FormsOfMaps& maps) {
-    const std::string of =
-        maps.predicted ? "level " + std::to_string(*maps.forms.front().level) : std::string("VQ2, VQ4");
+    const std::string of = maps.predicted ? "level " + std::to_string(*maps.forms.front().level)
+                                          : std::string(name_of(maps.forms.front().method));
     std::optional<double> even;
     if (maps.predicted) {
       begins("even rays", 0);
@@ -94,6 +105,7 @@ class Comparison {
       for (std::size_t f = 0; f < maps.forms.size(); ++f)
         keep_least(figures[f], frames[f] = tracer_.frame(camera_, maps.forms[f].opacity.get(), trace_), k);
     }
+    std::optional<std::size_t> whole;  // the first form of the same maps
     for (std::size_t f = 0; f < maps.forms.size(); ++f) {
       MethodFigures& its = figures[f];
       its.method = maps.forms[f].method;
@@ -102,6 +114,13 @@ class Comparison {
       its.bytes = maps.forms[f].opacity->bytes();
       its.differing = differing(texture_, frames[f]);
       its.times_texture = ratio(its.cpu_seconds, texture.cpu_seconds);
+      if (options_.states == 2) {
+        its.flip = flip_of(frames[f]);
+        if (its.method != Method::special) {
+          its.apart = differing(frames[whole.value_or(f)], frames[f]);
+          whole = whole.value_or(f);
+        }
+      }
       if (its.method != Method::special) its.predicted = maps.predicted, its.even = even;
       compared_.methods.push_back(its);
       if (options_.frame) options_.frame(its, frames[f]);

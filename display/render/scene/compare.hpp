@@ -18,8 +18,11 @@ struct MethodFigures {
   Method method = Method::texture;
   std::optional<unsigned> level = {};  ///< none if the method fixes its level, or has no maps
   Counts counts = {};
-  std::uint64_t bytes = 0;              ///< maps, records and indices; for texture, its texels
-  std::uint64_t differing = 0;          ///< pixels that differ from the texture's
+  std::uint64_t bytes = 0;          ///< maps, records and indices; for texture, its texels
+  std::uint64_t differing = 0;      ///< pixels that differ from the texture's
+  std::optional<double> flip = {};  ///< with 2 states: mean FLIP of the picture beside the texture's
+  /// With 2 states, pixels that differ from the first form of the same maps.  None may.
+  std::optional<std::uint64_t> apart = {};
   double seconds = 0, cpu_seconds = 0;  ///< a frame's least times over the rounds, each by itself
   double times_texture = 0;  ///< cpu_seconds over the least of the texture's frames in the same rounds
   /// The share of placed area where maps of this level call no shader, computed without a ray.
@@ -47,6 +50,8 @@ struct CompareOptions {
   unsigned repeats = 1;  ///< rounds; each traces the texture and all forms of a level
   std::uint64_t even_rays = 200000, seed = 1;
   std::uint64_t memory = std::uint64_t{1} << 30;  ///< bytes that all maps of a level may take
+  unsigned states = 4;                  ///< 2: the methods' pictures are not the texture's; see FormsOptions
+  const ColourMaps* colours = nullptr;  ///< of the pictures whose FLIP is taken
   /// Callbacks of progress, from any thread: `begins` names a task and the number of its rays or
   /// micro-triangles, and `done` counts them.  An exception from them ends the comparison.
   std::function<void(const std::string& what, std::uint64_t of)> begins = {};
@@ -64,6 +69,7 @@ struct CompareOptions {
             .wanted = wanted,
             .memory = memory,
             .threads = trace.threads,
+            .states = states,
             .begins = begins,
             .done = done};
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "display/render/bitmask.hpp"
+
 namespace mmverify::render {
 namespace {
 
@@ -26,12 +28,20 @@ class Makes {
     visit(made);
   }
 
+  void bitmask(const std::function<void(const FormsOfMaps&)>& visit) const {
+    begins("bitmask", 0);
+    FormsOfMaps made;
+    made.forms.push_back({Method::bitmask, {}, bitmask_of(world_.world, options_.states)});
+    visit(made);
+  }
+
   void at_level(unsigned level, const std::function<void(const FormsOfMaps&)>& visit) const {
     const std::vector<unsigned> levels(plan_.triangles.size(), level);
     begins("bake level " + std::to_string(level),
            impl::micromap::micro_triangles(level) * plan_.triangles.size());
     const scene::Baked baked =
-        scene::bake(scene_, plan_, levels, {.threads = options_.threads, .done = options_.done});
+        scene::bake(scene_, plan_, levels,
+                    {.threads = options_.threads, .two_state = options_.states == 2, .done = options_.done});
     const Micromaps micromaps = micromaps_of(world_, plan_, scene::arrays(plan_, baked));
     FormsOfMaps made;
     made.predicted = scene::any_hit_shares(scene_, plan_, baked).known();
@@ -60,6 +70,7 @@ LeftOut each_forms(const scene::Scene& scene, const scene::Plan& plan, const Sce
   if (plan.triangles.empty()) return {};
   const Makes makes(scene, plan, world, options);
   if (makes.wants(Method::vq2) || makes.wants(Method::vq4)) makes.squares(visit);
+  if (makes.wants(Method::bitmask)) makes.bitmask(visit);
   if (std::none_of(options.wanted.begin(), options.wanted.end(), has_levels)) return {};
   for (unsigned level = options.first; level <= options.last; ++level) {
     const std::uint64_t bytes = scene::map_bytes_at_level(plan, level);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "display/render/vectors.hpp"
@@ -96,6 +97,16 @@ CameraView seen_on_path(const World& world, const Tracer& tracer, const TraceOpt
   return seen;
 }
 
+Spread spread_of(std::span<const double> values) {
+  if (values.empty()) return {};
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const auto count = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return {mean, *least, *most, std::sqrt(squares / count)};
+}
+
 PathRow held_against(const std::vector<CameraView>& path, const Tracer& tracer, const TraceOptions& trace,
                      const Opacity& opacity) {
   PathRow row;
@@ -104,6 +115,8 @@ PathRow held_against(const std::vector<CameraView>& path, const Tracer& tracer, 
     ++row.frames;
     row.pixels += frame.pixels.size();
     row.counts += frame.counts;
+    row.calls_a_ray.push_back(calls_a_ray(frame.counts));
+    row.times_texture.push_back(seen.frame.cpu_seconds > 0 ? frame.cpu_seconds / seen.frame.cpu_seconds : 0);
     const std::uint64_t here = differing(seen.frame, frame);
     row.differing += here;
     if (here == 0 || row.first) continue;
@@ -123,11 +136,16 @@ Path along_path(const scene::Scene& scene, const scene::Plan& plan, const SceneW
   const auto begins = [&forms](const std::string& what, std::uint64_t of) {
     if (forms.begins) forms.begins(what, of);
   };
+  TraceOptions untold = trace;
+  if (forms.done) untold.done = [&forms](std::uint64_t) { forms.done(0); };
   Path path;
   begins("texture", pixels);
   for (std::uint64_t number = 1; number <= cameras; ++number)
     path.cameras.push_back(seen_on_path(world.world, tracer, trace, seed, number));
   path.left_out = each_forms(scene, plan, world, forms, [&](const FormsOfMaps& maps) {
+    // The other load of the machine changes, so the texture is timed again beside each level.
+    for (CameraView& seen : path.cameras)
+      seen.frame.cpu_seconds = tracer.frame(seen.camera, nullptr, untold).cpu_seconds;
     for (const Form& form : maps.forms) {
       begins(std::string(name_of(form.method)) + (form.level ? " level " + std::to_string(*form.level) : ""),
              pixels);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "display/render/scene/forms.hpp"
@@ -34,6 +35,14 @@ struct PixelOf {
   std::uint32_t x, y;
 };
 
+/// A figure over the cameras of a path, each of the same weight.
+struct Spread {
+  double mean = 0, least = 0, most = 0;
+  double deviation = 0;  ///< the root of the mean square of the distance from the mean
+};
+/// Domain: any values; all 0 without one.
+Spread spread_of(std::span<const double> values);
+
 /// The frames of one form along a path, compared with the texture's.
 struct PathRow {
   Method method = Method::texture;
@@ -41,6 +50,8 @@ struct PathRow {
   std::uint64_t frames = 0, pixels = 0, differing = 0;
   Counts counts = {};
   std::optional<PixelOf> first = {};
+  std::vector<double> calls_a_ray = {};    ///< by camera: any-hit calls over rays of all kinds
+  std::vector<double> times_texture = {};  ///< by camera: processor time over that of the texture's frame
 };
 PathRow held_against(const std::vector<CameraView>& path, const Tracer& tracer, const TraceOptions& trace,
                      const Opacity& opacity);

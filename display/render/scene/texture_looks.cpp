@@ -5,6 +5,7 @@
 
 #include "scene/attribute/atlas.hpp"
 #include "scene/attribute/map_reading.hpp"
+#include "scene/attribute/mip_errors.hpp"
 #include "scene/plan/plan.hpp"
 
 namespace mmverify::render {
@@ -58,8 +59,8 @@ TextureLooks::TextureLooks(const scene::Scene& scene, const SceneWorld& world,
 }
 
 TriangleLooks::TriangleLooks(const TextureLooks& looks, std::uint32_t geometry, std::uint32_t triangle,
-                             ShownFrom from, unsigned level)
-    : from_(from), level_(level), shading_(looks.of_[geometry].shading) {
+                             ShownFrom from, unsigned level, bool with_mips)
+    : from_(from), level_(level), first_level_(with_mips ? 0 : level), shading_(looks.of_[geometry].shading) {
   const Geometry& its = looks.world_.geometries[geometry];
   const auto& corners = its.triangles[triangle];
   const Vector e1 = edge(its.positions[corners[0]], its.positions[corners[1]]),
@@ -83,8 +84,11 @@ TriangleLooks::TriangleLooks(const TextureLooks& looks, std::uint32_t geometry, 
     Use& made = uses_.back();
     if (from != ShownFrom::textures) {
       const auto kind = from == ShownFrom::faces ? scene::MapKind::faces : scene::MapKind::vertices;
-      made.map.resize(static_cast<std::size_t>(scene::values_of_map(kind, level)));
-      made.baker->bake(uvs, kind, level, made.map);
+      std::vector<scene::MapValue> map(static_cast<std::size_t>(scene::values_of_map(kind, level)));
+      made.baker->bake(uvs, kind, level, map);
+      for (unsigned mip = first_level_; mip < level; ++mip)
+        made.maps.push_back(scene::mip_of_map(map, kind, level, mip, made.baker->meaning()));
+      made.maps.push_back(std::move(map));
     }
     if (!scene::has(texture.set, scene::Attribute::normal)) continue;
     const double u1 = double{uvs[1][0]} - uvs[0][0], v1 = double{uvs[1][1]} - uvs[0][1],
@@ -99,10 +103,13 @@ TriangleLooks::TriangleLooks(const TextureLooks& looks, std::uint32_t geometry, 
   }
 }
 
-Mean TriangleLooks::mean_at(const Use& use, const Barycentrics& point) const {
+Mean TriangleLooks::mean_at(const Use& use, const Barycentrics& point, unsigned level) const {
   const scene::CodeMeaning& meaning = use.baker->meaning();
-  if (from_ == ShownFrom::faces) return meaning.mean_of(use.map[scene::face_index(level_, point.u, point.v)]);
-  if (from_ == ShownFrom::vertices) return scene::vertex_mean(use.map, level_, point.u, point.v, meaning);
+  if (from_ != ShownFrom::textures) {
+    const std::vector<scene::MapValue>& map = use.maps[level - first_level_];
+    return from_ == ShownFrom::faces ? meaning.mean_of(map[scene::face_index(level, point.u, point.v)])
+                                     : scene::vertex_mean(map, level, point.u, point.v, meaning);
+  }
   const auto between = [&](std::size_t c) {
     return use.uvs[0][c] + point.u * (double{use.uvs[1][c]} - use.uvs[0][c]) +
            point.v * (double{use.uvs[2][c]} - use.uvs[0][c]);
@@ -110,7 +117,7 @@ Mean TriangleLooks::mean_at(const Use& use, const Barycentrics& point) const {
   return sampled(*use.image, use.texture->sampler, meaning, between(0), between(1));
 }
 
-Look TriangleLooks::at(const Barycentrics& point) const {
+Look TriangleLooks::at(const Barycentrics& point, const DetailLevel& detail) const {
   using scene::Attribute;
   Look look;
   look.colour = {1, 1, 1};
@@ -124,7 +131,11 @@ Look TriangleLooks::at(const Barycentrics& point) const {
     occlusion = shading_->occlusion;
   }
   for (const Use& use : uses_) {
-    const Mean mean = mean_at(use, point);
+    Mean mean = mean_at(use, point, detail.level);
+    if (detail.blend != 0) {
+      const Mean finer = mean_at(use, point, detail.level + 1);
+      for (std::size_t c = 0; c < mean.size(); ++c) mean[c] = std::lerp(mean[c], finer[c], detail.blend);
+    }
     const scene::AttributeSet set = use.texture->set;
     if (scene::has(set, Attribute::base_color))
       for (std::size_t c = 0; c < 3; ++c) look.colour[c] *= mean[c];

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "display/render/attribute/cones.hpp"
 #include "display/render/attribute/shading.hpp"
 #include "display/render/barycentrics.hpp"
 #include "display/render/scene/views.hpp"
@@ -36,11 +37,15 @@ class TextureLooks {
 /// One triangle of a geometry.  The constructor bakes its maps.
 class TriangleLooks {
  public:
+  /// `with_mips`: the lower levels of its maps, too (scene::mip_of_map).
   TriangleLooks(const TextureLooks& looks, std::uint32_t geometry, std::uint32_t triangle, ShownFrom from,
-                unsigned level);
+                unsigned level, bool with_mips = false);
 
   /// The attributes at a point, times the material's factors; the normal is in tangent space.
-  Look at(const Barycentrics& point) const;
+  Look at(const Barycentrics& point) const { return at(point, {level_, 0}); }
+  /// The same between two levels, in the quantities that are averaged.
+  /// Domain: a level with maps.  Source: Color and Attribute Micromaps, 4.4.2, step 3.
+  Look at(const Barycentrics& point, const DetailLevel& detail) const;
 
   /// Directions in the mesh's own space, of any length: the triangle's normal, the normal interpolated
   /// between its vertices, and the directions in which the normal texture goes right and up.  The last two
@@ -56,12 +61,12 @@ class TriangleLooks {
     const scene::ColourImage* image;
     const scene::MapBaker* baker;
     scene::UvTriangle uvs;
-    std::vector<scene::MapValue> map;
+    std::vector<std::vector<scene::MapValue>> maps;  ///< by level from first_level_ on; none of textures
   };
-  scene::CodeMeaning::Mean mean_at(const Use& use, const Barycentrics& point) const;
+  scene::CodeMeaning::Mean mean_at(const Use& use, const Barycentrics& point, unsigned level) const;
 
   ShownFrom from_;
-  unsigned level_;
+  unsigned level_, first_level_;
   const scene::PrimitiveShading* shading_;
   std::vector<Use> uses_;
   Directions of_triangle_;

@@ -77,7 +77,7 @@ class Views::Shader {
     groups_.push_back(order_.size());
   }
 
-  Picture picture(ShownFrom from, unsigned level) const {
+  Picture picture(ShownFrom from, unsigned level, Detail detail) const {
     std::vector<Rgb> light(frame_.pixels.size());
     for (std::uint32_t at = 0; at < light.size(); ++at)
       if (!frame_.pixels[at].primary.hit()) light[at] = sky(at / frame_.width);
@@ -86,10 +86,29 @@ class Views::Shader {
     arena.execute([&] {
       oneapi::tbb::parallel_for(std::size_t{0}, groups_.size() - 1, [&](std::size_t g) {
         if (options_.stop) options_.stop();
-        shade(groups_[g], groups_[g + 1], from, level, light);
+        shade(groups_[g], groups_[g + 1], from, level, detail, light);
       });
     });
     return encoded(light);
+  }
+
+  DetailLevel level_of(std::uint32_t at, unsigned finest) const {
+    const Pixel& pixel = frame_.pixels[at];
+    const Geometry& geometry = world_.geometries[pixel.primary.geometry];
+    std::array<Point, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = placed(world_.instances[pixel.primary.instance],
+                          geometry.positions[geometry.triangles[pixel.primary.triangle][k]]);
+    const Point normal = render::unit(
+        render::cross(render::minus(corners[1], corners[0]), render::minus(corners[2], corners[0])));
+    const Ray ray = ray_of(camera_, at % frame_.width, at / frame_.width, frame_.width, frame_.height);
+    const float half = std::sqrt(render::dot(camera_.up, camera_.up));
+    const float area =
+        cone_area(spread_of_pixel(half, frame_.height), pixel.primary.t, render::dot(normal, ray.direction));
+    const auto corner = [&](std::size_t k) {
+      return glsl::vec3(corners[k][0], corners[k][1], corners[k][2]);
+    };
+    return detail_level(finest, area, corner(0), corner(1), corner(2));
   }
 
   const std::vector<std::uint8_t>& textured() const { return textured_; }
@@ -105,16 +124,20 @@ class Views::Shader {
     return rgb;
   }
 
-  void shade(std::size_t first, std::size_t last, ShownFrom from, unsigned level,
+  void shade(std::size_t first, std::size_t last, ShownFrom from, unsigned level, Detail detail,
              std::vector<Rgb>& light) const {
     const auto geometry = static_cast<std::uint32_t>(order_[first].first >> 32),
                triangle = static_cast<std::uint32_t>(order_[first].first);
-    const TriangleLooks looks(looks_, geometry, triangle, from, level);
+    const bool by_cones = detail == Detail::cones && from != ShownFrom::textures;
+    const TriangleLooks looks(looks_, geometry, triangle, from, level, by_cones);
     for (std::size_t k = first; k < last; ++k) {
       const std::uint32_t at = order_[k].second;
       const Pixel& pixel = frame_.pixels[at];
-      Look look = looks.at(pixel.at);
-      const Vector shown = options_.shading == Shading::unlit ? look.colour : lit(pixel, at, look, looks);
+      Look look = by_cones ? looks.at(pixel.at, level_of(at, level)) : looks.at(pixel.at);
+      Vector shown = look.colour;
+      if (options_.shading != Shading::unlit) shown = lit(pixel, at, look, looks);
+      if (options_.shading == Shading::normals)
+        for (std::size_t c = 0; c < 3; ++c) shown[c] = srgb_light(0.5 + 0.5 * look.normal[c]);
       const double occlusion = options_.shading == Shading::unlit ? look.occlusion : 1;
       for (std::size_t c = 0; c < 3; ++c) light[at][c] = static_cast<float>(occlusion * shown[c]);
     }
@@ -197,7 +220,12 @@ Views::Views(const scene::Scene& scene, const SceneWorld& world, const scene::At
     : shader_(std::make_unique<Shader>(scene, world, attributes, shading, frame, camera, options)) {}
 Views::~Views() = default;
 
-Picture Views::picture(ShownFrom from, unsigned level) const { return shader_->picture(from, level); }
+Picture Views::picture(ShownFrom from, unsigned level, Detail detail) const {
+  return shader_->picture(from, level, detail);
+}
+DetailLevel Views::detail(std::uint32_t pixel, unsigned finest) const {
+  return shader_->level_of(pixel, finest);
+}
 const std::vector<std::uint8_t>& Views::textured() const { return shader_->textured(); }
 std::uint64_t Views::triangles() const { return shader_->triangles(); }
 

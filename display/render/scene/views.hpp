@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "display/render/attribute/cones.hpp"
 #include "display/render/camera.hpp"
 #include "display/render/frame.hpp"
 #include "display/render/picture.hpp"
@@ -22,8 +23,16 @@ enum class ShownFrom : std::uint8_t {
 
 /// lit: a sun that casts shadows and two lamps that do not, by reflected(), and a little light from
 /// everywhere.
-/// unlit: base colour times occlusion.  Source: Color and Attribute Micromaps, 5.2.
-enum class Shading : std::uint8_t { lit, unlit };
+/// unlit: base colour times occlusion.
+/// normals: the unit normal n in the scene's own space, as the code of (n + 1)/2 in each channel.
+/// Source: Color and Attribute Micromaps, 5.2.
+enum class Shading : std::uint8_t { lit, unlit, normals };
+
+/// The level at which maps are read.
+enum class Detail : std::uint8_t {
+  finest,  ///< the maps' own
+  cones,  ///< two of their mips, by the cone of each ray.  Source: Color and Attribute Micromaps, 4.4.2 and figure 8
+};
 
 struct ViewOptions {
   std::uint32_t rays = 1;  ///< along each side of a pixel, which shows their mean light
@@ -51,7 +60,11 @@ class Views {
 
   /// The picture, the same for any number of threads.  Domain: level up to scene::finest_attribute_level; any
   /// for textures.
-  Picture picture(ShownFrom from, unsigned level = 0) const;
+  Picture picture(ShownFrom from, unsigned level = 0, Detail detail = Detail::finest) const;
+
+  /// The levels that a hit's cone asks of maps of level `finest`.  The cone begins as a point at the camera, and a ray's
+  /// share of the picture is its width.  Domain: the number of a pixel of the frame, which is hit.
+  DetailLevel detail(std::uint32_t pixel, unsigned finest) const;
 
   /// A value for each pixel: 1 if one of its rays met a triangle with a texture.
   const std::vector<std::uint8_t>& textured() const;

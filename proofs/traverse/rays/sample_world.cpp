@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "display/render/bitmask.hpp"
 #include "display/render/vectors.hpp"
 #include "impl/bake/square/map.hpp"
 #include "impl/bake/triangles.hpp"
@@ -170,10 +171,11 @@ void SampleWorld::add_maps() {
     }
     auto& of_level = opacities_.emplace_back();
     for (const render::Method method : render::methods)
-      of_level.push_back(method == render::Method::texture ? nullptr
-                         : render::has_levels(method)      ? render::opacity_of(method, *maps)
-                         : level == 0                      ? render::opacity_of(method, squares_)
-                                                           : nullptr);
+      of_level.push_back(method == render::Method::texture   ? nullptr
+                         : render::has_levels(method)        ? render::opacity_of(method, *maps)
+                         : level != 0                        ? nullptr
+                         : method == render::Method::bitmask ? render::bitmask_of(world_, 4)
+                                                             : render::opacity_of(method, squares_));
     maps_.push_back(std::move(maps));
   }
 }
