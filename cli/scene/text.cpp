@@ -209,10 +209,12 @@ void print_subject(std::FILE* out, const SubjectFigures& f) {
        counted(t.wrong_known) + ": T or O, though alpha is not transparent or opaque on all of it");
   line(out, "needless",
        counted(t.needless_unknown) + ": unknown, though alpha is transparent or opaque on all of it");
+  // The specification works in rationals: its time is that of a judge, not of a baker.
+  const bool is_specification = f.name == "bake-spec";
   line(out, "time",
-       fmt::format(
-           "{:.1f} ns a micro-triangle, question and answer included; ours {:.1f} ns; {:.1f} times ours",
-           t.ns, t.our_ns, f.times_ours()));
+       fmt::format("{:.1f} ns a micro-triangle, question and answer included; ours {:.1f} ns{}", t.ns,
+                   t.our_ns,
+                   is_specification ? std::string() : fmt::format("; {:.1f} times ours", f.times_ours())));
 }
 
 void print_left_out(std::FILE* out, const std::vector<proofs::scene::LeftOutLaw>& left_out) {

@@ -67,7 +67,7 @@ class Sampled {
       for (std::size_t k = 0; k < times_.size(); ++k) take(values_[k * components_ + component]);
       return;
     }
-    // In-tangent, value and out-tangent of each key.
+    // Each key has an in-tangent, a value and an out-tangent.
     const auto at = [&](std::size_t key, std::size_t part) {
       return double{values_[(3 * key + part) * components_ + component]};
     };

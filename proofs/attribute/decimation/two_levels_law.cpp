@@ -79,7 +79,7 @@ std::string drawn(Level n, const SharedEdge& e) {
   canvas.text({24, 660},
               fmt::format("At {}/{} of the edge the finer map reads {}, the other 0.", e.at, 4 * N, value(x)),
               14);
-  canvas.text({24, 682}, "Blue: the finer map, decimated. Grey: the neighbour. Red: the crack.", 13,
+  canvas.text({24, 682}, "Blue: the finer map, decimated. Grey: the neighbour. Filled: the crack.", 13,
               "#555555");
   return canvas.str();
 }

@@ -278,6 +278,21 @@ std::vector<Law> span_laws() {
   };
 }
 
+Law moving_law() {
+  return state_law("bake.moving", "each state is the specification's of all positions of a moving triangle",
+                   differs, moving,
+                   {asked_for_another("the ranges of u and v are exchanged", {0, 4},
+                                      [](Case& one) { std::swap(one.travel[0], one.travel[1]); }),
+                    asked_for_another("the margin is left out beside a range", {0, 4},
+                                      [](Case& one) {
+                                        if (one.travel[0] != 0) one.margin = 0;
+                                      }),
+                    asked_for_another("the smaller of two ranges is 0", {0, 4}, [](Case& one) {
+                      float& smaller = one.travel[one.travel[0] < one.travel[1] ? 0 : 1];
+                      smaller = 0;
+                    })});
+}
+
 std::vector<Law> other_laws() {
   const auto far = claims_one({0, 128, 128, 0}, Wrap::mirrored_repeat, Wrap::mirror_once, -3);
   return {
@@ -329,19 +344,7 @@ std::vector<Law> other_laws() {
       state_law(
           "bake.unknown_side_on_strata", side, wrong_side, strata,
           {side_of_another("the side is that of coordinates in steps of 2^-12", {5, 9}, in_steps_of(12))}),
-      state_law("bake.moving", "each state is the specification's of all positions of a moving triangle",
-                differs, moving,
-                {asked_for_another("the ranges of u and v are exchanged", {0, 4},
-                                   [](Case& one) { std::swap(one.travel[0], one.travel[1]); }),
-                 asked_for_another("the margin is left out beside a range", {0, 4},
-                                   [](Case& one) {
-                                     if (one.travel[0] != 0) one.margin = 0;
-                                   }),
-                 asked_for_another("the smaller of two ranges is 0", {0, 4},
-                                   [](Case& one) {
-                                     float& smaller = one.travel[one.travel[0] < one.travel[1] ? 0 : 1];
-                                     smaller = 0;
-                                   })}),
+      moving_law(),
       grid_law(),
   };
 }
