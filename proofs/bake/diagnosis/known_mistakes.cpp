@@ -84,8 +84,6 @@ const std::vector<KnownMistake>& known_mistakes() {
       {"the vertices' factor were 1", without_vertex_factor},
       {"there were the first mip alone", first_mip_alone},
       {"there were no margin", [](Case& c) { c.margin = 0; }},
-      {"no vertex moved", [](Case& c) { c.travel = {}; }},
-      {"the ranges along u and v were exchanged", [](Case& c) { std::swap(c.travel[0], c.travel[1]); }},
       {"the border were 0", [](Case& c) { c.border = 0; }},
       {"T and O were exchanged", nothing, {State::O, State::T, State::UT, State::UO}},
       {"the two bits of each state were exchanged", nothing, {State::T, State::UT, State::O, State::UO}},

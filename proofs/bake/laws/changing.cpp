@@ -106,6 +106,11 @@ Law positions_law() {
        .domain = std::string(moving_samples_text()) + "; five positions of six known states of each",
        .mutants = {asked_for_another("half of the range along u", changing_levels,
                                      [](Case& one) { one.travel[0] /= 2; }),
+                   asked_for_another("no range below 1/16", changing_levels,
+                                     [](Case& one) {
+                                       for (float& range : one.travel)
+                                         if (range < 0x1p-4f) range = 0;
+                                     }),
                    asked_for_another("no range along v beyond 1/4", changing_levels,
                                      [](Case& one) { one.travel[1] = std::min(one.travel[1], 0.25f); })}},
       moving_sample, 26, holds_in_all_positions,

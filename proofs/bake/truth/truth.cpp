@@ -59,7 +59,9 @@ Mixed mixed(const Case& one, Level n) {
     m.take(std::uint64_t{one.rules.above} + 2 * static_cast<std::uint64_t>(one.rules.contact));
     m.take(one.rules.slack);
   }
-  for (const float x : {one.factor, one.vertex_factor, one.margin, one.travel[0], one.travel[1]}) m.take(x);
+  for (const float x : {one.factor, one.vertex_factor, one.margin}) m.take(x);
+  if (one.travel != std::array<float, 2>{})
+    for (const float x : one.travel) m.take(x);
   for (const float x : one.uv) m.take(x);
   return m;
 }

@@ -18,6 +18,7 @@ const path = (differing: number): RenderPath => ({
     { method: "flat", level: 2, frames: 1, pixels: 32, met: 9, ignored: 3, opaque: 3, any_hit: 3, differing },
     { method: "vq2", frames: 1, pixels: 32, met: 9, ignored: 2, opaque: 2, any_hit: 5, differing: 0 },
   ],
+  spreads: [],
 });
 
 const rendered = (differing: number, blended: number): Rendered => {
