@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -151,6 +153,59 @@ TEST(CommonSubtrees, TakeTheWordsOfTheLayout) {
   for (const std::uint64_t k : {0u, 16u, 255u}) put(four, k, 2, 2);
   csm.add(4, 2, four);
   EXPECT_EQ(words(), 10u + 1 + 3) << "three words of 16 states of 2 bits";
+}
+
+/// The words of all distinct subtrees of one level, found by their bytes: a header, and half a word, a word or a place for
+/// each child that is not transparent.
+std::uint64_t words_at(std::uint32_t m, std::uint32_t bits, const std::vector<Map>& maps) {
+  const std::size_t bytes = count_of(m) * bits / 8, each = count_of(m - 2) * bits / 8;
+  std::set<Map> known;
+  std::uint64_t words = 0;
+  for (const Map& map : maps)
+    for (auto from = map.begin(); from != map.end(); from += static_cast<std::ptrdiff_t>(bytes)) {
+      const Map part(from, from + static_cast<std::ptrdiff_t>(bytes));
+      if (part == Map(bytes) || !known.insert(part).second) continue;
+      std::uint64_t children = 0;
+      for (std::size_t k = 0; k < 16; ++k) {
+        const auto at = part.begin() + static_cast<std::ptrdiff_t>(each * k);
+        children +=
+            std::any_of(at, at + static_cast<std::ptrdiff_t>(each), [](auto byte) { return byte != 0; });
+      }
+      words += 1 + (m == 4 && bits == 1 ? (children + 1) / 2 : children);
+    }
+  return words;
+}
+
+TEST(CommonSubtrees, StoreEachDistinctSubtreeOnce) {
+  for (const std::uint32_t bits : {1u, 2u})
+    for (const std::uint32_t level : {4u, 6u, 8u}) {
+      CommonSubtrees csm(true);
+      std::vector<Map> maps;
+      for (const Added& added : hostile(level, bits)) {
+        csm.add(level, bits, added.map);
+        maps.push_back(added.map);
+      }
+      std::uint64_t words = 1;
+      for (std::uint32_t m = 4; m <= level; m += 2) words += words_at(m, bits, maps);
+      EXPECT_EQ(csm.bits(), 64 * maps.size() + 32 * words) << level << ' ' << bits;
+    }
+}
+
+// Each of 65,536 leaves a map has one word, and all have one header: among 196,608 of them some hashes of 32 bits are equal.
+TEST(CommonSubtrees, EqualHashesAreNotEqualNodes) {
+  CommonSubtrees csm(false);
+  std::mt19937_64 random(1);
+  std::vector<Map> maps(3, empty_map(12, 2));
+  for (Map& map : maps) {
+    for (std::size_t leaf = 0; leaf < map.size(); leaf += 64)
+      for (std::size_t byte = 0; byte < 4; ++byte) map[leaf + byte] = static_cast<std::uint8_t>(random());
+    csm.add(12, 2, map);
+  }
+  for (std::uint32_t k = 0; k < maps.size(); ++k) {
+    Map again(maps[k].size());
+    csm.decode(k, again);
+    EXPECT_TRUE(again == maps[k]);
+  }
 }
 
 // Over flat, a leaf of 256 b bits takes a header and a place more, and so on above: the paper's 1.27 in 2-state.
