@@ -73,7 +73,8 @@ Result dag_tables(const std::vector<DagFigures>& figures, const DagBenchOptions&
               "Generated leaves, a fifth of the maps there twice; random lookups over all maps, one thread. "
               "flat: the array.\nonce: maps that are the same once. paper: the two bit sequences. ranked: "
               "impl/tree. dag: impl/dag.\nAll with 8 bytes a map for where it is; a time of 0: not measured",
-          .tables = {table_of<F>({.key = "rows", .row = "one level and format"}, fields, figures), csm_table(csm)},
+          .tables = {table_of<F>({.key = "rows", .row = "one level and format"}, fields, figures),
+                     csm_table(csm)},
           .drawn = dag_picture(figures)};
 }
 

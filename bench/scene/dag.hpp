@@ -77,7 +77,7 @@ struct SceneDagScene {
   std::uint64_t distinct = 0;   ///< by their texture coordinates
   std::uint64_t maps = 0;       ///< distinct triangles and orders of vertices
   std::vector<SceneDagFigures>
-      rows;  ///< levels and formats with a map of more than one state; by bits, then by level
+      rows;            ///< levels and formats with a map of more than one state; by bits, then by level
   MergedBytes merged;  ///< the maps of all rows
   std::vector<SquareFigures> squares;
   std::vector<SceneGrowth> growth;

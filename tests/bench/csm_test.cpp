@@ -128,7 +128,7 @@ TEST(CommonSubtrees, LookupsOfMapsOfAllLevelsStandSideBySide) {
   EXPECT_EQ(state, expected);
 }
 
-// By pencil: a word of 32 bits for each header, each place, each pair of half words, and the first header.
+// The first header, each other header, each place and each pair of half words take a word of 32 bits.
 TEST(CommonSubtrees, TakeTheWordsOfTheLayout) {
   CommonSubtrees csm(true);
   const auto words = [&] { return csm.bits() / 32 - 2 * csm.maps(); };
@@ -208,7 +208,7 @@ TEST(CommonSubtrees, EqualHashesAreNotEqualNodes) {
   }
 }
 
-// Over flat, a leaf of 256 b bits takes a header and a place more, and so on above: the paper's 1.27 in 2-state.
+// A leaf of 256 b bits takes a header and a place more than flat, and so on above: the paper's 1.27 in 2-state.
 double worst(std::uint32_t level, std::uint32_t bits) {
   double words = 0;
   const std::uint32_t root = std::max(4u, level + level % 2);

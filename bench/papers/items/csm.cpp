@@ -30,7 +30,7 @@ double times_smaller(const scene::ModeFootprint& f) {
 double over(std::uint64_t a, std::uint64_t b) {
   return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b);
 }
-/// The same of the paper's own layout, built here.
+/// A figure of the paper's own layout, built here.
 Ours of_layout(std::function<double(const CsmFigures&)> figure) {
   return [figure = std::move(figure)](Measured& m) {
     return by_scene(m, [&](std::size_t k) { return figure(m.common_subtrees(k, level)); });
