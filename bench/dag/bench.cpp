@@ -33,7 +33,7 @@ std::vector<Map> maps_of(std::uint32_t level, std::uint32_t bits, std::uint64_t 
 class Measured {
  public:
   Measured(std::uint32_t level, std::uint32_t bits, const DagBenchOptions& options)
-      : level_(level), bits_(bits), maps_(maps_of(level, bits, options.seed)) {
+      : level_(level), bits_(bits), seed_(options.seed), maps_(maps_of(level, bits, options.seed)) {
     std::mt19937_64 random(options.seed * 64 + level * 2 + bits);
     for (std::uint64_t k = 0; k < options.lookups; ++k) {
       which_.push_back(static_cast<std::uint32_t>(random() % maps_.size()));
@@ -93,6 +93,13 @@ class Measured {
     of(DagForm::ranked).ns = median(ns[1]) / each;
     of(DagForm::dag).ns = median(ns[2]) / each;
     f.dag_over_flat = median(ratio);
+    f.csm = csm_figures({.level = level_,
+                         .bits = bits_,
+                         .flat_bytes = of(DagForm::flat).bytes,
+                         .maps = maps_,
+                         .seed = seed_,
+                         .lookups = which_.size()},
+                        dag);
     return f;
   }
 
@@ -106,6 +113,7 @@ class Measured {
   }
 
   std::uint32_t level_, bits_;
+  std::uint64_t seed_;
   std::vector<Map> maps_;
   std::vector<std::uint32_t> which_, index_;
 };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/dag/csm_figures.hpp"
 #include "impl/dag/dag.hpp"
 
 namespace mmverify::bench {
@@ -38,6 +39,7 @@ struct DagFigures {
   double once_over_dag = 0;                      ///< bytes
   double dag_over_flat = 0;                      ///< ns a lookup, the median of the rounds' ratios
   double build_rate = 0;  ///< millions of micro-triangles a second, while all maps are added
+  CsmFigures csm;
 
   const DagFormFigures& form(DagForm f) const { return forms[static_cast<std::size_t>(f)]; }
 };

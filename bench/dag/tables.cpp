@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "bench/dag/csm_tables.hpp"
+
 namespace mmverify::bench {
 namespace {
 
@@ -61,6 +63,8 @@ Result dag_tables(const std::vector<DagFigures>& figures, const DagBenchOptions&
         "added", "M micro-triangles/s", digits(0), "building"},
        [](const F& f) { return f.build_rate; }},
   };
+  std::vector<CsmFigures> csm;
+  for (const F& f : figures) csm.push_back(f.csm);
   return {.topic = "dag",
           .description = "mmverify bench dag: what the maps of a scene take, and a lookup in them",
           .settings = {{seed_of_all(), options.seed},
@@ -69,7 +73,8 @@ Result dag_tables(const std::vector<DagFigures>& figures, const DagBenchOptions&
               "Generated leaves, a fifth of the maps there twice; random lookups over all maps, one thread. "
               "flat: the array.\nonce: maps that are the same once. paper: the two bit sequences. ranked: "
               "impl/tree. dag: impl/dag.\nAll with 8 bytes a map for where it is; a time of 0: not measured",
-          .tables = {table_of<F>({.key = "rows", .row = "one level and format"}, fields, figures)},
+          .tables = {table_of<F>({.key = "rows", .row = "one level and format"}, fields, figures),
+                     csm_table(csm)},
           .drawn = dag_picture(figures)};
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "bench/papers/pieces.hpp"
+#include "bench/scene/dag_maps.hpp"
 #include "bench/textures/leaf_texture.hpp"
 #include "impl/vq/vq.hpp"
 #include "scene/attribute/atlas.hpp"
@@ -22,6 +23,7 @@ namespace micromap = impl::micromap;
 
 constexpr std::size_t generated_leaves = 60;
 constexpr std::uint64_t most_map_bytes = std::uint64_t{1} << 30;
+constexpr std::uint64_t most_compared_bytes = std::uint64_t{128} << 20;  ///< of 4-state maps, as in bench dag
 constexpr char own_scene[] = "own scene";
 constexpr double least_part = 0.03;
 constexpr unsigned last_attribute_level = 5;
@@ -156,6 +158,24 @@ const std::optional<scene::Sizes>& Measured::sizes(std::size_t at, unsigned leve
     found = scene::sizes_at_level(of.scene, of.plan, level, options());
   }
   return sizes_.emplace(std::pair(at, level), std::move(found)).first->second;
+}
+
+const CsmFigures& Measured::common_subtrees(std::size_t at, unsigned level) {
+  const auto known = common_subtrees_.find({at, level});
+  if (known != common_subtrees_.end()) return known->second;
+  const PlannedScene& of = scenes()[at];
+  begins(of.name + ", level " + std::to_string(level) + ", common subtrees");
+  const SceneMaps maps(of.scene, of.plan);
+  const auto stops = [this] { stop(); };
+  const MapsAtLevel in = maps.in_format(level, micromap::Format::two_state,
+                                        maps.baked(level, maps.fitting(level, most_compared_bytes), stops));
+  CsmFigures found;
+  if (!in.maps.empty()) {
+    impl::dag::Dag dag(impl::dag::Format::two_state);
+    for (const auto& map : in.maps) dag.add(level, map);
+    found = csm_figures({.level = level, .bits = in.bits, .maps = in.maps, .stop = stops}, dag);
+  }
+  return common_subtrees_.emplace(std::pair(at, level), found).first->second;
 }
 
 const Squares& Measured::squares(std::size_t at) {

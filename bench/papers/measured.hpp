@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/dag/csm_figures.hpp"
 #include "bench/vq/maps.hpp"
 #include "scene/attribute/measure.hpp"
 #include "scene/pipeline.hpp"
@@ -61,6 +62,9 @@ class Measured {
   const std::vector<PlannedScene>& scenes();
   /// The sizes with every triangle at one level; none beyond 1 GiB of flat maps.  Domain: a scene of masked().
   const std::optional<scene::Sizes>& sizes(std::size_t scene, unsigned level);
+  /// The 2-state maps of a level in Common Subtree Merging and in our graph, a sample beyond 128 MiB; all zero
+  /// without a map of two states.  Times are of one lookup, and mean nothing.  Domain: a scene of masked().
+  const CsmFigures& common_subtrees(std::size_t scene, unsigned level);
   /// The square maps of a scene's pairs, and the bytes of both codecs' blocks.  Domain: a scene of masked().
   const Squares& squares(std::size_t scene);
   /// Attribute maps of levels 0 to 5, or to the last one whose work fits a page made within minutes; codes averaged.
@@ -78,6 +82,7 @@ class Measured {
   Sources sources_;
   std::vector<PlannedScene> scenes_;
   std::map<std::pair<std::size_t, unsigned>, std::optional<scene::Sizes>> sizes_;
+  std::map<std::pair<std::size_t, unsigned>, CsmFigures> common_subtrees_;
   std::map<std::size_t, Squares> squares_;
   std::map<std::size_t, std::optional<std::size_t>> twigs_;
   std::map<std::size_t, scene::AttributeFigures> attributes_;

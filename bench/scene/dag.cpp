@@ -76,6 +76,15 @@ class Comparison {
     compressors();
     entropy();
     lookups();
+    stop();
+    f_.csm = csm_figures({.level = in_.level,
+                          .bits = in_.bits,
+                          .flat_bytes = form(SceneForm::flat).bytes,
+                          .maps = in_.maps,
+                          .seed = options_.seed,
+                          .lookups = options_.lookups,
+                          .stop = options_.stop},
+                         dag_);
     return f_;
   }
 
@@ -287,9 +296,11 @@ SceneDagScene scene_dag(const SceneDagOptions& options) {
                     {},
                     {},
                     {},
+                    {},
                     triangles_left_out(loaded, planned, scene::LeftOut::varying_alpha)};
   if (planned.triangles.empty()) return all;
   const SceneMaps maps(loaded, planned);
+  MergedLevels merged;
   all.maps = maps.uses().size();
   for (const MapUse& use : maps.uses()) all.triangles += use.triangles;
   for (std::uint32_t level = options.first; level <= options.last; ++level) {
@@ -302,10 +313,12 @@ SceneDagScene scene_dag(const SceneDagOptions& options) {
              std::to_string(in.maps.size()) + " maps");
       all.rows.push_back(scene_dag_figures(in, options));
       all.rows.back().all = maps.uses().size();
+      merged.add(level, in.bits, in.maps);
     }
   }
   std::stable_sort(all.rows.begin(), all.rows.end(),
                    [](const SceneDagFigures& a, const SceneDagFigures& b) { return a.bits < b.bits; });
+  all.merged = merged.bytes();
   begins("squares");
   all.squares = square_figures(loaded, planned, options.first, options.last, options.lookups, options.seed,
                                options.stop);

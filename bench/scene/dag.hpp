@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/dag/csm_figures.hpp"
 #include "bench/growth.hpp"
 #include "bench/scene/dag_maps.hpp"
 #include "bench/scene/square_times.hpp"
@@ -54,6 +55,7 @@ struct SceneDagFigures {
   std::array<SceneFormFigures, scene_forms> forms{};
   double order_0_bytes = 0;             ///< StateEntropy of the distinct maps
   std::optional<double> context_bytes;  ///< StateEntropy of the distinct maps
+  CsmFigures csm;
 
   const SceneFormFigures& form(SceneForm f) const { return forms[static_cast<std::size_t>(f)]; }
 };
@@ -75,7 +77,8 @@ struct SceneDagScene {
   std::uint64_t distinct = 0;   ///< by their texture coordinates
   std::uint64_t maps = 0;       ///< distinct triangles and orders of vertices
   std::vector<SceneDagFigures>
-      rows;  ///< levels and formats with a map of more than one state; by bits, then by level
+      rows;            ///< levels and formats with a map of more than one state; by bits, then by level
+  MergedBytes merged;  ///< the maps of all rows
   std::vector<SquareFigures> squares;
   std::vector<SceneGrowth> growth;
   std::uint64_t varying = 0;  ///< triangles that are left out because their vertex alpha varies

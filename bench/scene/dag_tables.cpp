@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "bench/dag/csm_tables.hpp"
+
 namespace mmverify::bench {
 namespace {
 
@@ -180,6 +182,8 @@ Result scene_dag_tables(const SceneDagScene& figures, const SceneDagOptions& opt
         "maps, by order of vertices"},
        [](const S& s) { return s.maps; }},
   };
+  std::vector<CsmFigures> csm;
+  for (const F& f : figures.rows) csm.push_back(f.csm);
   return {
       .topic = "scene_dag",
       .description =
@@ -199,8 +203,8 @@ Result scene_dag_tables(const SceneDagScene& figures, const SceneDagOptions& opt
           "map for where it is; lz4, zstd: all maps as one, no lookups. Entropy of the states of the "
           "distinct maps: order 0: each by\nits frequency; after 16 bits: by that after the 16 bits before "
           "it along the curve, no figure for fewer than 2^20 states",
-      .tables = {table_of<S>({.form = Form::members}, scene, {figures}), rows_table(figures),
-                 squares_table(figures), growth_table(figures)},
+      .tables = {table_of<S>({.form = Form::members}, scene, {figures}), rows_table(figures), csm_table(csm),
+                 merged_levels_table(csm, figures.merged), squares_table(figures), growth_table(figures)},
       .drawn = scene_dag_picture(figures)};
 }
 

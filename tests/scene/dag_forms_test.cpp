@@ -128,6 +128,45 @@ TEST(SceneDagForms, TheGraphDecodesToTheMapsAndTakesWhatIsSaid) {
   }
 }
 
+void expect_common_subtrees_of(const SceneMaps& maps, std::uint32_t first, std::uint32_t last) {
+  MergedLevels merged;
+  std::uint64_t apart = 0;
+  for (std::uint32_t level = first; level <= last; ++level)
+    for (const Format format : both) {
+      const MapsAtLevel in = maps.in_format(level, format, maps.baked(level, maps.uses().size()));
+      CommonSubtrees csm(true);
+      for (const Map& map : in.maps) csm.add(level, in.bits, map);
+      for (std::uint32_t k = 0; k < csm.maps(); ++k) {
+        Map again(in.maps[k].size());
+        csm.decode(k, again);
+        EXPECT_EQ(again, in.maps[k]);
+        for (std::uint32_t at = 0; at < 1u << 2 * level; ++at)
+          ASSERT_EQ(csm.at(k, at), mmverify::tests::code(in.maps[k], at, in.bits));
+      }
+      const SceneDagFigures f = scene_dag_figures(in, few_lookups());
+      EXPECT_EQ(f.csm.csm_bytes, csm.bits() / 8);
+      EXPECT_EQ(f.csm.dag_bytes, f.form(SceneForm::dag).bytes);
+      EXPECT_EQ(f.csm.once_bytes, f.form(SceneForm::once).bytes);
+      EXPECT_EQ(f.csm.flat_bytes, f.form(SceneForm::flat).bytes);
+      apart += csm.bits() / 8;
+      merged.add(level, in.bits, in.maps);
+    }
+  EXPECT_LT(merged.bytes().csm, apart);
+}
+
+TEST(SceneDagForms, CommonSubtreesGiveEachStateAgain) {
+  const Made made;
+  expect_common_subtrees_of(SceneMaps(made.s, made.p), 3, 7);
+}
+
+TEST(SceneDagForms, CommonSubtreesGiveEachStateOfARealSceneAgain) {
+  const std::string file = MMVERIFY_SCENES "/scatter_grove/scatter_grove.gltf";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+  const mmverify::scene::Scene scene = mmverify::scene::load(file);
+  const mmverify::scene::Plan plan = mmverify::scene::plan(scene);
+  expect_common_subtrees_of(SceneMaps(scene, plan), 5, 6);
+}
+
 // `scene` prints the footprint of the same maps: the array's records, widened or forced, in the same order. The array
 // holds equal maps once, so the graph may have fewer records.
 TEST(SceneDagForms, TheGraphOfTheFootprintIsThatOfTheComparison) {
