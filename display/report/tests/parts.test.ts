@@ -268,7 +268,10 @@ test("a path of cameras is refuted where a pixel differs, and compares nothing w
     file: "a.glb", law: "traverse.same_image", verdict: "checked", tested: 2, tested_placed: 2, frames: 1, pixels: 16, differing: 0,
     cameras: [{ camera: 1, tries: 1, rays: 16, shadow_rays: 0, met: 3, any_hit: 3 }],
     rows: [{ method: "flat", level: 1, frames: 1, pixels: 16, met: 3, ignored: 1, opaque: 1, any_hit: 1, differing: 0 }],
-    spreads: [],
+    spreads: [{
+    method: "texture", any_hit_a_ray_mean: 1, any_hit_a_ray_least: 1, any_hit_a_ray_most: 1, any_hit_a_ray_deviation: 0,
+    times_texture_mean: 1, times_texture_least: 1, times_texture_most: 1, times_texture_deviation: 0,
+  }],
   };
   const row = run.rows[0]!;
   assert.equal(pathVerdict(run), "checked");

@@ -18,7 +18,10 @@ const path = (differing: number): RenderPath => ({
     { method: "flat", level: 2, frames: 1, pixels: 32, met: 9, ignored: 3, opaque: 3, any_hit: 3, differing },
     { method: "vq2", frames: 1, pixels: 32, met: 9, ignored: 2, opaque: 2, any_hit: 5, differing: 0 },
   ],
-  spreads: [],
+  spreads: [{
+    method: "texture", any_hit_a_ray_mean: 1, any_hit_a_ray_least: 1, any_hit_a_ray_most: 1, any_hit_a_ray_deviation: 0,
+    times_texture_mean: 1, times_texture_least: 1, times_texture_most: 1, times_texture_deviation: 0,
+  }],
 });
 
 const rendered = (differing: number, blended: number): Rendered => {
