@@ -108,10 +108,11 @@ std::vector<Item> khr_slides() {
        "a driver's own answer; our files have a version and a checksum instead"},
       {"fetching", "states, special indices and results", Status::ok, "prove traverse.decision",
        "TRAVERSE.md"},
-      {"lossy", "substitution into unknown states; deeper levels emulated", Status::ok,
-       "prove lossy traverse.lossy_is_conservative array.emulates",
+      {"lossy", "substitution into unknown states; deeper levels (5 and more, of a device with 4) emulated",
+       Status::ok, "prove lossy traverse.lossy_is_conservative array.emulates",
        "invisible but for flags that prevent a call (ERRATA.md)"},
-      {"force2state", "no any-hit shader calls", Status::ok, "prove traverse.two_state_never_calls_a_shader",
+      {"force2state", "no any-hit shader calls; unknown states read as two", Status::ok,
+       "prove traverse.two_state_never_calls_a_shader micromap.force2",
        "unless NoOpaque or FORCE_NO_OPAQUE (ERRATA.md)"},
   };
 }
