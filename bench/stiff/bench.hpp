@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,10 @@ struct StiffFigure {
   std::uint64_t cases = 0;  ///< answers that were judged, of stiff inputs; as many of ordinary ones
   std::uint64_t wrong = 0;  ///< answers that are not the exact ones
   std::uint64_t ordinary_wrong = 0;
-  double ns = 0;         ///< an answer on stiff inputs, median over the rounds
-  double ratio = 0;      ///< median over the rounds of that / an ordinary answer's time in the same round
-  bool is_ours = false;  ///< a function of this library
+  double ns = 0;     ///< an answer on stiff inputs, median over the rounds
+  double ratio = 0;  ///< median over the rounds of that / an ordinary answer's time in the same round
+  std::optional<double> exact = {};  ///< of our bakers: the share of stiff answers that took whole numbers
+  bool is_ours = false;              ///< a function of this library
 
   double share() const { return static_cast<double>(wrong) / static_cast<double>(cases); }
   double ordinary_share() const { return static_cast<double>(ordinary_wrong) / static_cast<double>(cases); }

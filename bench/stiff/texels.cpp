@@ -201,10 +201,14 @@ struct FloatMaps {
   }
 };
 
-using BakeFloats = std::function<void(const FloatMaps&, std::size_t map, Values& out)>;
+/// Returns the number of values that took whole numbers.
+using BakeFloats = std::function<std::uint64_t(const FloatMaps&, std::size_t map, Values& out)>;
 
 BakeFloats plainly(void (*values)(const Floats&, Values&)) {
-  return [values](const FloatMaps& maps, std::size_t map, Values& out) { values(maps.cases[map], out); };
+  return [values](const FloatMaps& maps, std::size_t map, Values& out) {
+    values(maps.cases[map], out);
+    return std::uint64_t{0};
+  };
 }
 
 /// Whether a is not b, nor the number of binary32 above it or below it.
@@ -245,6 +249,12 @@ StiffFigure float_figure(const FloatMaps& stiff, const FloatMaps& ordinary, cons
                      .wrong = wrong_values(stiff, truth(stiff), size, method.bake),
                      .ordinary_wrong = wrong_values(ordinary, truth(ordinary), size, method.bake)};
   Values out(size);
+  if (figure.method.ends_with("ours")) {
+    figure.is_ours = true;
+    std::uint64_t exact = 0;
+    for (std::size_t m = 0; m < stiff.cases.size(); ++m) exact += method.bake(stiff, m, out);
+    figure.exact = static_cast<double>(exact) / static_cast<double>(all);
+  }
   add_times(figure, all, all, rounds, [&](bool is_stiff) {
     const FloatMaps& maps = is_stiff ? stiff : ordinary;
     for (std::size_t m = 0; m < maps.cases.size(); ++m) method.bake(maps, m, out);
@@ -260,10 +270,10 @@ void add_texels(const StiffBenchOptions& o, std::vector<StiffFigure>& figures) {
     if (o.progress) o.progress(kind);
   };
   const BakeFloats our_vertices = [](const FloatMaps& m, std::size_t map, Values& out) {
-    m.bakers[map].vertices(m.cases[map].uv, map_level, out);
+    return m.bakers[map].vertices(m.cases[map].uv, map_level, out).exact;
   };
   const BakeFloats our_faces = [](const FloatMaps& m, std::size_t map, Values& out) {
-    m.bakers[map].faces(m.cases[map].uv, map_level, out);
+    return m.bakers[map].faces(m.cases[map].uv, map_level, out).exact;
   };
   const FloatMethod methods[] = {{"vertices, binary32", false, plainly(sampled_vertices<float>)},
                                  {"vertices, binary64", false, plainly(sampled_vertices<double>)},
@@ -280,7 +290,6 @@ void add_texels(const StiffBenchOptions& o, std::vector<StiffFigure>& figures) {
     for (const FloatMethod& method : methods) {
       figures.push_back(float_figure(stiff, ordinary, method, o.rounds));
       figures.back().kind = kind.name;
-      figures.back().is_ours = figures.back().method.ends_with("ours");
     }
     figures.push_back({.kind = kind.name,
                        .method = "vertices, rational",

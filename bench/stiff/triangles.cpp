@@ -157,13 +157,20 @@ std::uint64_t wrong_states(const Baked& baked, const BakeOne& bake) {
 }
 
 /// A map of ours, packed in the first bytes of `out`.
-void bake_ours(const Baked& baked, std::size_t triangle, std::span<std::uint8_t> out) {
-  baked.bakers[triangle].bake(baked.cases[triangle].uv, bake_level, out.first(states_a_map / 4));
+baking::BakeCounts bake_ours(const Baked& baked, std::size_t triangle, std::span<std::uint8_t> out) {
+  return baked.bakers[triangle].bake(baked.cases[triangle].uv, bake_level, out.first(states_a_map / 4));
 }
 
 void bake_ours_unpacked(const Baked& baked, std::size_t triangle, std::span<std::uint8_t> out) {
   bake_ours(baked, triangle, out);
   for (std::size_t k = states_a_map; k-- > 0;) out[k] = out[k / 4] >> 2 * (k % 4) & 3;
+}
+
+double share_of_whole_numbers(const Baked& baked) {
+  std::vector<std::uint8_t> map(states_a_map);
+  std::uint64_t exact = 0;
+  for (std::size_t t = 0; t < baked.cases.size(); ++t) exact += bake_ours(baked, t, map).exact;
+  return static_cast<double>(exact) / static_cast<double>(baked.truth.size());
 }
 
 BakeOne obvious(BakeInto into) {
@@ -219,6 +226,7 @@ void add_triangles(const StiffBenchOptions& o, std::vector<StiffFigure>& figures
       add(method, baker_figure(stiff, usual, obvious(into), obvious(into), o.rounds));
     StiffFigure ours = baker_figure(stiff, usual, bake_ours_unpacked, bake_ours, o.rounds);
     ours.is_ours = true;
+    ours.exact = share_of_whole_numbers(stiff);
     add("ours", ours);
     add("rational", {.cases = stiff.truth.size(),
                      .ns = stiff.rational_ns,

@@ -97,7 +97,7 @@ void add_weights(const StiffBenchOptions& o, std::vector<StiffFigure>& figures) 
       ordinary(ordinary_level, count, stream(o.seed, 20));
   const std::pair<const char*, Weighing> methods[] = {{"Cramer, binary32", by_cramer<float>},
                                                       {"Cramer, binary64", by_cramer<double>},
-                                                      {"two equations, binary32", by_two},
+                                                      {"2 equations, binary32", by_two},
                                                       {"pattern, binary32", by_pattern},
                                                       {"ours", by_ours}};
   for (const auto& [name, weigh] : methods) {
