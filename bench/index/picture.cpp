@@ -21,6 +21,7 @@ Series look_of(const IndexFigures& f) {
   if (f.numbers == "binary64") series.shape = Shape::open_square;
   if (f.numbers == "fixed point") series.shape = Shape::diamond;
   if (f.numbers == "rational") series.shape = Shape::triangle_down;
+  if (f.name.ends_with("minor-impl")) series.shape = Shape::square;
   if (f.name.ends_with("batched") || f.name.ends_with("sqrt")) series.shape = Shape::circle;
   return series;
 }
@@ -43,11 +44,12 @@ Panel error_against_time(const std::vector<IndexFigures>& figures, std::uint64_t
               .y = {.title = "mismatch rate on stiff points",
                     .logarithmic = true,
                     .least = 1.0 / static_cast<double>(samples),
-                    .most = 1.5}};
+                    .most = 1.5},
+              .key = Key::outside};
   for (const IndexFigures& f : figures) {
     if (f.times.empty() || f.stiff.empty()) continue;
     Series series = look_of(f);
-    series.points = {{f.times.back().ns_per_index, f.stiff.back().rate(), f.name}};
+    series.points = {{f.times.back().ns_per_index, f.stiff.back().rate()}};
     panel.series.push_back(series);
     fewest = std::min(fewest, f.stiff.back().samples);
   }
@@ -110,7 +112,7 @@ std::string without_error(const std::vector<IndexFigures>& figures) {
 }  // namespace
 
 Picture index_picture(const std::vector<IndexFigures>& figures, std::uint64_t samples) {
-  return {.width = 1000,
+  return {.width = 1200,
           .height = 940,
           .rows = {{error_against_time(figures, samples)},
                    {rate_against_level(figures, false, samples), rate_against_level(figures, true, samples)}},
