@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "bench/attribute/clipped.hpp"
 #include "bench/timing.hpp"
 #include "impl/attribute/bake.hpp"
 #include "impl/attribute/bake/codes.hpp"
@@ -75,26 +76,6 @@ Rgba rounded(const std::array<double, 4>& mean, const Curves& curves) {
   return codes;
 }
 
-struct Point2 {
-  double x, y;
-};
-
-/// Cuts a polygon down to the part with sign (axis - at) >= 0.
-void cut(std::vector<Point2>& polygon, std::vector<Point2>& room, double Point2::*axis, double at,
-         double sign) {
-  room.clear();
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point2 &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
-    const double h = sign * (p.*axis - at), next = sign * (q.*axis - at);
-    if (h >= 0) room.push_back(p);
-    if ((h > 0 && next < 0) || (h < 0 && next > 0)) {
-      const double f = h / (h - next);
-      room.push_back({p.x + f * (q.x - p.x), p.y + f * (q.y - p.y)});
-    }
-  }
-  polygon.swap(room);
-}
-
 /// The obvious face bakers.
 class Obvious {
  public:
@@ -140,15 +121,6 @@ class Obvious {
             (uv[0].v + s * (double{uv[1].v} - uv[0].v) + t * (double{uv[2].v} - uv[0].v)) * t_.side};
   }
 
-  template <class Visit>
-  static void each_texel(const std::array<Point2, 3>& p, Visit visit) {
-    const auto ends = [&](double Point2::*axis) { return std::minmax({p[0].*axis, p[1].*axis, p[2].*axis}); };
-    const auto [left, right] = ends(&Point2::x);
-    const auto [top, bottom] = ends(&Point2::y);
-    for (auto y = static_cast<std::int64_t>(std::floor(top)); y <= static_cast<std::int64_t>(bottom); ++y)
-      for (auto x = static_cast<std::int64_t>(std::floor(left)); x <= static_cast<std::int64_t>(right); ++x)
-        visit(x, y);
-  }
   void add(std::int64_t x, std::int64_t y, double weight, std::array<double, 4>& sum) const {
     const Rgba& texel = t_.at(x, y);
     for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * curves_[c]->number[texel[c]];
@@ -161,19 +133,7 @@ class Obvious {
   Rgba clipped(const std::array<Point2, 3>& p) {
     std::array<double, 4> sum{};
     double all = 0;
-    each_texel(p, [&](std::int64_t x, std::int64_t y) {
-      polygon_.assign(p.begin(), p.end());
-      const auto left = static_cast<double>(x), top = static_cast<double>(y);
-      cut(polygon_, room_, &Point2::x, left, 1);
-      cut(polygon_, room_, &Point2::x, left + 1, -1);
-      cut(polygon_, room_, &Point2::y, top, 1);
-      cut(polygon_, room_, &Point2::y, top + 1, -1);
-      double area = 0;
-      for (std::size_t k = 2; k < polygon_.size(); ++k)
-        area += (polygon_[k - 1].x - polygon_[0].x) * (polygon_[k].y - polygon_[0].y) -
-                (polygon_[k - 1].y - polygon_[0].y) * (polygon_[k].x - polygon_[0].x);
-      area = std::fabs(area);
-      if (area == 0) return;
+    clipping_.each_area(p, [&](std::int64_t x, std::int64_t y, double area) {
       all += area;
       add(x, y, area, sum);
     });
@@ -206,7 +166,7 @@ class Obvious {
 
   const Texture& t_;
   const Curves& curves_;
-  std::vector<Point2> polygon_ = {}, room_ = {};
+  Clipping clipping_ = {};
 };
 
 std::uint64_t differing(const std::vector<Rgba>& a, const std::vector<Rgba>& b) {

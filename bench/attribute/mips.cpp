@@ -98,7 +98,7 @@ struct Areas {
 };
 
 /// Areas around 4^m cone = triangle: exactly on it, or a step or two of binary32 below.
-Areas hard_areas(std::size_t count, std::uint32_t level, std::mt19937_64& random) {
+Areas stiff_areas(std::size_t count, std::uint32_t level, std::mt19937_64& random) {
   Areas areas;
   for (std::size_t k = 0; k < count; ++k) {
     const float cone = 1 + static_cast<float>(random() % (1 << 23)) / static_cast<float>(1 << 23);
@@ -126,7 +126,7 @@ std::vector<LodFigure> attribute_lods(const AttributeBenchOptions& o) {
   constexpr std::size_t count = points_timed;
   constexpr std::uint32_t n = 8;
   std::mt19937_64 random(o.seed + 300);
-  const Areas areas = hard_areas(count, n, random);
+  const Areas areas = stiff_areas(count, n, random);
   std::vector<fast::Level> levels(count);
   std::vector<float> blends(count);
   const std::vector<Work> works{{count,
@@ -153,7 +153,7 @@ std::vector<LodFigure> attribute_lods(const AttributeBenchOptions& o) {
                                  {"ours, level, batched", 0, o.samples, 0},
                                  {"ours, level and blend", 0, o.samples, 0}};
   for (std::size_t k = 0; k < figures.size(); ++k) figures[k].ns = median(times[k]);
-  const Areas judged = hard_areas(static_cast<std::size_t>(o.samples), n, random);
+  const Areas judged = stiff_areas(static_cast<std::size_t>(o.samples), n, random);
   for (std::size_t k = 0; k < judged.cone.size(); ++k) {
     const float cone = judged.cone[k], triangle = judged.triangle[k];
     // The greatest m with 4^m cone <= triangle; both sides are exact.

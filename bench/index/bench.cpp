@@ -31,7 +31,7 @@ std::uint64_t samples_of(const IndexBenchOptions& options) {
 template <class Q>
 struct Block {
   std::vector<InputPoint> points = std::vector<InputPoint>(block);
-  std::vector<HardKind> kinds = std::vector<HardKind>(block);
+  std::vector<StiffRecipe> kinds = std::vector<StiffRecipe>(block);
   std::vector<Q> u = std::vector<Q>(block), v = std::vector<Q>(block);
   std::vector<std::uint32_t> curve = std::vector<std::uint32_t>(block),
                              rows = std::vector<std::uint32_t>(block);
@@ -51,7 +51,7 @@ struct Block {
 };
 
 template <class Q>
-void judge(const IndexSubject<Q>& subject, Block<Q>& b, Level n, bool hard, IndexErrors& errors) {
+void judge(const IndexSubject<Q>& subject, Block<Q>& b, Level n, bool stiff, IndexErrors& errors) {
   const std::span<std::uint32_t> out = std::span(b.out).first(b.size);
   subject.index(std::span(b.u).first(b.size), std::span(b.v).first(b.size), n, out);
   const std::vector<std::uint32_t>& expected = subject.order == Order::curve ? b.curve : b.rows;
@@ -65,7 +65,7 @@ void judge(const IndexSubject<Q>& subject, Block<Q>& b, Level n, bool hard, Inde
     const spec::index::Corners corners = subject.triangle(out[k], n);
     if (same && corners == exact(expected[k], n)) continue;
     ++errors.mismatches;
-    if (hard) ++errors.by_kind[static_cast<std::size_t>(b.kinds[k])];
+    if (stiff) ++errors.by_kind[static_cast<std::size_t>(b.kinds[k])];
     if (out[k] >= count || !on_grid(corners, n)) {
       ++errors.off_grid;
       continue;
@@ -82,15 +82,15 @@ void measure(const IndexBenchOptions& options, Inputs kind, Level n, IndexFigure
   const std::vector<IndexSubject<Q>> subjects = index_subjects<Q>();
   const bool with_rows =
       std::any_of(subjects.begin(), subjects.end(), [](const auto& s) { return s.order == Order::rows; });
-  const bool hard = kind == Inputs::hard;
+  const bool stiff = kind == Inputs::stiff;
   IndexInputs inputs(received_by<Q>, kind, n, options.seed);
   Block<Q> b;
   for (std::uint64_t left = samples_of<Q>(options); left > 0; left -= b.size) {
     b.fill(inputs, static_cast<std::size_t>(std::min<std::uint64_t>(left, block)), n, with_rows);
     for (std::size_t s = 0; s < subjects.size(); ++s) {
       if (n > subjects[s].max_level) continue;
-      std::vector<IndexErrors>& levels = hard ? figures[s].hard : figures[s].uniform;
-      judge(subjects[s], b, n, hard, levels[n - options.first]);
+      std::vector<IndexErrors>& levels = stiff ? figures[s].stiff : figures[s].uniform;
+      judge(subjects[s], b, n, stiff, levels[n - options.first]);
     }
     if (options.progress) options.progress(b.size);
   }
@@ -111,12 +111,12 @@ void add(const IndexBenchOptions& options, std::vector<IndexFigures>& figures, s
     f.max_level = s.max_level;
     for (Level n = options.first; n <= std::min(options.last, s.max_level); ++n) {
       f.uniform.push_back({.level = n});
-      f.hard.push_back({.level = n});
+      f.stiff.push_back({.level = n});
     }
     last = std::max(last, std::min(options.last, s.max_level));
     figures.push_back(std::move(f));
   }
-  for (const Inputs kind : {Inputs::uniform, Inputs::hard})
+  for (const Inputs kind : {Inputs::uniform, Inputs::stiff})
     for (Level n = options.first; n <= last; ++n)
       tasks.push_back([&options, &figures, first_subject, kind, n] {
         measure<Q>(options, kind, n, figures.data() + first_subject);
@@ -162,9 +162,9 @@ std::vector<IndexFigures> index_errors(const IndexBenchOptions& options) {
     const auto enough = [](const IndexErrors& e) { return e.mismatches >= fewest_mismatches; };
     f.uniform_rate = growth_of(
         f.uniform, [&](const IndexErrors& e) { return enough(e) && e.rate() <= highest_rate; }, rate);
-    f.hard_rate = growth_of(f.hard, enough, rate);
-    f.hard_heights = growth_of(
-        f.hard, [](const IndexErrors& e) { return e.mismatches - e.off_grid >= fewest_mismatches; },
+    f.stiff_rate = growth_of(f.stiff, enough, rate);
+    f.stiff_heights = growth_of(
+        f.stiff, [](const IndexErrors& e) { return e.mismatches - e.off_grid >= fewest_mismatches; },
         [](const IndexErrors& e) { return e.worst_heights; });
   }
   return figures;

@@ -30,8 +30,9 @@ struct IndexErrors {
   std::uint64_t samples = 0;
   std::uint64_t mismatches = 0;  ///< the index, or its micro-triangle, is not the specification's
   std::uint64_t off_grid = 0;    ///< mismatches that name a micro-triangle that does not exist
-  std::array<std::uint64_t, hard_kinds> by_kind{};  ///< mismatches by HardKind; zeros for uniform points
-  double worst_heights = 0, worst_ulp = 0;          ///< over all mismatches on the grid; see distance()
+  std::array<std::uint64_t, stiff_recipes>
+      by_kind{};                            ///< mismatches by StiffRecipe; zeros for uniform points
+  double worst_heights = 0, worst_ulp = 0;  ///< over all mismatches on the grid; see distance()
 
   double rate() const { return static_cast<double>(mismatches) / static_cast<double>(samples); }
 };
@@ -50,10 +51,10 @@ struct IndexFigures {
   std::string numbers;  ///< its number type
   std::string order;    ///< "curve" or "rows"
   std::uint32_t max_level = 16;
-  std::vector<IndexErrors> uniform, hard;  ///< by level, up to max_level
-  std::vector<IndexTime> times;            ///< by level; empty until add_index_times
-  Growth uniform_rate, hard_rate;          ///< the laws of the mismatch rate
-  Growth hard_heights;                     ///< the law of the worst distance in heights on hard points
+  std::vector<IndexErrors> uniform, stiff;  ///< by level, up to max_level
+  std::vector<IndexTime> times;             ///< by level; empty until add_index_times
+  Growth uniform_rate, stiff_rate;          ///< the laws of the mismatch rate
+  Growth stiff_heights;                     ///< the law of the worst distance in heights on stiff points
 };
 
 /// Judges each subject against the exact specification on the very numbers that it received: points are made

@@ -24,15 +24,15 @@ std::mt19937_64 engine(const NumberType& numbers, Inputs inputs, std::uint32_t l
 
 }  // namespace
 
-std::string_view to_string(HardKind kind) {
+std::string_view to_string(StiffRecipe kind) {
   switch (kind) {
-    case HardKind::lines:
+    case StiffRecipe::lines:
       return "lines";
-    case HardKind::diagonal:
+    case StiffRecipe::diagonal:
       return "diagonal";
-    case HardKind::straddling:
+    case StiffRecipe::straddling:
       return "straddling";
-    case HardKind::hypotenuse:
+    case StiffRecipe::hypotenuse:
       break;
   }
   return "hypotenuse";
@@ -41,8 +41,8 @@ std::string_view to_string(HardKind kind) {
 IndexInputs::IndexInputs(const NumberType& numbers, Inputs inputs, std::uint32_t level, std::uint64_t seed)
     : numbers_(numbers), inputs_(inputs), level_(level), random_(engine(numbers, inputs, level, seed)) {}
 
-InputPoint IndexInputs::next(HardKind& kind) {
-  kind = static_cast<HardKind>(count_++ % hard_kinds);
+InputPoint IndexInputs::next(StiffRecipe& kind) {
+  kind = static_cast<StiffRecipe>(count_++ % stiff_recipes);
   while (true) {
     const InputPoint p = inputs_ == Inputs::uniform ? uniform() : candidate(kind);
     if (in_triangle(p)) return p;
@@ -84,22 +84,22 @@ InputPoint IndexInputs::uniform() {
           numbers_.rounded(static_cast<double>(v) * 0x1p-53)};
 }
 
-InputPoint IndexInputs::candidate(HardKind kind) {
+InputPoint IndexInputs::candidate(StiffRecipe kind) {
   const double N = std::ldexp(1.0, static_cast<int>(level_));
   InputPoint p{0, 0};
   switch (kind) {
-    case HardKind::lines: {
+    case StiffRecipe::lines: {
       const double u = line(some_level(), 1);
       p = {beside(u, 3), beside(line(some_level(), 1 - u), 3)};
       break;
     }
-    case HardKind::diagonal: {
+    case StiffRecipe::diagonal: {
       const double sum = line(some_level(), 1);
       const double u = below(2) == 0 ? numbers_.rounded(sum * unit()) : beside(line(some_level(), sum), 3);
       p = {u, u < sum ? beside(sum - u, 3) : 0};
       break;
     }
-    case HardKind::straddling: {
+    case StiffRecipe::straddling: {
       // The powers of 2 are equally likely, down to the line beside 0: farther out, fractions have lost bits
       // and need no rounding.
       const double above = static_cast<double>(below(std::uint64_t{1} << below(level_ + 1)) + 1) / N;
@@ -109,7 +109,7 @@ InputPoint IndexInputs::candidate(HardKind kind) {
       p = {u, numbers_.rounded((below(2) == 0 ? 0 : line(level_, 1 - above)) + std::max(rest, 0.0))};
       break;
     }
-    case HardKind::hypotenuse: {
+    case StiffRecipe::hypotenuse: {
       const double u = numbers_.rounded(unit());
       p = {u, beside(1 - u, 3)};
       break;

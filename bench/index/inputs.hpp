@@ -1,4 +1,4 @@
-// Easy and hard points for an index function, in the number type that it receives.
+// Easy and stiff points for an index function, in the number type that it receives.
 #pragma once
 
 #include <array>
@@ -13,18 +13,18 @@ namespace mmverify::bench {
 
 enum class Inputs : std::uint8_t {
   uniform,  ///< spread evenly over the triangle, then rounded
-  hard,     ///< a few ulp from where the answer changes
+  stiff,    ///< a few ulp from where the answer changes
 };
 
-/// The recipe of a hard point; sample number k is of kind k mod 4.
-enum class HardKind : std::uint8_t {
+/// The recipe of a stiff point; sample number k is of kind k mod 4.
+enum class StiffRecipe : std::uint8_t {
   lines,       ///< u and v each up to 3 ulp from a grid line
   diagonal,    ///< u+v up to 3 ulp of v from a diagonal line, u anywhere or near a line
   straddling,  ///< uf+vf a hair on either side of 1, uf or vf just below 1 and the other tiny
   hypotenuse,  ///< u+v up to 3 ulp of v below 1
 };
-inline constexpr std::size_t hard_kinds = 4;
-std::string_view to_string(HardKind kind);
+inline constexpr std::size_t stiff_recipes = 4;
+std::string_view to_string(StiffRecipe kind);
 
 /// A point, exact in doubles, and representable in the wanted number type.
 struct InputPoint {
@@ -41,8 +41,8 @@ class IndexInputs {
   /// Domain: level 0..16.
   IndexInputs(const NumberType& numbers, Inputs inputs, std::uint32_t level, std::uint64_t seed);
 
-  /// The next sample; its kind, if the points are hard.
-  InputPoint next(HardKind& kind);
+  /// The next sample; its kind, if the points are stiff.
+  InputPoint next(StiffRecipe& kind);
 
  private:
   std::uint64_t below(std::uint64_t count);
@@ -52,7 +52,7 @@ class IndexInputs {
   double line(std::uint32_t level, double limit);
   double beside(double x, int most);
   InputPoint uniform();
-  InputPoint candidate(HardKind kind);
+  InputPoint candidate(StiffRecipe kind);
 
   NumberType numbers_;
   Inputs inputs_;

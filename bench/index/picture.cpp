@@ -21,6 +21,7 @@ Series look_of(const IndexFigures& f) {
   if (f.numbers == "binary64") series.shape = Shape::open_square;
   if (f.numbers == "fixed point") series.shape = Shape::diamond;
   if (f.numbers == "rational") series.shape = Shape::triangle_down;
+  if (f.name.ends_with("minor-impl")) series.shape = Shape::square;
   if (f.name.ends_with("batched") || f.name.ends_with("sqrt")) series.shape = Shape::circle;
   return series;
 }
@@ -29,10 +30,10 @@ Series look_of(const IndexFigures& f) {
 std::string levels_text(const std::vector<IndexFigures>& figures) {
   std::uint32_t last = 0;
   for (const IndexFigures& f : figures)
-    if (!f.hard.empty()) last = std::max(last, f.hard.back().level);
+    if (!f.stiff.empty()) last = std::max(last, f.stiff.back().level);
   for (const IndexFigures& f : figures)
-    if (!f.hard.empty() && f.hard.back().level < last)
-      return fmt::format("{} ({}: {})", last, f.numbers, f.hard.back().level);
+    if (!f.stiff.empty() && f.stiff.back().level < last)
+      return fmt::format("{} ({}: {})", last, f.numbers, f.stiff.back().level);
   return fmt::format("{}", last);
 }
 
@@ -40,16 +41,17 @@ Panel error_against_time(const std::vector<IndexFigures>& figures, std::uint64_t
   std::uint64_t fewest = samples;
   Panel panel{.title = "Error against time at level " + levels_text(figures),
               .x = {.title = "ns an index, one thread", .logarithmic = true},
-              .y = {.title = "mismatch rate on hard points",
+              .y = {.title = "mismatch rate on stiff points",
                     .logarithmic = true,
                     .least = 1.0 / static_cast<double>(samples),
-                    .most = 1.5}};
+                    .most = 1.5},
+              .key = Key::outside};
   for (const IndexFigures& f : figures) {
-    if (f.times.empty() || f.hard.empty()) continue;
+    if (f.times.empty() || f.stiff.empty()) continue;
     Series series = look_of(f);
-    series.points = {{f.times.back().ns_per_index, f.hard.back().rate(), f.name}};
+    series.points = {{f.times.back().ns_per_index, f.stiff.back().rate()}};
     panel.series.push_back(series);
-    fewest = std::min(fewest, f.hard.back().samples);
+    fewest = std::min(fewest, f.stiff.back().samples);
   }
   panel.note = fmt::format("none found in {} points (rational: {})", fmt::group_digits(samples),
                            fmt::group_digits(fewest));
@@ -72,29 +74,29 @@ Series law_curve(const Growth& g, const std::string& colour) {
 
 bool ever_wrong(const IndexFigures& f) {
   const auto wrong = [](const IndexErrors& e) { return e.mismatches > 0; };
-  return std::any_of(f.hard.begin(), f.hard.end(), wrong) ||
+  return std::any_of(f.stiff.begin(), f.stiff.end(), wrong) ||
          std::any_of(f.uniform.begin(), f.uniform.end(), wrong);
 }
 
-Panel rate_against_level(const std::vector<IndexFigures>& figures, bool hard, std::uint64_t samples) {
+Panel rate_against_level(const std::vector<IndexFigures>& figures, bool stiff, std::uint64_t samples) {
   std::uint32_t first = 16, last = 0;
   for (const IndexFigures& f : figures)
-    for (const IndexErrors& e : f.hard) first = std::min(first, e.level), last = std::max(last, e.level);
-  Panel panel{.title = fmt::format("On {} points, with the fitted laws", hard ? "hard" : "uniform"),
+    for (const IndexErrors& e : f.stiff) first = std::min(first, e.level), last = std::max(last, e.level);
+  Panel panel{.title = fmt::format("On {} points, with the fitted laws", stiff ? "stiff" : "uniform"),
               .x = {.title = "level", .least = first - 0.5, .most = last + 0.5, .whole = true},
-              .y = {.title = hard ? "" : "mismatch rate",
+              .y = {.title = stiff ? "" : "mismatch rate",
                     .logarithmic = true,
                     .least = 0.5 / static_cast<double>(samples),
                     .most = 1.5},
-              .key = hard ? Key::none : Key::below_all};
+              .key = stiff ? Key::none : Key::below_all};
   for (const IndexFigures& f : figures) {
     // Both kinds of points count, so that the panels share one key.
     if (!ever_wrong(f)) continue;
     Series series = look_of(f);
-    for (const IndexErrors& e : hard ? f.hard : f.uniform)
+    for (const IndexErrors& e : stiff ? f.stiff : f.uniform)
       if (e.mismatches > 0) series.points.push_back({static_cast<double>(e.level), e.rate()});
     panel.series.push_back(series);
-    if (Series curve = law_curve(hard ? f.hard_rate : f.uniform_rate, series.colour); !curve.points.empty())
+    if (Series curve = law_curve(stiff ? f.stiff_rate : f.uniform_rate, series.colour); !curve.points.empty())
       panel.series.push_back(curve);
   }
   return panel;
@@ -110,7 +112,7 @@ std::string without_error(const std::vector<IndexFigures>& figures) {
 }  // namespace
 
 Picture index_picture(const std::vector<IndexFigures>& figures, std::uint64_t samples) {
-  return {.width = 1000,
+  return {.width = 1200,
           .height = 940,
           .rows = {{error_against_time(figures, samples)},
                    {rate_against_level(figures, false, samples), rate_against_level(figures, true, samples)}},

@@ -22,25 +22,25 @@ Value worst_of(const IndexErrors& e, double distance) {
 }
 
 Table highest_table(std::vector<F> figures) {
-  std::erase_if(figures, [](const F& f) { return f.hard.empty(); });
+  std::erase_if(figures, [](const F& f) { return f.stiff.empty(); });
   const Print rate{.digits = 2, .type = 'e', .none = "none"}, distance{.digits = 3, .type = 'g'};
-  const std::string rates = "mismatch rate", worst = "worst distance, hard", time = "time";
+  const std::string rates = "mismatch rate", worst = "worst distance, stiff", time = "time";
   const Fields<F> fields{
       {{.heading = "subject", .leads = true}, [](const F& f) { return f.name; }},
-      {{"", "level"}, [](const F& f) { return f.hard.back().level; }},
+      {{"", "level"}, [](const F& f) { return f.stiff.back().level; }},
       {{"", "uniform", "", rate, rates}, [](const F& f) { return rate_of(f.uniform.back()); }},
-      {{"", "hard", "", rate, rates}, [](const F& f) { return rate_of(f.hard.back()); }},
+      {{"", "stiff", "", rate, rates}, [](const F& f) { return rate_of(f.stiff.back()); }},
       {{"", "heights", "", distance, worst},
-       [](const F& f) { return worst_of(f.hard.back(), f.hard.back().worst_heights); }},
+       [](const F& f) { return worst_of(f.stiff.back(), f.stiff.back().worst_heights); }},
       {{"", "ulp", "", distance, worst},
-       [](const F& f) { return worst_of(f.hard.back(), f.hard.back().worst_ulp); }},
+       [](const F& f) { return worst_of(f.stiff.back(), f.stiff.back().worst_ulp); }},
       {{"", "off grid"},
-       [](const F& f) { return f.hard.back().off_grid == 0 ? Value() : Value(f.hard.back().off_grid); }},
+       [](const F& f) { return f.stiff.back().off_grid == 0 ? Value() : Value(f.stiff.back().off_grid); }},
       {{"", "an index", "ns", plain, time}, [](const F& f) { return f.times.back().ns_per_index; }},
       {{"", "/ reference-f32", "", plain, time},
        [](const F& f) { return f.times.back().ratio_to_reference_f32; }},
   };
-  return table_of<F>({.caption = "At the highest level; the worst distance is that of a hard point from the "
+  return table_of<F>({.caption = "At the highest level; the worst distance is that of a stiff point from the "
                                  "micro-triangle returned",
                       .form = Form::printed},
                      fields, figures);
@@ -78,13 +78,13 @@ Table times_table(const std::vector<F>& figures) {
 
 struct ErrorsOf {
   IndexErrors errors;
-  bool hard;
+  bool stiff;
 };
 
 std::vector<ErrorsOf> errors_of(const F& f) {
   std::vector<ErrorsOf> all;
   for (const IndexErrors& e : f.uniform) all.push_back({e, false});
-  for (const IndexErrors& e : f.hard) all.push_back({e, true});
+  for (const IndexErrors& e : f.stiff) all.push_back({e, true});
   return all;
 }
 
@@ -92,8 +92,8 @@ Fields<ErrorsOf> errors_fields() {
   using E = ErrorsOf;
   Fields<E> fields{
       {{level(16)}, [](const E& e) { return e.errors.level; }},
-      {{one_of("inputs", key, {"uniform", "hard"}, "hard: a few ulp from where the answer changes")},
-       [](const E& e) { return e.hard ? "hard" : "uniform"; }},
+      {{one_of("inputs", key, {"uniform", "stiff"}, "stiff: a few ulp from where the answer changes")},
+       [](const E& e) { return e.stiff ? "stiff" : "uniform"; }},
       {{positive("samples", same)}, [](const E& e) { return e.errors.samples; }},
       {{count("mismatches", less, "the index, or the micro-triangle made of it, is not the specification's")},
        [](const E& e) { return e.errors.mismatches; }},
@@ -109,11 +109,11 @@ Fields<ErrorsOf> errors_fields() {
         .unit = "ulp"},
        [](const E& e) { return e.errors.worst_ulp; }},
   };
-  fields.push_back(note<E>(object("by_kind", no_rule, "mismatches on each kind of hard points")
-                               .if_so(R"({"inputs": {"const": "hard"}})")));
-  for (std::size_t k = 0; k < hard_kinds; ++k)
-    fields.push_back({{.key = count(fmt::format("by_kind.{}", to_string(static_cast<HardKind>(k))), less)},
-                      [k](const E& e) { return e.hard ? Value(e.errors.by_kind[k]) : Value(); }});
+  fields.push_back(note<E>(object("by_kind", no_rule, "mismatches on each kind of stiff points")
+                               .if_so(R"({"inputs": {"const": "stiff"}})")));
+  for (std::size_t k = 0; k < stiff_recipes; ++k)
+    fields.push_back({{.key = count(fmt::format("by_kind.{}", to_string(static_cast<StiffRecipe>(k))), less)},
+                      [k](const E& e) { return e.stiff ? Value(e.errors.by_kind[k]) : Value(); }});
   return fields;
 }
 
@@ -159,7 +159,8 @@ Fields<GrowthOf> growth_fields() {
     return [of](const G& g) { return fitted(g.growth) ? Value(g.growth.*of) : Value(); };
   };
   Fields<G> fields{
-      {{.key = one_of("", no_rule, {"uniform_rate", "hard_rate", "hard_worst_heights"}), .heading = "figure"},
+      {{.key = one_of("", no_rule, {"uniform_rate", "stiff_rate", "stiff_worst_heights"}),
+        .heading = "figure"},
        [](const G& g) { return g.figure; }},
       {{text("law", no_rule, "in words")}, [](const G& g) { return to_string(g.growth); }},
       {{.heading = "law"}, [](const G& g) { return in_short(g.growth); }},
@@ -174,8 +175,9 @@ Fields<GrowthOf> growth_fields() {
 }
 
 std::vector<GrowthOf> growths_of(const F& f) {
-  return {
-      {"uniform_rate", f.uniform_rate}, {"hard_rate", f.hard_rate}, {"hard_worst_heights", f.hard_heights}};
+  return {{"uniform_rate", f.uniform_rate},
+          {"stiff_rate", f.stiff_rate},
+          {"stiff_worst_heights", f.stiff_heights}};
 }
 
 Table subjects_table(const std::vector<F>& figures) {
@@ -198,8 +200,8 @@ Table subjects_table(const std::vector<F>& figures) {
                            .row = "from level to level"},
                           growth_fields(), growths_of),
       note<F>(object("growth.uniform_rate", no_rule, "of the mismatch rate on uniform points")),
-      note<F>(object("growth.hard_rate", no_rule, "of that on hard points")),
-      note<F>(object("growth.hard_worst_heights", no_rule, "of worst_heights on hard points")),
+      note<F>(object("growth.stiff_rate", no_rule, "of that on stiff points")),
+      note<F>(object("growth.stiff_worst_heights", no_rule, "of worst_heights on stiff points")),
   };
   return table_of<F>(
       {.key = "subjects",
@@ -220,7 +222,7 @@ Result index_tables(const std::vector<IndexFigures>& figures, const IndexBenchOp
                              "points a level, of each kind of inputs; of rationals a 256th"),
                     options.samples}},
       .about =
-          "As many uniform and as many hard points a level as there are samples (rationals: a 256th).\n"
+          "As many uniform and as many stiff points a level as there are samples (rationals: a 256th).\n"
           "A sample is checked, never proved: 'none' is none found",
       .tables = {highest_table(figures), times_table(figures), subjects_table(figures)},
       .drawn = index_picture(figures, options.samples)};

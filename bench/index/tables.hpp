@@ -12,7 +12,7 @@ namespace mmverify::bench {
 Result index_tables(const std::vector<IndexFigures>& figures, const IndexBenchOptions& options);
 
 /// Above, error against time, a mark a subject at its highest level; below, the mismatch rate against the
-/// level on uniform and on hard points, with the fitted laws.
+/// level on uniform and on stiff points, with the fitted laws.
 picture::Picture index_picture(const std::vector<IndexFigures>& figures, std::uint64_t samples);
 
 }  // namespace mmverify::bench

@@ -27,7 +27,7 @@ struct Points {
     // 24 KiB of binary32: inputs and outputs stay in the first-level cache.
     constexpr std::size_t count = slow<Q> ? 64 : 2048;
     IndexInputs inputs(received_by<Q>, Inputs::uniform, 0, seed);
-    HardKind kind{};
+    StiffRecipe kind{};
     for (std::size_t k = 0; k < count; ++k) {
       const InputPoint p = inputs.next(kind);
       u.push_back(received<Q>(p.u));

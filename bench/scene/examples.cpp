@@ -19,6 +19,7 @@
 #include "bench/scene/tables.hpp"
 #include "bench/scene/view_tables.hpp"
 #include "bench/shaders/tables.hpp"
+#include "bench/stiff/tables.hpp"
 #include "bench/subdivision/tables.hpp"
 #include "bench/subject/tables.hpp"
 #include "bench/sweep/tables.hpp"
@@ -119,7 +120,7 @@ Result scene_dag() {
 std::vector<Result> examples_of_topics() {
   IndexFigures index;
   index.name = "step-f32";
-  index.uniform = index.hard = {{.level = 1, .samples = 1}};
+  index.uniform = index.stiff = {{.level = 1, .samples = 1}};
   index.times = {{.level = 1}};
   BakeFigures bake;
   bake.levels.resize(1);
@@ -140,7 +141,8 @@ std::vector<Result> examples_of_topics() {
           bake_tables(bake, {}),
           attribute_tables(maps, {}),
           array_tables({ArrayFigures{}}, {}),
-          subdivision_tables({{"hilbert", 2, 1, 1, 1, 1}}, {{"terrain", 8, 1, 1, 1, 1}}, {})};
+          subdivision_tables({{"hilbert", 2, 1, 1, 1, 1}}, {{"terrain", 8, 1, 1, 1, 1}}, {}),
+          stiff_tables({{.kind = "lines", .method = "ours", .cases = 1, .ratio = 1}}, {})};
 }
 
 /// A row with every figure.

@@ -194,8 +194,7 @@ std::vector<proofs::Levels> checked_levels(const BenchOptions& options, const Ch
   for (const BenchTopic* topic : topics)
     levels.push_back(topic->levels ? levels_or(options, *topic->levels, topic->highest) : proofs::Levels{});
   if (topics.size() == 1 && !topics.front()->levels && !options.levels.empty())
-    throw UsageError(
-        fmt::format("--levels: the blocks of topic {} have no levels; leave it out", topics.front()->name));
+    throw UsageError(fmt::format("--levels: bench {} takes no levels; leave it out", topics.front()->name));
   for (const BenchTopic* topic : topics)
     if (options.index.samples > topic->most_samples)
       throw UsageError(fmt::format("--samples {}: bench {} does {} lookups at most", options.index.samples,

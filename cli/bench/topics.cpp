@@ -10,6 +10,7 @@
 #include "bench/dag/tables.hpp"
 #include "bench/index/tables.hpp"
 #include "bench/index/times.hpp"
+#include "bench/stiff/tables.hpp"
 #include "bench/subdivision/tables.hpp"
 #include "bench/tree/tables.hpp"
 #include "bench/vq/tables.hpp"
@@ -104,6 +105,12 @@ Result of_subdivision(const BenchOptions& given, const proofs::Levels& levels) {
   return subdivision_tables(subdivision_times(options), displacement_sizes(options), options);
 }
 
+Result of_stiff(const BenchOptions& given, const proofs::Levels&) {
+  const bench::StiffBenchOptions options{
+      .samples = given.index.samples, .seed = given.index.seed, .progress = progress_of("stiff", given)};
+  return stiff_tables(stiff_figures(options), options);
+}
+
 /// The default levels of a bench.
 template <class Options>
 proofs::Levels levels_of() {
@@ -155,6 +162,7 @@ std::span<const BenchTopic> bench_topics() {
        .levels = levels_of<bench::SubdivisionBenchOptions>(),
        .highest = bench::SubdivisionBenchOptions{}.last,
        .measure = of_subdivision},
+      {.name = "stiff", .most_samples = most_stiff_points, .measure = of_stiff},
   };
   return table;
 }

@@ -26,9 +26,11 @@ struct BenchOptions {
 };
 
 inline constexpr std::uint64_t most_lookups = std::uint64_t{1} << 26;  ///< 8 bytes each
+inline constexpr std::uint64_t most_stiff_points = std::uint64_t{1}
+                                                   << 24;  ///< 32 bytes each, of two kinds at once
 
 struct BenchTopic {
-  const char* name;                           ///< as in proofs::Topic::bench
+  const char* name;                           ///< as in proofs::Topic::bench, if a topic has it
   std::optional<proofs::Levels> levels = {};  ///< default levels; none if the topic has no levels
   proofs::Level highest = 0;
   bool reads_textures = false;

@@ -4,7 +4,7 @@
 
 #include "proofs/engine/random.hpp"
 #include "proofs/points/exact_float.hpp"
-#include "proofs/points/hard_floats.hpp"
+#include "proofs/points/stiff_floats.hpp"
 
 namespace mmverify::proofs::dag {
 namespace {
@@ -221,7 +221,7 @@ Finding points(const DagSubject& s, const Scene& scene, std::uint64_t most) {
     const std::int64_t side = 4 * std::int64_t{spec::side(scene.maps[m].level)};
     // Pairs of floats near values that break index functions.
     for (std::uint64_t k = 0; k < most / 4; ++k) {
-      const points::FloatPair p = points::hard_floats(scene.maps[m].level, hash_of_scene(scene), k);
+      const points::FloatPair p = points::stiff_floats(scene.maps[m].level, hash_of_scene(scene), k);
       u.push_back(p.u);
       v.push_back(p.v);
       e.add(m, points::on_exact(

@@ -1,6 +1,6 @@
 #include "proofs/engine/shape.hpp"
 #include "proofs/points/exact_float.hpp"
-#include "proofs/points/hard_floats.hpp"
+#include "proofs/points/stiff_floats.hpp"
 #include "proofs/tree/law_parts.hpp"
 #include "proofs/tree/laws.hpp"
 #include "proofs/tree/mutants.hpp"
@@ -32,7 +32,7 @@ std::uint32_t index_of(Level n, const FloatPair& p) {
 }
 
 FloatPair pair(Level n, std::uint64_t seed, std::uint64_t map, std::uint64_t k) {
-  return points::hard_floats(n, seed, map * 256 + k);
+  return points::stiff_floats(n, seed, map * 256 + k);
 }
 
 /// Map number `map` of a level, 2-state and 4-state in turn.  Its noise lies around its pairs, so that neighbours

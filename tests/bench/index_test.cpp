@@ -60,7 +60,7 @@ bool same(const std::vector<IndexFigures>& a, const std::vector<IndexFigures>& b
   };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [&](const IndexFigures& x, const IndexFigures& y) {
-                      return x.name == y.name && levels(x.uniform, y.uniform) && levels(x.hard, y.hard);
+                      return x.name == y.name && levels(x.uniform, y.uniform) && levels(x.stiff, y.stiff);
                     });
 }
 
@@ -97,10 +97,10 @@ TEST(BenchNumberType, NeighboursAreTheNextNumbers) {
 
 TEST(BenchIndexInputs, AreNumbersOfTheirTypeInsideTheTriangle) {
   for (const NumberType& numbers : all_numbers)
-    for (const Inputs kind : {Inputs::uniform, Inputs::hard})
+    for (const Inputs kind : {Inputs::uniform, Inputs::stiff})
       for (const std::uint32_t level : {0u, 1u, 7u, 16u}) {
         IndexInputs inputs(numbers, kind, level, 5);
-        HardKind made{};
+        StiffRecipe made{};
         for (int k = 0; k < 4000; ++k) {
           const InputPoint p = inputs.next(made);
           ASSERT_EQ(numbers.rounded(p.u), p.u);
@@ -113,10 +113,10 @@ TEST(BenchIndexInputs, AreNumbersOfTheirTypeInsideTheTriangle) {
 }
 
 TEST(BenchIndexInputs, AreTheSameForOneSeedAndOthersForAnother) {
-  IndexInputs a(binary32, Inputs::hard, 8, 1), b(binary32, Inputs::hard, 8, 1),
-      c(binary32, Inputs::hard, 8, 2);
+  IndexInputs a(binary32, Inputs::stiff, 8, 1), b(binary32, Inputs::stiff, 8, 1),
+      c(binary32, Inputs::stiff, 8, 2);
   int others = 0;
-  HardKind kind{};
+  StiffRecipe kind{};
   for (int k = 0; k < 100; ++k) {
     const InputPoint p = a.next(kind), q = b.next(kind), r = c.next(kind);
     EXPECT_EQ(p.u, q.u);
@@ -129,20 +129,20 @@ TEST(BenchIndexInputs, AreTheSameForOneSeedAndOthersForAnother) {
 TEST(BenchIndexInputs, HardPointsLieBesideLinesOnEitherSide) {
   constexpr std::uint32_t level = 6;
   constexpr double N = 64;
-  IndexInputs inputs(binary32, Inputs::hard, level, 1);
-  std::set<std::pair<HardKind, bool>> met;
+  IndexInputs inputs(binary32, Inputs::stiff, level, 1);
+  std::set<std::pair<StiffRecipe, bool>> met;
   for (int k = 0; k < 4000; ++k) {
-    HardKind kind{};
+    StiffRecipe kind{};
     const InputPoint p = inputs.next(kind);
     // Exact: both have 24 bits between 2^-50 and 1.
     const double sum = N * p.u + N * p.v, beside = sum - std::nearbyint(sum);
-    if (kind == HardKind::hypotenuse) {
+    if (kind == StiffRecipe::hypotenuse) {
       EXPECT_LE(1 - (p.u + p.v), 0x1p-21);
     }
-    if (kind == HardKind::straddling && std::abs(beside) < 0x1p-15 && beside != 0)
+    if (kind == StiffRecipe::straddling && std::abs(beside) < 0x1p-15 && beside != 0)
       met.insert({kind, beside > 0});
-    if (kind == HardKind::diagonal && beside != 0) met.insert({kind, beside > 0});
-    if (kind == HardKind::lines) {
+    if (kind == StiffRecipe::diagonal && beside != 0) met.insert({kind, beside > 0});
+    if (kind == StiffRecipe::lines) {
       const double off = N * p.u - std::nearbyint(N * p.u);
       EXPECT_LE(std::abs(off), N * 3 * 0x1p-23);
       if (off != 0) met.insert({kind, off > 0});
@@ -156,8 +156,8 @@ TEST(BenchIndexInputs, HardPointsLieBesideLinesOnEitherSide) {
 TEST(BenchIndexDistance, IsZeroInTheClosedMicroTriangle) {
   for (const NumberType& numbers : {binary32, binary64})
     for (const std::uint32_t n : {1u, 5u, 16u}) {
-      IndexInputs inputs(numbers, Inputs::hard, n, 3);
-      HardKind kind{};
+      IndexInputs inputs(numbers, Inputs::stiff, n, 3);
+      StiffRecipe kind{};
       for (int k = 0; k < 2000; ++k) {
         const InputPoint p = inputs.next(kind);
         const auto curve = on_exact(p.u, p.v, [n](const auto& q) { return spec::index::reference(q, n); });
@@ -260,7 +260,7 @@ TEST(BenchIndexErrors, ExactSubjectsHaveNone) {
   for (const char* name : {"impl-scalar", "impl-batched", "w-minor-impl", "reference-fixed", "step-fixed",
                            "reference-rational", "step-rational"}) {
     const IndexFigures& f = named(small_run(), name);
-    for (const auto& errors : {f.uniform, f.hard}) {
+    for (const auto& errors : {f.uniform, f.stiff}) {
       ASSERT_EQ(errors.size(), 16u);
       for (const IndexErrors& e : errors) {
         EXPECT_EQ(e.mismatches, 0u) << name << " level " << e.level;
@@ -268,14 +268,14 @@ TEST(BenchIndexErrors, ExactSubjectsHaveNone) {
         EXPECT_GT(e.samples, 0u);
       }
     }
-    EXPECT_EQ(to_string(f.hard_rate), "none found");
+    EXPECT_EQ(to_string(f.stiff_rate), "none found");
   }
 }
 
 TEST(BenchIndexErrors, RoundedSubjectsAreCaughtOnHardPoints) {
   for (const char* name : {"reference-f16", "step-f16", "reference-f32", "step-f32", "reference-f64",
                            "step-f64", "w-minor-f32", "w-minor-f32-sqrt"}) {
-    const IndexErrors& e = at_level(named(small_run(), name).hard, 8);
+    const IndexErrors& e = at_level(named(small_run(), name).stiff, 8);
     EXPECT_GT(e.mismatches, 0u) << name;
     EXPECT_GT(e.worst_heights, 0) << name;
     std::uint64_t sum = 0;
@@ -286,22 +286,22 @@ TEST(BenchIndexErrors, RoundedSubjectsAreCaughtOnHardPoints) {
 
 TEST(BenchIndexErrors, WorstDistancesFollowTheirLaws) {
   // The reference's one rounding is half an ulp of 1 at most, in heights, whatever the level.
-  for (const IndexErrors& e : named(small_run(), "reference-f32").hard) EXPECT_LE(e.worst_heights, 0x1p-25);
-  EXPECT_EQ(to_string(named(small_run(), "reference-f32").hard_heights), "flat");
-  EXPECT_EQ(to_string(named(small_run(), "step-f32").hard_heights), "doubles each level");
+  for (const IndexErrors& e : named(small_run(), "reference-f32").stiff) EXPECT_LE(e.worst_heights, 0x1p-25);
+  EXPECT_EQ(to_string(named(small_run(), "reference-f32").stiff_heights), "flat");
+  EXPECT_EQ(to_string(named(small_run(), "step-f32").stiff_heights), "doubles each level");
 }
 
 TEST(BenchIndexErrors, FloatRootLeavesTheGridFromLevel13) {
-  for (const IndexErrors& e : named(small_run(), "w-minor-f32-sqrt").hard)
+  for (const IndexErrors& e : named(small_run(), "w-minor-f32-sqrt").stiff)
     EXPECT_EQ(e.off_grid > 0, e.level >= 13) << e.level;
-  for (const IndexErrors& e : named(small_run(), "w-minor-f32").hard) EXPECT_EQ(e.off_grid, 0u);
+  for (const IndexErrors& e : named(small_run(), "w-minor-f32").stiff) EXPECT_EQ(e.off_grid, 0u);
 }
 
 TEST(BenchIndexErrors, Binary16EndsAtLevel15) {
-  EXPECT_EQ(named(small_run(), "step-f16").hard.size(), 15u);
+  EXPECT_EQ(named(small_run(), "step-f16").stiff.size(), 15u);
   const auto top = index_errors({.samples = 10, .first = 16, .last = 16});
-  EXPECT_TRUE(named(top, "step-f16").hard.empty());
-  EXPECT_EQ(named(top, "step-f32").hard.size(), 1u);
+  EXPECT_TRUE(named(top, "step-f16").stiff.empty());
+  EXPECT_EQ(named(top, "step-f32").stiff.size(), 1u);
 }
 
 TEST(BenchIndexErrors, AreTheSameForAnyNumberOfThreads) {

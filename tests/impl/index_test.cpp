@@ -110,7 +110,7 @@ struct Points {
 
 // Neighbours, a few steps of the last place away, of crossings of grid lines on and beside the long edge, of
 // square centres, and of the pairs where a sum of fractions in floats rounds up to 1.
-Points hard_points(std::uint32_t n) {
+Points stiff_points(std::uint32_t n) {
   const auto N = static_cast<float>(1u << n);
   Points points;
   const auto add_neighbours = [&points](float u0, float v0) {
@@ -177,7 +177,7 @@ TEST(ImplIndex, AnswersEveryBitPattern) {
 // Engines run with subnormals flushed to zero; the promise is that nothing changes.
 TEST(ImplIndex, AnswersAlikeWithSubnormalsFlushed) {
   for (const std::uint32_t n : {0u, 1u, 8u, 16u}) {
-    Points p = hard_points(n);
+    Points p = stiff_points(n);
     for (const float small : {tiny, -tiny, 0x1p-127f, 0x1p-130f})
       for (const float other : {0.0f, 0.5f, 1.0f, 1 - 0x1p-24f, tiny})
         for (const bool swapped : {false, true}) {

@@ -13,7 +13,7 @@
 #include "proofs/index/laws.hpp"
 #include "proofs/index/subject.hpp"
 #include "proofs/planning/plan.hpp"
-#include "proofs/points/hard_floats.hpp"
+#include "proofs/points/stiff_floats.hpp"
 #include "proofs/registry/registry.hpp"
 #include "spec/index/index.hpp"
 #include "tests/sanitized.hpp"
@@ -27,7 +27,7 @@ using testing::Not;
 TEST(Published, IsTheSpecificationsFormulaInBinary32) {
   for (Level n = 0; n <= 16; ++n)
     for (std::uint64_t k = 0; k < (sanitized ? 2'000 : 50'000); ++k) {
-      const points::FloatPair p = points::hard_floats(n, 9, k);
+      const points::FloatPair p = points::stiff_floats(n, 9, k);
       ASSERT_EQ(index::published(n, p.u, p.v), spec::index::reference(spec::Point<float>{p.u, p.v}, n))
           << n << " " << p.u << " " << p.v;
     }

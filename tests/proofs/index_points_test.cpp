@@ -12,11 +12,11 @@
 
 #include "proofs/engine/law.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/index/floats/hard_doubles.hpp"
+#include "proofs/index/floats/stiff_doubles.hpp"
 #include "proofs/index/judges/on_cells.hpp"
 #include "proofs/points/exact_float.hpp"
-#include "proofs/points/hard_floats.hpp"
 #include "proofs/points/point.hpp"
+#include "proofs/points/stiff_floats.hpp"
 
 namespace index_points_test {
 
@@ -95,9 +95,9 @@ TEST(ParsePoint, ReadsEveryCellBack) {
     });
 }
 
-TEST(ParsePoint, ReadsHardFloatsAndOddFractionsBack) {
+TEST(ParsePoint, ReadsStiffFloatsAndOddFractionsBack) {
   for (std::uint64_t sample = 0; sample < 700; ++sample) {
-    const FloatPair p = hard_floats(9, 1, sample);
+    const FloatPair p = stiff_floats(9, 1, sample);
     expect_round_trip({rational(p.u), rational(p.v)}, 9);
   }
   expect_round_trip({ratio(1, 3), ratio(10, 27)}, 2);
@@ -210,7 +210,7 @@ TEST(Nearest, AgreesWithDecimalsReadByTheCompiler) {
   EXPECT_EQ(nearest(ratio(1, 10)), 0.1);
   EXPECT_EQ(nearest(ratio(2, 3)), 0.66666666666666666666666666666666666667);
   EXPECT_EQ(nearest(ratio(123'456'789, 1'000'000)), 123.456789);
-  // Within 2^-100 of a tie, relatively: known hard cases of strtod.
+  // Within 2^-100 of a tie, relatively: known stiff cases of strtod.
   EXPECT_EQ(nearest(ratio(Integer("9007199254740993"), 1)), 9007199254740993.0);
   EXPECT_EQ(
       nearest(Rational(Integer("8402110395206533")) * Rational(boost::multiprecision::pow(Integer(10), 45))),
@@ -263,7 +263,7 @@ TEST(Simplicity, IsTheSameOrderForGridPointsAndRationals) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Hard floats
+// Stiff floats
 // ---------------------------------------------------------------------------------------------------------------------
 
 constexpr std::uint64_t samples = 20'000;
@@ -273,35 +273,35 @@ bool same_bits(const FloatPair& a, const FloatPair& b) {
          std::bit_cast<std::uint32_t>(a.v) == std::bit_cast<std::uint32_t>(b.v);
 }
 
-TEST(HardFloats, AreTheSameForTheSameSeedAndOthersForAnother) {
+TEST(StiffFloats, AreTheSameForTheSameSeedAndOthersForAnother) {
   std::uint64_t other_seed = 0, other_level = 0;
   for (std::uint64_t sample = 0; sample < 1'000; ++sample) {
-    const FloatPair p = hard_floats(5, 1, sample);
-    ASSERT_TRUE(same_bits(p, hard_floats(5, 1, sample)));
-    other_seed += same_bits(p, hard_floats(5, 2, sample)) ? 0 : 1;
-    other_level += same_bits(p, hard_floats(6, 1, sample)) ? 0 : 1;
+    const FloatPair p = stiff_floats(5, 1, sample);
+    ASSERT_TRUE(same_bits(p, stiff_floats(5, 1, sample)));
+    other_seed += same_bits(p, stiff_floats(5, 2, sample)) ? 0 : 1;
+    other_level += same_bits(p, stiff_floats(6, 1, sample)) ? 0 : 1;
   }
   EXPECT_GT(other_seed, 900u);
   EXPECT_GT(other_level, 900u);
 }
 
-TEST(HardFloats, LieInTheTriangleUpToOneUlp) {
+TEST(StiffFloats, LieInTheTriangleUpToOneUlp) {
   for (const Level n : {0u, 1u, 8u, 16u})
     for (std::uint64_t sample = 0; sample < samples; ++sample) {
-      const FloatPair p = hard_floats(n, 1, sample);
+      const FloatPair p = stiff_floats(n, 1, sample);
       ASSERT_TRUE(p.u >= 0 && p.v >= 0) << p.u << ", " << p.v;
       // Rationals: the sum of two floats need not fit a double.
       ASSERT_LE(rational(p.u) + rational(p.v), Rational(1) + power(-23)) << p.u << ", " << p.v;
     }
 }
 
-TEST(HardFloats, EveryKindIsThere) {
+TEST(StiffFloats, EveryKindIsThere) {
   constexpr Level n = 8;
   constexpr float N = 256;
   std::uint64_t minus_zero_u = 0, minus_zero_v = 0, subnormal = 0, one_ulp_over = 0, just_under = 0,
                 on_hypotenuse = 0, rounds_up_to_1 = 0, reaches_1 = 0, corner = 0, near_line = 0, ordinary = 0;
   for (std::uint64_t sample = 0; sample < samples; ++sample) {
-    const auto [u, v] = hard_floats(n, 1, sample);
+    const auto [u, v] = stiff_floats(n, 1, sample);
     minus_zero_u += u == 0 && std::signbit(u) ? 1 : 0;
     minus_zero_v += v == 0 && std::signbit(v) ? 1 : 0;
     subnormal += std::fpclassify(u) == FP_SUBNORMAL || std::fpclassify(v) == FP_SUBNORMAL ? 1 : 0;
@@ -333,16 +333,16 @@ TEST(HardFloats, EveryKindIsThere) {
   EXPECT_GT(ordinary, 20u);
 }
 
-TEST(HardRows, LieInTheTriangleUpToOneUlpAndMisleadEachRoundingOfFigureFour) {
+TEST(StiffRows, LieInTheTriangleUpToOneUlpAndMisleadEachRoundingOfFigureFour) {
   constexpr Level n = 8;
   const auto floor_of = [](const Rational& q) { return spec::whole(q * Integer(256)); };
   std::uint64_t sum = 0, back_from_w = 0, complement_of_u = 0, tiny_beside_a_line = 0;
   for (std::uint64_t sample = 0; sample < samples; ++sample) {
-    const auto [u, v] = hard_rows(n, 1, sample);
+    const auto [u, v] = stiff_rows(n, 1, sample);
     ASSERT_TRUE(u >= 0 && v >= 0) << u << ", " << v;
     const Rational exact_sum = rational(u) + rational(v), one(1);
     ASSERT_LE(exact_sum, Rational(1) + power(-23)) << u << ", " << v;
-    ASSERT_TRUE(same_bits({u, v}, hard_rows(n, 1, sample)));
+    ASSERT_TRUE(same_bits({u, v}, stiff_rows(n, 1, sample)));
     const float rounded_sum = u + v, w = 1.0f - rounded_sum, back = 1.0f - w, other = 1.0f - u;
     sum += floor_of(rational(rounded_sum)) != floor_of(exact_sum) ? 1 : 0;
     back_from_w += floor_of(rational(rounded_sum)) != floor_of(rational(back)) ? 1 : 0;
@@ -355,12 +355,12 @@ TEST(HardRows, LieInTheTriangleUpToOneUlpAndMisleadEachRoundingOfFigureFour) {
   EXPECT_GT(tiny_beside_a_line, 200u);
 }
 
-TEST(HardDoubles, LieInTheTriangleUpToOneUlpAndAreNoFloats) {
+TEST(StiffDoubles, LieInTheTriangleUpToOneUlpAndAreNoFloats) {
   for (const Level n : {0u, 1u, 8u, 16u}) {
     std::uint64_t no_float = 0, over = 0, on_a_line_as_floats = 0, rounds_up_to_1 = 0, subnormal = 0;
     const double N = std::ldexp(1.0, static_cast<int>(n));
     for (std::uint64_t sample = 0; sample < samples; ++sample) {
-      const auto [u, v] = hard_doubles(n, 1, sample);
+      const auto [u, v] = stiff_doubles(n, 1, sample);
       ASSERT_TRUE(u >= 0 && v >= 0) << u << ", " << v;
       const Rational sum = rational(u) + rational(v);
       ASSERT_LE(sum, Rational(1) + power(-52)) << u << ", " << v;
@@ -428,7 +428,7 @@ TEST(ExactFloat, FixedPointHoldsTheFloatItWasMadeFrom) {
                             0x1.fffffep0f,
                             0x1.000002p1f};
   for (std::uint64_t sample = 0; sample < 2'000; ++sample) {
-    const FloatPair p = hard_floats(7, 1, sample);
+    const FloatPair p = stiff_floats(7, 1, sample);
     floats.push_back(p.u);
     floats.push_back(p.v);
   }
@@ -437,7 +437,7 @@ TEST(ExactFloat, FixedPointHoldsTheFloatItWasMadeFrom) {
                          0x1p-150, 0x1.8p-150, 0x1.0000000000001p-1000, 0x1p-1074, 0x1.0000000000001p1})
     expect_held(x);
   for (std::uint64_t sample = 0; sample < 2'000; ++sample) {
-    const DoublePair p = hard_doubles(7, 1, sample);
+    const DoublePair p = stiff_doubles(7, 1, sample);
     expect_held(p.u);
     expect_held(p.v);
   }

@@ -9,7 +9,7 @@
 #include "proofs/index/laws/parts.hpp"
 #include "proofs/index/source/statements.hpp"
 #include "proofs/induction/prover.hpp"
-#include "proofs/points/hard_floats.hpp"
+#include "proofs/points/stiff_floats.hpp"
 
 namespace mmverify::proofs::index::source {
 namespace source_statements_test {
@@ -124,7 +124,7 @@ TEST(SourceStatements, OfTheDialectsAreTheirCodes) {
   judge(1, 0.25f, 0x1.fffffep-3f);
   for (std::uint64_t k = 0; k < 40; ++k) {
     const Level n = static_cast<Level>(k % 17);
-    const FloatPair pair = hard_floats(n, 1, 17 * k);
+    const FloatPair pair = stiff_floats(n, 1, 17 * k);
     if (double{pair.u} + double{pair.v} <= 1 + 0x1p-23) judge(n, pair.u, pair.v);
   }
   EXPECT_GT(apart, 0);

@@ -20,7 +20,7 @@ using namespace mmverify::impl;
 using Rational = boost::multiprecision::cpp_rational;
 
 /// Floats near what rounding spoils: ends, grid lines, their neighbours, tiny ones, and any.
-std::vector<float> hard_floats() {
+std::vector<float> stiff_floats() {
   std::vector<float> all{0, 1, 0x1p-149f, 0x1p-126f, 0x1p-60f, 0x1p-30f, 0x1p-29f, 0x1p-24f, 1 - 0x1p-24f};
   for (int k = 1; k < 32; ++k) {
     const float x = static_cast<float>(k) / 32;
@@ -32,8 +32,8 @@ std::vector<float> hard_floats() {
 }
 
 TEST(Barycentrics, ArePutBackIntoTheTriangleAndThoseInsideStay) {
-  for (const float u : hard_floats())
-    for (const float v : hard_floats()) {
+  for (const float u : stiff_floats())
+    for (const float v : stiff_floats()) {
       const Barycentrics b = in_triangle(u, v);
       const bool inside = Rational(u) + Rational(v) <= 1;
       EXPECT_LE(Rational(b.u) + Rational(b.v), 1) << u << " " << v;
@@ -49,8 +49,8 @@ TEST(Barycentrics, ArePutBackIntoTheTriangleAndThoseInsideStay) {
 }
 
 TEST(Barycentrics, AreInTheRegionThatRationalsSay) {
-  for (const float u : hard_floats())
-    for (const float v : hard_floats()) {
+  for (const float u : stiff_floats())
+    for (const float v : stiff_floats()) {
       if (Rational(u) + Rational(v) > 1) continue;
       const Rational of[3] = {Rational(1 - Rational(u) - Rational(v)), Rational(u), Rational(v)};
       for (unsigned number = 0; number < 3; ++number)
@@ -151,8 +151,8 @@ TEST(Opacity, OfAllFormsAnswersAsTheStates) {
   const OneMap one;
   for (const Method method : {Method::flat, Method::tree, Method::ranked, Method::special}) {
     const auto opacity = opacity_of(method, one.micromaps);
-    for (const float u : hard_floats())
-      for (const float v : hard_floats()) {
+    for (const float u : stiff_floats())
+      for (const float v : stiff_floats()) {
         const Barycentrics b = in_triangle(u, v);
         const auto got = opacity->at(0, 0, b);
         if (method == Method::special) {

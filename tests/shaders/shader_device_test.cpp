@@ -62,7 +62,7 @@ TEST_F(ShaderOnDevice, our_index_is_proved_and_says_where) {
   EXPECT_THAT(text, HasSubstr("\"driver version\": "));
 }
 
-TEST_F(ShaderOnDevice, our_index_is_exact_on_hard_floats) {
+TEST_F(ShaderOnDevice, our_index_is_exact_on_stiff_floats) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o =
       judge(ours("index.glsl"), "index.exact_on_floats index.row_exact_on_floats --levels 3..4");

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "impl/index/index.hpp"
-#include "proofs/points/hard_floats.hpp"
+#include "proofs/points/stiff_floats.hpp"
 #include "subjects/shaders/compile/compile.hpp"
 #include "subjects/shaders/device/program.hpp"
 
@@ -40,10 +40,10 @@ class OnDevice {
 struct Points {
   std::vector<float> u, v;
 };
-Points hard_points(std::uint32_t level) {
+Points stiff_points(std::uint32_t level) {
   Points p;
   for (std::uint64_t k = 0; k < points; ++k) {
-    const auto [u, v] = proofs::points::hard_floats(level, 1, k);
+    const auto [u, v] = proofs::points::stiff_floats(level, 1, k);
     p.u.push_back(u);
     p.v.push_back(v);
   }
@@ -82,10 +82,11 @@ void print_differences(const shaders::Device& device) {
              {"published, plain", "figures/index_published_plain.glsl", false},
              {"figure 4, precise", "figures/figure_4_precise.glsl", true},
              {"figure 4, plain", "figures/figure_4_plain.glsl", true}};
-  fmt::print("| of {} hard points, answers unlike | level 1 | 4 | 8 | 12 |\n|---|---|---|---|---|\n", points);
+  fmt::print("| of {} stiff points, answers unlike | level 1 | 4 | 8 | 12 |\n|---|---|---|---|---|\n",
+             points);
   std::vector<Points> hard;
   constexpr std::uint32_t levels[] = {1, 4, 8, 12};
-  for (const std::uint32_t level : levels) hard.push_back(hard_points(level));
+  for (const std::uint32_t level : levels) hard.push_back(stiff_points(level));
   for (const auto& [name, file, rows] : all) {
     OnDevice shader(device, file);
     fmt::print("| {}: {} |", name, rows ? "strict binary32" : "exact arithmetic");
@@ -116,7 +117,7 @@ void print_denormals(const shaders::Device& device) {
 
 void print_speeds(const shaders::Device& device) {
   OnDevice shader(device, "subjects/index.glsl");
-  const Points p = hard_points(8);
+  const Points p = stiff_points(8);
   for (const std::size_t count : {std::size_t{1}, std::size_t{4096}, batch, std::size_t{1} << 19}) {
     std::size_t calls = 0;
     const auto begin = std::chrono::steady_clock::now();

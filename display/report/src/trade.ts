@@ -53,10 +53,10 @@ export function indexEntries(bench: IndexBench, level: number): Entry[] {
     // A float kind may end below the level: binary16 does.
     const at = Math.min(level, Math.max(...bench.rows.filter((r) => r.subject === s.subject).map((r) => r.level)));
     const row = bench.rows.find((r) => r.subject === s.subject && r.level === at);
-    const hard = s.errors.find((e) => e.inputs === "hard" && e.level === at);
+    const stiff = s.errors.find((e) => e.inputs === "stiff" && e.level === at);
     const uniform = s.errors.find((e) => e.inputs === "uniform" && e.level === at);
-    if (!row || !hard || hard.samples === 0) return [];
-    const error = hard.mismatches / hard.samples;
+    if (!row || !stiff || stiff.samples === 0) return [];
+    const error = stiff.mismatches / stiff.samples;
     return [
       {
         name: s.subject,
@@ -64,7 +64,7 @@ export function indexEntries(bench: IndexBench, level: number): Entry[] {
         error,
         words: [
           `${short(row.ns_per_index)} ns an index, level ${at}`,
-          hard.mismatches === 0 ? `none wrong of ${grouped(hard.samples)} hard points` : `${short(error)} of the hard points wrong (${grouped(hard.mismatches)} of ${grouped(hard.samples)})`,
+          stiff.mismatches === 0 ? `none wrong of ${grouped(stiff.samples)} stiff points` : `${short(error)} of the stiff points wrong (${grouped(stiff.mismatches)} of ${grouped(stiff.samples)})`,
           ...(uniform && uniform.samples > 0 ? [`${short(uniform.mismatches / uniform.samples)} of the uniform ones`] : []),
           `${s.numbers}, ${s.order === "rows" ? "row order" : s.order}`,
         ],
@@ -81,8 +81,8 @@ function indexChart(bench: IndexBench): HTMLElement {
     return el(
       "div",
       {},
-      tradeChart(`Index, level ${level}`, "ns an index, one thread", "share of hard points wrong", entries, "none", "Subjects that end below the level are shown at their last one. The curve and row order have a front each."),
-      numbersBelow(`Index, level ${level}`, ["Subject", "ns", "Wrong, of hard points"], entries.map((e) => [e.name, short(e.ns), e.error === 0 ? "none" : short(e.error)])),
+      tradeChart(`Index, level ${level}`, "ns an index, one thread", "share of stiff points wrong", entries, "none", "Subjects that end below the level are shown at their last one. The curve and row order have a front each."),
+      numbersBelow(`Index, level ${level}`, ["Subject", "ns", "Wrong, of stiff points"], entries.map((e) => [e.name, short(e.ns), e.error === 0 ? "none" : short(e.error)])),
     );
   });
 }

@@ -2,8 +2,8 @@
 #include "proofs/attribute/batches.hpp"
 #include "proofs/attribute/lookup/shared_edges.hpp"
 #include "proofs/engine/random.hpp"
-#include "proofs/points/hard_floats.hpp"
 #include "proofs/points/point.hpp"
+#include "proofs/points/stiff_floats.hpp"
 
 namespace mmverify::proofs::attribute {
 namespace {
@@ -163,7 +163,7 @@ Law decimated_lookup_law() {
 
 /// Floats near the lines of the grid and near the slanted ones that decimation brings, inside the triangle.
 points::FloatPair floats_at_moved_edges(Level n, std::uint64_t seed, std::uint64_t k) {
-  points::FloatPair p = points::hard_floats(n, seed, k);
+  points::FloatPair p = points::stiff_floats(n, seed, k);
   Random random(seed, 7, k);
   if (k % 2 == 0) {
     // x + 2y, 2x + y or x - y is whole, near a base edge, but for a few ulps.

@@ -5,7 +5,7 @@
 #include "proofs/attribute/lookup/grid_cases.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/points/exact_float.hpp"
-#include "proofs/points/hard_floats.hpp"
+#include "proofs/points/stiff_floats.hpp"
 
 namespace mmverify::proofs::attribute {
 
@@ -23,9 +23,9 @@ bool inside(const FloatCase& p) {
   });
 }
 
-/// Hard floats of topic index; a pair an ulp beyond the hypotenuse becomes its middle, where a tie is.
+/// Stiff floats of topic index; a pair an ulp beyond the hypotenuse becomes its middle, where a tie is.
 FloatCase float_case(Level n, std::uint64_t k, std::uint64_t seed) {
-  const points::FloatPair hard = points::hard_floats(n, seed, k);
+  const points::FloatPair hard = points::stiff_floats(n, seed, k);
   const FloatCase p{hard.u, hard.v};
   return inside(p) ? p : FloatCase{0.5f, 0.5f};
 }

@@ -46,9 +46,9 @@ Areas areas_of_text(const std::string& text) {
   return {float_of((*g)[1], text), float_of((*g)[2], text)};
 }
 
-/// Hard pairs of areas: triangles a few ulps from 4^m times the cone, also for m below 0 and beyond the last level;
+/// Stiff pairs of areas: triangles a few ulps from 4^m times the cone, also for m below 0 and beyond the last level;
 /// any two areas; and the ends: 0, subnormals, the largest.
-Areas hard_areas(Level n, std::uint64_t k, std::uint64_t seed) {
+Areas stiff_areas(Level n, std::uint64_t k, std::uint64_t seed) {
   Random random(seed, 21 + n, k);
   constexpr std::array<float, 8> ends{0.0f,      0x1p-149f, 0x1.8p-148f, 0x1.fffffcp-127f,
                                       0x1p-126f, 1.0f,      0x1p127f,    0x1.fffffep127f};
@@ -113,7 +113,7 @@ const Wrong first_exceeded = [](Level n, float cone, float triangle, Level right
 Law lod_level_law() {
   Cases<Areas> cases;
   cases.count = {1500, 4'000'000};
-  cases.number = hard_areas;
+  cases.number = stiff_areas;
   cases.text = [](Level, const Areas& a) { return text_of_areas(a); };
   cases.read = [](Level, const std::string& at) { return areas_of_text(at); };
   cases.check = [](const AttributeSubject& s, Level n, const Areas& a) {
@@ -168,7 +168,7 @@ Finding blends(const AttributeSubject& s, Level n, const Areas& a) {
 Law lod_blend_law() {
   Cases<Areas> cases;
   cases.count = {400, 100'000};
-  cases.number = hard_areas;
+  cases.number = stiff_areas;
   cases.text = [](Level, const Areas& a) { return text_of_areas(a); };
   cases.read = [](Level, const std::string& at) { return areas_of_text(at); };
   cases.check = blends;

@@ -12,12 +12,12 @@ constexpr std::uint64_t stream = 0x62616b65;
 /// The counts of each 104 samples.  First come eight kinds in turn.  Then pairs: a sample a hair beside lines, and
 /// the same texture with other texels below its first row, which finds a baker that reuses the first.  Then samples
 /// with one corner over a line, and edges within which alpha crosses the cutoff.
-constexpr std::uint64_t hostile_samples = 64, paired_samples = 16, edge_samples = 24;
+constexpr std::uint64_t stiff_samples = 64, paired_samples = 16, edge_samples = 24;
 
-std::uint64_t in_turn(std::uint64_t k) { return k % (hostile_samples + paired_samples + edge_samples); }
-bool is_edge_sample(std::uint64_t k) { return in_turn(k) >= hostile_samples + paired_samples; }
+std::uint64_t in_turn(std::uint64_t k) { return k % (stiff_samples + paired_samples + edge_samples); }
+bool is_edge_sample(std::uint64_t k) { return in_turn(k) >= stiff_samples + paired_samples; }
 bool repeats_the_one_before(std::uint64_t k) {
-  return in_turn(k) >= hostile_samples && !is_edge_sample(k) && in_turn(k) % 2 != 0;
+  return in_turn(k) >= stiff_samples && !is_edge_sample(k) && in_turn(k) % 2 != 0;
 }
 
 /// A multiple of 2^-bits in [-reach, reach], exact in binary32.
@@ -163,7 +163,7 @@ Case sample(std::uint64_t seed, std::uint64_t k) {
   constexpr void (*place[])(Random&, Case&) = {place_anywhere, place_sliver, place_beside_lines,
                                                place_far,      flatten,      degenerate,
                                                place_below,    repeat_often};
-  if (in_turn(k) < hostile_samples)
+  if (in_turn(k) < stiff_samples)
     place[in_turn(k) % std::size(place)](random, one);
   else if (is_edge_sample(k))
     (k % 2 != 0 ? cross_the_cutoff_within_an_edge : cross_a_line_by_a_step)(random, one);

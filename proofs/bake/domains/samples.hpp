@@ -1,4 +1,4 @@
-// Drawn cases, many of them hostile.
+// Drawn cases, many of them stiff.
 #pragma once
 
 #include "proofs/bake/cases/case.hpp"

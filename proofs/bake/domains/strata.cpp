@@ -447,7 +447,7 @@ std::uint64_t stratum(Level n, std::uint64_t k) {
 }
 
 const char* strata_text() {
-  return "strata: sides of 1 to 16384 texels, chains of mips that one decides alone, 8 and 16 bits and "
+  return "stiff cases: sides of 1 to 16384 texels, chains of mips that one decides alone, 8 and 16 bits and "
          "binary32, both filters, all addressing, borders, factors whose products round, cutoffs at, beside "
          "and between them, BLEND, margins, every fourth plain; triangles at far corners, across lines, "
          "repeats away, thin, flat";

@@ -18,7 +18,7 @@ enum Dimension : std::size_t {
   filter_of,
   wrap_u_of,
   wrap_v_of,
-  border_of,   ///< 0, the greatest, at the cutoff, a step below it, hostile
+  border_of,   ///< 0, the greatest, at the cutoff, a step below it, any
   factor_of,   ///< 1, 1/2, 0.3, 1.25, any 24 bits, 0, very small
   vertex_of,   ///< 1, 1/2, 0.7, any 24 bits, the factor's reciprocal, 0, very large
   cutoff_of,   ///< see Cutoffs

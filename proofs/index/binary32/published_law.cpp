@@ -30,7 +30,7 @@ std::vector<Counterexample> off_prediction(const IndexSubject& s, const Run& run
   for (Level n = 0; n <= highest_level && !interrupted(); ++n) {
     const Tally tally = sweep(quick, pairs_compared, 256, [&](Chunk chunk, Tally& part) {
       for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
-        FloatPair pair = hard_floats(n, run.seed, k);
+        FloatPair pair = stiff_floats(n, run.seed, k);
         std::uint32_t got = 0;
         s.functions.index_floats(n, FloatBatch{{&pair.u, 1}, {&pair.v, 1}}, {&got, 1});
         const RationalPoint p{rational(pair.u), rational(pair.v)};
@@ -124,7 +124,7 @@ Law published_law() {
         return proofs::induction::discharge(
             statements,
             {[&] { return off_prediction(subject_as<IndexSubject>(s), run); },
-             fmt::format("{} hard pairs of each level 0..{}", pairs_compared, highest_level)},
+             fmt::format("{} stiff pairs of each level 0..{}", pairs_compared, highest_level)},
             run);
       });
 }

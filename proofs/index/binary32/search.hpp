@@ -25,7 +25,7 @@ std::vector<Counterexample> counterexamples(Judge judge, const IndexSubject& sub
 }
 
 inline std::string where_searched() {
-  return fmt::format("{} hard pairs of each level 0..{}", pairs_searched, highest);
+  return fmt::format("{} stiff pairs of each level 0..{}", pairs_searched, highest);
 }
 
 }  // namespace mmverify::proofs::index::binary32

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "proofs/engine/random.hpp"
-#include "proofs/index/floats/hard_doubles.hpp"
 #include "proofs/index/floats/published.hpp"
+#include "proofs/index/floats/stiff_doubles.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/judges/on_cells.hpp"
 #include "proofs/index/options.hpp"
@@ -80,7 +80,7 @@ InCell random_in_cell(Level n, Random& random) {
   }
 }
 
-/// A hard pair on no grid line of the level: the sample's, or the first one of further seeds.
+/// A stiff pair on no grid line of the level: the sample's, or the first one of further seeds.
 template <class Draw>
 auto inside_pair(Level n, std::uint64_t seed, std::uint64_t sample, Draw draw) {
   for (std::uint64_t further = 0;; ++further) {
@@ -160,19 +160,19 @@ auto asked_on_floats(const IndexSubject& s, Level n) {
 }  // namespace
 
 Tally exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
-  return exact_on_pairs<float>(s, n, run, samples, hard_floats, asked_on_floats(s, n), by_reference);
+  return exact_on_pairs<float>(s, n, run, samples, stiff_floats, asked_on_floats(s, n), by_reference);
 }
 
 Tally equals_published(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
   return judged_on_pairs<float>(
-      n, run, samples, hard_floats, asked_on_floats(s, n),
+      n, run, samples, stiff_floats, asked_on_floats(s, n),
       [](float u, float v, const auto&, Level level, std::uint32_t) { return Due{published(level, u, v)}; },
       Arithmetic::binary32);
 }
 
 Tally exact_or_published(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
   return judged_on_pairs<float>(
-      n, run, samples, hard_floats, asked_on_floats(s, n),
+      n, run, samples, stiff_floats, asked_on_floats(s, n),
       [](float u, float v, const auto& p, Level level, std::uint32_t got) {
         const std::uint32_t exact = spec::index::reference(p, level);
         return got != exact && got == published(level, u, v) ? Due{got, true} : Due{exact};
@@ -184,7 +184,7 @@ Tally exact_on_doubles(const IndexSubject& s, Level n, const Run& run, std::uint
   const auto ask = [&](std::span<double> u, std::span<double> v, std::span<std::uint32_t> got) {
     s.functions.index_doubles(n, DoubleBatch{u, v}, got);
   };
-  return exact_on_pairs<double>(s, n, run, samples, hard_doubles, ask, by_reference);
+  return exact_on_pairs<double>(s, n, run, samples, stiff_doubles, ask, by_reference);
 }
 
 Tally row_exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {
@@ -192,7 +192,7 @@ Tally row_exact_on_floats(const IndexSubject& s, Level n, const Run& run, std::u
     s.functions.receive_floats(u, v);
     s.functions.row_index_floats(n, FloatBatch{u, v}, got);
   };
-  return exact_on_pairs<float>(s, n, run, samples, hard_rows, ask, by_figure_4);
+  return exact_on_pairs<float>(s, n, run, samples, stiff_rows, ask, by_figure_4);
 }
 
 Tally cells_decide(const IndexSubject& s, Level n, const Run& run, std::uint64_t samples) {

@@ -11,7 +11,7 @@ namespace {
 // The run counts them anew; a different number is an error.
 constexpr std::uint64_t pairs_of_binary16 = 231'750'657;
 
-const CaseCount hard_pairs{1'000'000, 100'000'000}, rational_points{1'000, 100'000};
+const CaseCount stiff_pairs{1'000'000, 100'000'000}, rational_points{1'000, 100'000};
 
 std::string floats(const Subject& s, Level) {
   return fmt::format("a sample of binary32 pairs near what breaks index functions{}",
@@ -41,7 +41,7 @@ Law exact_on_floats_law() {
        .companion = "index.exact_on_doubles",
        .dialect = "exact",
        .in_dialect = {{"published", "index.equals_published"}, {"either", "index.exact_or_published"}}},
-      hard_pairs, exact_on_floats, replay_equals_reference);
+      stiff_pairs, exact_on_floats, replay_equals_reference);
 }
 
 Law floats_err_law() {

@@ -62,7 +62,7 @@ std::uint64_t exact_wide(float u, float v, Level n) {
 Tally wide_exact_on_floats(const IndexSubject& s, Level n, const Run& run) {
   return sweep(run, pairs, floats_per_chunk, [&](Chunk chunk, Tally& tally) {
     for (std::uint64_t sample = chunk.begin; sample < chunk.end; ++sample) {
-      const FloatPair pair = hard_floats(n, run.seed, sample);
+      const FloatPair pair = stiff_floats(n, run.seed, sample);
       const RationalPoint p{rational(pair.u), rational(pair.v)};
       const std::uint64_t want = exact_wide(pair.u, pair.v, n), got = s.functions.wide_index_at(n, p);
       tally.count(Kind::interior, 1);
@@ -177,7 +177,7 @@ Law wide_exact_on_floats_law() {
           .subjects = {"impl"},
           .tiers = {.fast = {first_beyond, 30}, .long_run = {0, 30}, .seconds = 3},
           .cases = pairs,
-          .domain = fmt::format("{} hard pairs of binary32 numbers", pairs),
+          .domain = fmt::format("{} stiff pairs of binary32 numbers", pairs),
           .how = by_sample,
           .unfit = needing_wide(30),
           .divisible = true,

@@ -18,7 +18,7 @@ using induction::Solved;
 using induction::Statement;
 
 constexpr Level highest = 16;
-/// The number of hard pairs that run before any prover: most wrong functions are wrong on one of them.
+/// The number of stiff pairs that run before any prover: most wrong functions are wrong on one of them.
 constexpr std::uint64_t pairs_run = 1 << 15;
 const SourceSubject& of_source(const Subject& s) { return dynamic_cast<const SourceSubject&>(s); }
 

@@ -18,7 +18,7 @@ test("a chart says its numbers, by mouse and by keys, and zooms", async () => {
   assert.equal(await tip.isVisible(), false);
   await page.mouse.move(ring.x + ring.width / 2 + 3, ring.y + ring.height / 2);
   assert.equal(await tip.isVisible(), true);
-  assert.match((await tip.textContent())!, /hard points/);
+  assert.match((await tip.textContent())!, /stiff points/);
   const shot = () => pixelsOf(plot.locator("canvas"));
   const whole = await shot();
   await page.locator("#trade .chart").first().getByRole("button", { name: "Zoom in" }).click();

@@ -1,4 +1,4 @@
-#include "proofs/points/hard_floats.hpp"
+#include "proofs/points/stiff_floats.hpp"
 
 #include <algorithm>
 #include <array>
@@ -135,7 +135,7 @@ bool acceptable(const FloatPair& p) {
 
 }  // namespace
 
-FloatPair hard_floats(Level n, std::uint64_t seed, std::uint64_t sample) {
+FloatPair stiff_floats(Level n, std::uint64_t seed, std::uint64_t sample) {
   Random random(seed, n, sample);
   const std::uint64_t kind = sample % 7;
   for (int tries = 0; tries < 8; ++tries)

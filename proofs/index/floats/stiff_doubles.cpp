@@ -1,4 +1,4 @@
-#include "proofs/index/floats/hard_doubles.hpp"
+#include "proofs/index/floats/stiff_doubles.hpp"
 
 #include <algorithm>
 #include <array>
@@ -108,7 +108,7 @@ bool acceptable(const DoublePair& p) {
 
 }  // namespace
 
-DoublePair hard_doubles(Level n, std::uint64_t seed, std::uint64_t sample) {
+DoublePair stiff_doubles(Level n, std::uint64_t seed, std::uint64_t sample) {
   Random random(seed ^ 0x646f75626c65, n, sample);
   for (int tries = 0; tries < 8; ++tries)
     if (const DoublePair p = candidate(n, random, sample % 6); acceptable(p)) return p;

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "proofs/engine/random.hpp"
-#include "proofs/index/floats/hard_doubles.hpp"
+#include "proofs/index/floats/stiff_doubles.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -82,12 +82,12 @@ bool acceptable(const FloatPair& p) {
 
 }  // namespace
 
-FloatPair hard_rows(Level n, std::uint64_t seed, std::uint64_t sample) {
-  if (sample % 2 == 0) return hard_floats(n, seed, sample / 2);
+FloatPair stiff_rows(Level n, std::uint64_t seed, std::uint64_t sample) {
+  if (sample % 2 == 0) return stiff_floats(n, seed, sample / 2);
   Random random(seed ^ 0x726f7773, n, sample);
   for (int tries = 0; tries < 8; ++tries)
     if (const FloatPair p = candidate(n, random, sample / 2 % 4); acceptable(p)) return p;
-  return hard_floats(n, seed, sample);
+  return stiff_floats(n, seed, sample);
 }
 
 }  // namespace mmverify::proofs::index
