@@ -22,7 +22,8 @@ const std::vector<Paper>& all() {
       {"com", "Compressed Opacity Maps for Ray Tracing (2023)", compressed_maps()},
       {"cam", "Color and Attribute Micromaps (2025)", attribute_micromaps()},
       {"khr", "Vulkan's Opacity Micromaps (slides, 2026)", khr_slides()},
-      {"csm", "Common Subtree Merging Compressed Opacity Micromaps (2026; its abstract alone was read)", common_subtrees()}};
+      {"csm", "Common Subtree Merging Compressed Opacity Micromaps (2026; its abstract alone was read)",
+       common_subtrees()}};
   return papers;
 }
 

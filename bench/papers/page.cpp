@@ -97,8 +97,8 @@ Numbers of ours are those of the suite's own scene and of 60 generated leaves: s
 `--scenes DIR` and `--textures DIR` take others in their place. Two numbers of ours for attributes are the own scene's
 and a quad's, unless the line names levels (the first and the last) or says "least; greatest".
 
-*Ratio* is our number divided by the paper's. Where the paper gives a range, or a list by scene, the ratio is `within` if
-ours lies between its ends, else ours divided by the nearest end. Several numbers of ours have a least and a greatest
+*Ratio* is our number divided by the paper's. Where the paper gives a range, or a list by scene, the ratio is `within`
+if ours lies between its ends, else ours divided by the nearest end. Several numbers of ours have a least and a greatest
 ratio. [ERRATA.md](ERRATA.md) has the claims that are wrong or open.
 )";
 
