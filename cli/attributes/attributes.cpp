@@ -161,6 +161,25 @@ AttributeOptions options_of(const AttributeArguments& arguments, const proofs::L
   return options;
 }
 
+/// Measures; if it is interrupted, prints the attributes that are measured by then.
+AttributeFigures measured(const AttributeScene& scene, AttributeOptions options, std::FILE* out) {
+  AttributeFigures done;
+  std::size_t left = 0;
+  options.so_far = [&](const AttributeFigures& figures, std::size_t others) {
+    done = figures;
+    left = others;
+  };
+  try {
+    return measure(scene, options);
+  } catch (const proofs::Interrupted&) {
+    if (!done.sets.empty()) {
+      print_result(out, bench::scene_attribute_tables(done, scene, options));
+      say(out, "ended early: {} attribute{} not measured\n", left, left == 1 ? " is" : "s are");
+    }
+    throw;
+  }
+}
+
 void tell_left_out(std::FILE* out, const AttributeScene& scene) {
   say(out, "{}: no triangle has a texture of an attribute: nothing to measure\n", scene.file);
   for (const AttributeLeftOut& left : scene.left_out)
@@ -196,7 +215,7 @@ int measure_attributes(const AttributeArguments& arguments) {
     mip_picture = [&pictures](const MipPicture& picture) { pictures.write(picture); };
   MipErrors mips(options, mip_picture);
   if (arguments.mips) options.atlas = [&mips](const AttributeAtlas& atlas) { mips.take(atlas); };
-  const AttributeFigures figures = measure(read, options);
+  const AttributeFigures figures = measured(read, options, json.text());
   bench::Result result = bench::scene_attribute_tables(figures, read, options);
   if (arguments.time) {
     result.tables.push_back(bench::attribute_times_table(timer.times()));

@@ -215,6 +215,7 @@ AttributeFigures measure(const AttributeScene& scene, const AttributeOptions& op
       SetMeasurement measurement(scene, set, options);
       figures.sets.push_back(measurement.measured());
       figures.far += measurement.left_out();
+      if (options.so_far) options.so_far(figures, sets.size() - figures.sets.size());
     }
   });
   return figures;

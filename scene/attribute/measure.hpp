@@ -88,6 +88,8 @@ struct AttributeOptions {
   std::function<void(const SetMaps&)> kept = {};
   std::function<void(const AttributeAtlas&)> atlas = {};      ///< receives each image of each set
   std::function<void(const AttributePicture&)> picture = {};  ///< receives each level of each sRGB image
+  /// Receives the figures of the sets that are measured, and the number of those that are not yet, after each set.
+  std::function<void(const AttributeFigures&, std::size_t left)> so_far = {};
 };
 
 /// Measures a map of its own for each triangle in each of its sets, all of one level.  Equal maps of a set

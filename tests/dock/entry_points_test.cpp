@@ -79,7 +79,8 @@ TEST(EntryPoints, numbers_of_an_answer) {
                                                          {"attribute_triplet_f32", 3},
                                                          {"attribute_weights_f32", 3},
                                                          {"attribute_decimate", 2},
-                                                         {"array_resolve", 2}};
+                                                         {"array_resolve", 2},
+                                                         {"subdivision_corners", 12}};
   for (const EntryPoint& e : entry_points) {
     std::size_t numbers = 1;
     for (const auto& [name, count] : several)
