@@ -92,6 +92,7 @@ struct Material {
   std::vector<std::string> animated;  ///< KHR_animation_pointer's targets that change this alpha or these UVs
   /// The transforms of its texture over all of the file's animations and without one, if these change nothing else.
   std::optional<TransformRange> moving = {};
+  std::string unmoved = {};  ///< why not, of a material that an animation changes
   /// KHR_materials_pbrSpecularGlossiness replaces the texture by another.
   bool specular_glossiness = false;
 };

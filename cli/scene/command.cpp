@@ -115,6 +115,15 @@ std::vector<SceneFigures::AtLevel> at_levels(const Scene& scene, const Plan& pla
   return all;
 }
 
+/// The options that decide the maps besides levels, "--moving --margin 0.5 ".
+std::string baking(const SceneOptions& options) {
+  std::string text;
+  if (options.moving) text += "--moving ";
+  if (options.margin != 0) text += fmt::format("--margin {} ", options.margin);
+  if (options.states != 4) text += "--states 2 ";
+  return text;
+}
+
 /// The command with the arguments that decide the maps, for replaying a case.
 std::string command(const SceneOptions& options) {
   std::string text = "mmverify scene" + (options.file.empty() ? "" : " " + shell_quoted(options.file));
@@ -357,7 +366,8 @@ int reported(const proofs::scene::Data& data, const SceneMicromaps& made, double
   const Report report =
       options.no_laws ? Report() : ran(laws.jobs, options, output.text(), word_of(options.effort));
   if (!options.details) {
-    print_summary(output.text(), figures, report, options.asks, options.file);
+    print_summary(output.text(), figures, report, options.asks, options.file,
+                  {options.moving, baking(options)});
     if (options.asks) print_materials(output.text(), figures, options.asks);
     print_levels(output.text(), figures);
   }

@@ -43,10 +43,17 @@ void print_plan(std::FILE* out, const mmverify::scene::Scene& scene, const mmver
 /// Prints counts, states and sizes.
 void print_figures(std::FILE* out, const SceneFigures& figures);
 
-/// Prints six lines: triangles and maps, any-hit calls, memory, coarser levels, laws, the next command.
+/// The options that a next command repeats.
+struct AskedOf {
+  bool moving = false;
+  std::string options;  ///< "--moving --margin 0.5 ", or nothing
+};
+
+/// Prints six lines: triangles and maps, any-hit calls, memory, coarser levels, laws, the next command; and one more where
+/// an animation moves triangles that have no maps.
 ///   asks: the share of the area that shaders may be asked for, in [0, 1]; then the fourth line names the level for it
 void print_summary(std::FILE* out, const SceneFigures& figures, const proofs::Report& report,
-                   const std::optional<double>& asks, const std::string& file);
+                   const std::optional<double>& asks, const std::string& file, const AskedOf& asked);
 
 /// Prints a table with a row for each material: triangles, maps, levels, bytes, the share of the area that asks shaders,
 /// and with `asks` the coarsest level that leaves at most that share.

@@ -57,6 +57,19 @@ std::uint64_t triangles_that_could_move(const SceneFigures& f) {
   return count;
 }
 
+/// The fault of the first animated material whose triangles --moving cannot add.
+std::string why_unmoved(const SceneFigures& f) {
+  for (const LeftOutPrimitive& p : f.made.plan.left_out) {
+    const Primitive& primitive = f.scene.primitives[p.primitive];
+    const Material& material = f.scene.material_of(primitive);
+    if (p.why == LeftOut::animated && !material.unmoved.empty())
+      return fmt::format("{} triangle{} of material {} without maps: {}", grouped(primitive.triangles.size()),
+                         primitive.triangles.size() == 1 ? "" : "s", printable(material.name),
+                         printable(material.unmoved));
+  }
+  return {};
+}
+
 std::string any_hit_text(const SceneFigures& f) {
   const AnyHitShares& s = f.sizes.any_hit;
   if (s.area == 0) return "not counted: no alpha-tested triangle is placed in the scene";
@@ -105,7 +118,7 @@ std::string laws_text(const proofs::Report& report) {
 }  // namespace
 
 void print_summary(std::FILE* out, const SceneFigures& f, const proofs::Report& report,
-                   const std::optional<double>& asks, const std::string& file) {
+                   const std::optional<double>& asks, const std::string& file, const AskedOf& asked) {
   const MaterialFigures all = total(f.materials);
   // Maps whose own level is coarser keep it.
   const char* const option = f.one_level ? "--level" : "--level-limit";
@@ -117,6 +130,7 @@ void print_summary(std::FILE* out, const SceneFigures& f, const proofs::Report& 
         fmt::format("{} triangle{} without maps, whose UVs an animation moves; --moving bakes maps that "
                     "hold wherever it moves them",
                     grouped(moving), moving == 1 ? "" : "s"));
+  if (const std::string why = why_unmoved(f); asked.moving && !why.empty()) summary_line(out, "unmoved", why);
   summary_line(out, "any-hit", any_hit_text(f));
   summary_line(out, "memory", memory_text(f));
   if (asks)
@@ -129,9 +143,9 @@ void print_summary(std::FILE* out, const SceneFigures& f, const proofs::Report& 
   const std::optional<unsigned> level = asks ? level_for(all, *asks) : std::nullopt;
   summary_line(
       out, "next",
-      fmt::format("mmverify scene {}{}-o OUT.glb; --picture DIR shows the maps; --details: all figures",
+      fmt::format("mmverify scene {}{}{}-o OUT.glb; --picture DIR shows the maps; --details: all figures",
                   file.empty() ? "" : shell_quoted(file) + " ",
-                  level ? fmt::format("{} {} ", option, *level) : ""));
+                  level ? fmt::format("{} {} ", option, *level) : "", asked.options));
 }
 
 void print_materials(std::FILE* out, const SceneFigures& f, const std::optional<double>& asks) {

@@ -42,39 +42,28 @@ const MovedProperty* property_of(std::string_view pointer, std::size_t material)
   return found == moved_properties().end() ? nullptr : &*found;
 }
 
-class Sampled {
- public:
-  Sampled(const Document& document, const Buffers& buffers, const nlohmann::json& sampler,
-          const std::string& at, std::size_t components)
-      : interpolation_(sampler.value("interpolation", "LINEAR")),
-        components_(components),
-        times_(read_floats(document, buffers, sampler.at("input").get<std::size_t>(), 1, Integers::none,
-                           at + " input")),
-        values_(read_floats(document, buffers, sampler.at("output").get<std::size_t>(),
-                            static_cast<int>(components), Integers::any, at + " output")) {}
+/// The numbers of the keys of one sampler, or a fault.
+struct Sampled {
+  std::string interpolation;
+  std::size_t components = 0;
+  std::vector<float> times, values;
+  std::string fault;  ///< why there are none; empty: there are
 
-  bool fits() const {
-    if (interpolation_ == "CUBICSPLINE")
-      return times_.size() > 1 && values_.size() == 3 * times_.size() * components_;
-    return (interpolation_ == "LINEAR" || interpolation_ == "STEP") &&
-           values_.size() == times_.size() * components_;
-  }
-
-  /// Calls take(value) with numbers whose hull holds all values of a component.  Domain: fits().
+  /// Calls take(value) with numbers whose hull holds all values of a component.  Domain: no fault.
   template <class Take>
   void hull(std::size_t component, Take take) const {
-    if (interpolation_ != "CUBICSPLINE") {
-      for (std::size_t k = 0; k < times_.size(); ++k) take(values_[k * components_ + component]);
+    if (interpolation != "CUBICSPLINE") {
+      for (std::size_t k = 0; k < times.size(); ++k) take(values[k * components + component]);
       return;
     }
     // Each key has an in-tangent, a value and an out-tangent.
     const auto at = [&](std::size_t key, std::size_t part) {
-      return double{values_[(3 * key + part) * components_ + component]};
+      return double{values[(3 * key + part) * components + component]};
     };
-    for (std::size_t k = 0; k < times_.size(); ++k) {
+    for (std::size_t k = 0; k < times.size(); ++k) {
       take(static_cast<float>(at(k, 1)));
-      if (k + 1 == times_.size()) break;
-      const double third = (double{times_[k + 1]} - double{times_[k]}) / 3;
+      if (k + 1 == times.size()) break;
+      const double third = (double{times[k + 1]} - double{times[k]}) / 3;
       // A step of binary32 to either side holds what the rounding of these two takes off.
       for (const double point : {at(k, 1) + third * at(k, 2), at(k + 1, 1) - third * at(k + 1, 0)}) {
         const auto rounded = static_cast<float>(point);
@@ -83,54 +72,112 @@ class Sampled {
       }
     }
   }
-
- private:
-  std::string interpolation_;
-  std::size_t components_;
-  std::vector<float> times_, values_;
 };
 
-/// Widens the range of a material by a channel's values; false if the channel moves anything else, or does not fit.
-bool widen(const Document& document, const Buffers& buffers, const nlohmann::json& animation,
-           const nlohmann::json& channel, const std::string& at, std::size_t material,
-           TransformRange& range) {
-  const nlohmann::json& pointer = extension(channel["target"], "KHR_animation_pointer");
-  const MovedProperty* const property = property_of(pointer["pointer"].get<std::string>(), material);
-  if (property == nullptr) return false;
-  const auto sampler = channel.value("sampler", std::size_t{0});
+/// Reads samplers, each number of the file only so often that all together stay few.
+class SamplerReader {
+ public:
+  SamplerReader(const Document& document, const Buffers& buffers) : document_(document), buffers_(buffers) {}
+
+  Sampled sampled(const nlohmann::json& sampler, const std::string& at, std::size_t components) {
+    Sampled s;
+    s.components = components;
+    if (!sampler.is_object()) return faulty(at + " is no object");
+    const auto interpolation = sampler.find("interpolation");
+    if (interpolation != sampler.end() && !interpolation->is_string())
+      return faulty(at + ": its interpolation is no string");
+    s.interpolation = interpolation == sampler.end() ? "LINEAR" : interpolation->get<std::string>();
+    s.fault = read(sampler, "input", 1, Integers::none, at, s.times);
+    if (s.fault.empty()) s.fault = read(sampler, "output", components, Integers::any, at, s.values);
+    if (!s.fault.empty()) return s;
+    const bool cubic = s.interpolation == "CUBICSPLINE";
+    if (!cubic && s.interpolation != "LINEAR" && s.interpolation != "STEP")
+      return faulty(at + ": its interpolation is none of glTF's");
+    if (s.values.size() != s.times.size() * components * (cubic ? 3 : 1) || (cubic && s.times.size() < 2))
+      return faulty(at + ": its values do not fit its " + std::to_string(s.times.size()) + " keys");
+    return s;
+  }
+
+ private:
+  static Sampled faulty(std::string fault) {
+    Sampled s;
+    s.fault = std::move(fault);
+    return s;
+  }
+
+  /// The fault, if the numbers of an accessor cannot be read.
+  std::string read(const nlohmann::json& sampler, const char* end, std::size_t components, Integers integers,
+                   const std::string& at, std::vector<float>& to) {
+    const auto index = sampler.find(end);
+    const std::string what = at + " " + end;
+    if (index == sampler.end() || !index->is_number_unsigned() ||
+        index->get<std::size_t>() >= document_.model.accessors.size())
+      return what + " is no index of an accessor";
+    const tinygltf::Accessor& accessor = document_.model.accessors[index->get<std::size_t>()];
+    if (accessor.bufferView < 0) return what + " has no bufferView";
+    if (accessor.count > left_ / components) return what + ": more than 2^24 numbers of animations";
+    left_ -= accessor.count * components;
+    try {
+      to = read_floats(document_, buffers_, index->get<std::size_t>(), static_cast<int>(components), integers,
+                       what);
+    } catch (const BadScene& bad) {
+      return bad.what();
+    }
+    return {};
+  }
+
+  const Document& document_;
+  const Buffers& buffers_;
+  std::size_t left_ = std::size_t{1} << 24;
+};
+
+/// Widens the range of a material by a channel's values.  The fault, if they cannot be read.
+std::string widen(SamplerReader& reader, const nlohmann::json& animation, const nlohmann::json& channel,
+                  const std::string& at, const MovedProperty& property, TransformRange& range) {
   const nlohmann::json& samplers = member(animation, "samplers");
-  if (sampler >= samplers.size()) return false;
-  const Sampled sampled(document, buffers, samplers[sampler], at + " sampler " + std::to_string(sampler),
-                        property->members.size());
-  if (!sampled.fits()) return false;
-  for (std::size_t k = 0; k < property->members.size(); ++k) {
-    float &least = property->members[k](range.least), &greatest = property->members[k](range.greatest);
+  const auto index = channel.find("sampler");
+  if (!samplers.is_array() || index == channel.end() || !index->is_number_unsigned() ||
+      index->get<std::size_t>() >= samplers.size())
+    return at + ": a channel without a sampler";
+  const auto number = index->get<std::size_t>();
+  const Sampled sampled =
+      reader.sampled(samplers[number], at + " sampler " + std::to_string(number), property.members.size());
+  if (!sampled.fault.empty()) return sampled.fault;
+  for (std::size_t k = 0; k < property.members.size(); ++k) {
+    float &least = property.members[k](range.least), &greatest = property.members[k](range.greatest);
     sampled.hull(k, [&](float value) {
       least = std::min(least, value);
       greatest = std::max(greatest, value);
     });
   }
-  return true;
+  return {};
 }
 
 }  // namespace
 
 void read_moving_textures(const Document& document, const Buffers& buffers,
                           std::vector<Material>& materials) {
+  SamplerReader reader(document, buffers);
   const nlohmann::json& animations = member(document.json, "animations");
   for (std::size_t m = 0; m < materials.size(); ++m) {
     Material& material = materials[m];
     if (material.animated.empty() || !material.texture) continue;
     TransformRange range{material.texture->transform, material.texture->transform};
     std::size_t taken = 0;
-    for (std::size_t a = 0; a < animations.size(); ++a)
+    for (std::size_t a = 0; a < animations.size() && material.unmoved.empty(); ++a)
       for (const nlohmann::json& channel : member(animations[a], "channels")) {
         const nlohmann::json& target = extension(channel["target"], "KHR_animation_pointer");
-        if (!target.contains("pointer") || property_of(target["pointer"].get<std::string>(), m) == nullptr)
-          continue;
-        taken += widen(document, buffers, animations[a], channel, place("animation", a), m, range) ? 1 : 0;
+        if (!target.contains("pointer")) continue;
+        const MovedProperty* const property = property_of(target["pointer"].get<std::string>(), m);
+        if (property == nullptr || !material.unmoved.empty()) continue;
+        material.unmoved = widen(reader, animations[a], channel, place("animation", a), *property, range);
+        ++taken;
       }
-    if (taken == material.animated.size()) material.moving = range;
+    if (!material.unmoved.empty()) continue;
+    if (taken == material.animated.size())
+      material.moving = range;
+    else
+      material.unmoved = "an animation changes more of it than the transform of its texture";
   }
 }
 

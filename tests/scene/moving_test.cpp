@@ -1,6 +1,7 @@
 // [release] Triangles whose UVs an animation moves: the range is read, and the maps hold wherever it moves them.
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "impl/micromap/micromap.hpp"
 #include "scene/bake/bake.hpp"
@@ -105,6 +106,40 @@ TEST(SceneMoving, OthersAreLeftOut) {
   ASSERT_EQ(plan(scene).left_out.size(), 1u);
   EXPECT_EQ(plan(scene).left_out[0].why, LeftOut::animated);
   EXPECT_TRUE(plan(scene, finest_level, VaryingAlpha::planned, MovingTextures::planned).left_out.empty());
+}
+
+TEST(SceneMoving, BrokenSamplersAreNamedAndLeaveTheFileReadable) {
+  const auto unmoved = [](const std::function<void(Json&)>& breaks) {
+    GltfFile file = square_with_transform();
+    move(file, "offset", "LINEAR", {0, 1}, {0, 0, 1, 1});
+    breaks(file.json["animations"][0]);
+    const Scene scene = load_glb(file);
+    EXPECT_FALSE(scene.materials[0].moving);
+    EXPECT_EQ(plan(scene, finest_level, VaryingAlpha::planned, MovingTextures::planned).left_out.size(), 1u);
+    return scene.materials[0].unmoved;
+  };
+  const auto sampler = [&](const char* member, const Json& value) {
+    return unmoved([&](Json& animation) { animation["samplers"][0][member] = value; });
+  };
+  EXPECT_EQ(sampler("output", 9999), "animation 0 sampler 0 output is no index of an accessor");
+  EXPECT_EQ(sampler("output", -2), "animation 0 sampler 0 output is no index of an accessor");
+  EXPECT_EQ(sampler("input", "0"), "animation 0 sampler 0 input is no index of an accessor");
+  EXPECT_EQ(sampler("interpolation", 3), "animation 0 sampler 0: its interpolation is no string");
+  EXPECT_EQ(sampler("interpolation", "SMOOTH"), "animation 0 sampler 0: its interpolation is none of glTF's");
+  EXPECT_EQ(sampler("interpolation", "CUBICSPLINE"),
+            "animation 0 sampler 0: its values do not fit its 2 keys");
+  EXPECT_EQ(unmoved([](Json& animation) { animation["samplers"] = Json::object(); }),
+            "animation 0: a channel without a sampler");
+  EXPECT_EQ(unmoved([](Json& animation) { animation["channels"][0]["sampler"] = 1; }),
+            "animation 0: a channel without a sampler");
+  EXPECT_EQ(unmoved([](Json& animation) { animation["channels"][0].erase("sampler"); }),
+            "animation 0: a channel without a sampler");
+}
+
+TEST(SceneMoving, KeysThatAreNotFiniteAreNamed) {
+  GltfFile file = square_with_transform();
+  move(file, "offset", "LINEAR", {0, 1}, {0, 0, HUGE_VALF, 1});
+  EXPECT_THAT(load_glb(file).materials[0].unmoved, testing::HasSubstr("animation 0 sampler 0 output"));
 }
 
 /// Counts of states of a moving map, and the exact states at some offsets.

@@ -55,9 +55,7 @@ Ours five_over_four(double (*figure)(const scene::Sizes&)) {
   };
 }
 
-}  // namespace
-
-std::vector<Item> khr_slides() {
+std::vector<Item> slides() {
   return {
       {"motivation",
        "cut-out geometry, alpha maps or micromaps",
@@ -116,5 +114,19 @@ std::vector<Item> khr_slides() {
        "unless NoOpaque or FORCE_NO_OPAQUE (ERRATA.md)"},
   };
 }
+
+/// Rows of the API's own calls.
+std::vector<Item> calls() {
+  return {
+      {"copying, addresses", "addresses that an application fills in before a BLAS is deserialised",
+       Status::not_here, "", "a driver's own format"},
+      {"building", "no host or indirect builds; a BLAS no longer consumes usage counts", Status::not_here, "",
+       "calls of the API; the counts of an array and of a geometry are checked (ARRAYS.md)"},
+  };
+}
+
+}  // namespace
+
+std::vector<Item> khr_slides() { return joined({slides(), calls()}); }
 
 }  // namespace mmverify::bench::papers
