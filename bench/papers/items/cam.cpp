@@ -315,6 +315,9 @@ std::vector<Item> measured_attributes() {
         {"vertices of level 4", {}, "FLIP", flip(MapKind::vertices, 4)}}},
       {"5.2", "unlit renders, world-space normals", Status::ok,
        "views FILE --shading unlit; views FILE --shading normals", "ATTRIBUTE_SCENES.md, Rendered views"},
+      {"6.3 c", "faces look worse, by their tessellation", Status::not_here,
+       "views FILE --level 4 --pictures FOLDER",
+       "a judgement of the eye; FLIP's maps are beside the pictures"},
   };
 }
 
@@ -368,9 +371,6 @@ std::vector<Item> claims_of_attributes() {
            return std::vector<double>{vertex_share(of_helmet, 2, helmet_textures),
                                       vertex_share(of_helmet, 4, helmet_textures)};
          }}}},
-      {"6.3 c", "faces look worse, by their tessellation", Status::not_here,
-       "views FILE --level 4 --pictures FOLDER",
-       "a judgement of the eye; FLIP's maps are beside the pictures"},
       {"7 a", "authoring, animation, micro-edges", Status::not_here, "",
        "maps are baked from textures; no third kind of map"},
       {"7 b", "compression of attributes", Status::ok, "prove attribute.packed_canonical",
