@@ -90,12 +90,14 @@ ours. `mmverify paper` prints any row (`mmverify paper som --figure 5`), and `mm
 paper, with the tables and pictures that can be made here; `./run tables` writes this page. The last column leaves out
 the word `mmverify`: type it before each command. FILE is a glTF scene of yours, since the papers do not ship theirs.
 
-Status *ok*: it is here, and a number of ours equals the paper's or lies in its range. *differs*: it is here with other
-numbers or another reading, for the reason given. *not here*: the reason is given.
+Status *ok*: it is here, and as far as it has numbers, one of ours equals the paper's, lies in its range, or keeps its
+bound. *differs*: it is here with other numbers or another reading, for the reason given. *not here*: the reason is
+given.
 
-Numbers of ours are those of the suite's own scene and of 60 generated leaves: small, free, and the same everywhere.
-`--scenes DIR` and `--textures DIR` take others in their place. Two numbers of ours for attributes are the own scene's
-and a quad's, unless the line names levels (the first and the last) or says "least; greatest".
+Numbers of ours are those of the suite's own scene and of 60 generated leaves, unless the row names others: small, free,
+and the same everywhere. `--scenes DIR` and `--textures DIR` take others in their place. Two numbers of ours for
+attributes are the own scene's and a quad's, unless the line names levels (the first and the last), assets, or "least;
+greatest".
 
 *Ratio* is our number divided by the paper's. Where the paper gives a range, or a list by scene, the ratio is `within`
 if ours lies between its ends, else ours divided by the nearest end. Several numbers of ours have a least and a greatest

@@ -120,7 +120,8 @@ std::vector<Item> calls() {
   return {
       {"copying, addresses", "addresses that an application fills in before a BLAS is deserialised",
        Status::not_here, "", "a driver's own format"},
-      {"building", "no host or indirect builds; a BLAS no longer consumes usage counts", Status::not_here, "",
+      {"building, calls", "no host or indirect builds; a BLAS no longer consumes usage counts",
+       Status::not_here, "",
        "calls of the API; the counts of an array and of a geometry are checked (ARRAYS.md)"},
   };
 }
