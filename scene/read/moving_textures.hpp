@@ -12,7 +12,7 @@ namespace mmverify::scene {
 /// samplers of KHR_animation_pointer.
 ///   STEP, LINEAR   the keys' values
 ///   CUBICSPLINE    the hull of each segment's four Bezier points: v, v + dt b / 3, v' - dt a' / 3, v'
-/// Where a sampler cannot be read, or another property of the material is animated, Material::unmoved says so.
+/// Material::unmoved names a sampler that cannot be read, or another animated property of the material.
 /// Domain: materials of read_materials(), with their `animated`.
 /// Source: KHR_animation_pointer; glTF 2.0, 3.11 and appendix C.
 void read_moving_textures(const Document& document, const Buffers& buffers, std::vector<Material>& materials);

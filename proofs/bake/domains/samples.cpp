@@ -218,8 +218,14 @@ const char* moving_samples_text() {
 }
 
 Case changed_sample(std::uint64_t seed, std::uint64_t k) {
-  Case one = k % 3 == 0 ? moving_sample(seed, k) : featured_sample(seed, k);
+  Case one = k % 2 != 0   ? large_sample(seed, k)
+             : k % 3 == 0 ? moving_sample(seed, k)
+                          : featured_sample(seed, k);
   Random random(seed, stream + 4, k);
+  if (k % 2 != 0) {
+    one.filter = static_cast<Filter>(random.below(2));
+    for (float& range : one.travel) range = k % 3 == 0 ? 0.125f * static_cast<float>(random.below(3)) : 0.0f;
+  }
   one.change.seed = random.below(1u << 31);
   for (std::uint32_t mip = 0; mip < one.mips; ++mip) {
     const std::uint32_t width = std::max(1u, one.width >> mip), height = std::max(1u, one.height >> mip);
@@ -234,7 +240,8 @@ Case changed_sample(std::uint64_t seed, std::uint64_t k) {
 }
 
 const char* changed_samples_text() {
-  return "textures of up to 7x7 texels with one mip or two, of which a box of each, or of one of two, had "
+  return "every second case of textures of up to 24x24 texels, the others of up to 7x7 texels with one mip "
+         "or two, of which a box of each, or of one of two, had "
          "other texels "
          "before; any addressing, bilinear and nearest, MASK and BLEND, of 8 and 16 bits and binary32, with "
          "factors and "

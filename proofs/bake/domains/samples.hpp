@@ -26,7 +26,7 @@ const char* featured_samples_text();
 Case moving_sample(std::uint64_t seed, std::uint64_t k);
 const char* moving_samples_text();
 
-/// The samples with all features, of which a box of each mip, drawn on its own, had other texels; every second mip or so
+/// The samples with all features, every second one a larger texture, of which a box of each mip, drawn on its own, had other texels; every second mip or so
 /// had the same.  Every third sample moves.
 Case changed_sample(std::uint64_t seed, std::uint64_t k);
 const char* changed_samples_text();

@@ -30,18 +30,7 @@ Law changing(Law law, Drawn drawn, std::uint64_t in_fast_tier, Holds holds, cons
     return fitted(support, drawn(seed, changing_number(n, k)), k);
   };
   cases.chunk = 4;
-  return on_cases(
-      std::move(law), cases,
-      [holds](const BakeSubject& s, const Case& one, Level n, const std::optional<std::uint64_t>&) {
-        try {
-          return holds(s, one, n);
-        } catch (const Declined&) {
-          return unsupported();
-        } catch (const Unpadded&) {
-          return wrong("zeros after the last state", "others");
-        }
-      },
-      {}, lacks);
+  return on_maps(std::move(law), cases, holds, lacks);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -178,7 +167,7 @@ Law update_law() {
                    overlooking(
                        "the first row is overlooked where the triangle moves",
                        [](const Case& one, const Place& at) { return at.row == 0 && one.travel[0] != 0; })}},
-      changed_sample, 104, is_baked_afresh, [](const BakeSubject& s, Level) -> std::optional<std::string> {
+      changed_sample, 416, is_baked_afresh, [](const BakeSubject& s, Level) -> std::optional<std::string> {
         if (s.functions.support.updates) return std::nullopt;
         return s.name() + " has no entry point for changed texels";
       });

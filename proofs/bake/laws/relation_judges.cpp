@@ -10,6 +10,22 @@ std::vector<State> map_of(const BakeSubject& s, const Case& one, Level n, Format
   return std::move(baked->states);
 }
 
+Law on_maps(Law law, const Cases& cases, Finding (*holds)(const BakeSubject&, const Case&, Level),
+            const Lacks& lacks) {
+  return on_cases(
+      std::move(law), cases,
+      [holds](const BakeSubject& s, const Case& one, Level n, const std::optional<std::uint64_t>&) {
+        try {
+          return holds(s, one, n);
+        } catch (const Declined&) {
+          return unsupported();
+        } catch (const Unpadded&) {
+          return wrong("zeros after the last state", "others");
+        }
+      },
+      {}, lacks);
+}
+
 namespace {
 
 using spec::micromap::as_unknown;

@@ -13,6 +13,10 @@ struct Unpadded {};
 /// The map, or an end of the check.  Throws Declined and Unpadded.
 std::vector<State> map_of(const BakeSubject& s, const Case& one, Level n, Format format = Format::four_state);
 
+/// The law on cases of which `holds` compares whole maps; it may throw Declined and Unpadded.
+Law on_maps(Law law, const Cases& cases, Finding (*holds)(const BakeSubject&, const Case&, Level),
+            const Lacks& lacks);
+
 // All throw Declined and Unpadded.
 Finding keeps_shifts(const BakeSubject&, const Case&, Level);    ///< by whole repeats
 Finding keeps_lengths(const BakeSubject&, const Case&, Level);   ///< legs longer by whole repeats

@@ -54,18 +54,7 @@ Law relation(Law law, Case (*number)(std::uint64_t seed, Level n, std::uint64_t 
     return fitted(support, number(seed, n, k), k);
   };
   cases.chunk = 4;
-  return on_cases(
-      std::move(law), cases,
-      [holds](const BakeSubject& s, const Case& one, Level n, const std::optional<std::uint64_t>&) {
-        try {
-          return holds(s, one, n);
-        } catch (const Declined&) {
-          return unsupported();
-        } catch (const Unpadded&) {
-          return wrong("zeros after the last state", "others");
-        }
-      },
-      {}, lacks);
+  return on_maps(std::move(law), cases, holds, lacks);
 }
 
 /// Along an axis that repeats, at least one, in coordinates that whole repeats can be added to.
