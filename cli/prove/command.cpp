@@ -15,6 +15,7 @@
 #include "cli/output/output_file.hpp"
 #include "cli/output/streams.hpp"
 #include "cli/output/text.hpp"
+#include "cli/prove/codec.hpp"
 #include "cli/prove/left_out.hpp"
 #include "cli/prove/run_identity.hpp"
 #include "cli/prove/shader.hpp"
@@ -44,8 +45,10 @@ struct ProveOptions {
   std::optional<std::string> entry;
   bool quiet = false, details = false, no_mutants = false, no_companions = false;
   std::string shard, journal;
-  std::optional<std::string> source, function, one_case;
+  std::optional<std::string> source, function, one_case, format;
   std::vector<std::string> flags;
+  std::optional<double> budget;
+  std::string certificates;
 };
 
 Request request(const ProveOptions& options, std::vector<RunsOn>& runs_on) {
@@ -136,11 +139,38 @@ std::vector<std::string> left_out_lines(const Request& asked, const std::vector<
   return lines;
 }
 
-/// The job of proving index.floats of a source, the only law for sources.
+/// The laws of a codec's source.
+int prove_codec_of(const ProveOptions& options) {
+  if (!options.subjects.empty())
+    throw UsageError("--source and --subject: give one of them; the source is the subject that is judged");
+  if (!options.shard.empty() || !options.journal.empty())
+    throw UsageError("--shard, --journal: a codec's proof has no parts; leave them out");
+  CodecOptions codec;
+  codec.file = *options.source;
+  codec.flags = options.flags;
+  codec.laws = options.laws;
+  if (options.levels) codec.levels = parse_levels(*options.levels);
+  codec.format = options.format;
+  codec.one_case = options.one_case;
+  codec.certificates = options.certificates;
+  codec.tier = options.tier == "long" ? Tier::long_run : Tier::fast;
+  if (options.budget) codec.budget = *options.budget;
+  codec.timeout = timeout_of("", options.timeout);
+  codec.seed = options.seed;
+  codec.quiet = options.quiet;
+  codec.details = options.details;
+  codec.json = options.json;
+  codec.junit = options.junit;
+  return prove_codec(codec);
+}
+
+/// The job of proving index.floats of a function in a source, the only law for functions.
 Job job_of_source(const ProveOptions& options) {
   if (options.laws != std::vector<std::string>{"index.floats"})
     throw UsageError(
-        "--source: index.floats is proved of a source, and nothing else; write mmverify prove index.floats");
+        "--function: index.floats is proved of a function, and nothing else; write mmverify prove index.floats");
+  if (options.format || options.budget || !options.certificates.empty())
+    throw UsageError("--format, --budget, --certificates: they are for a codec's laws; leave them out");
   if (!options.subjects.empty())
     throw UsageError("--source and --subject: give one of them; the source is the subject that is judged");
   SourceOptions of{*options.source, "index_of", options.flags, options.dialect == "published"};
@@ -178,6 +208,8 @@ int prove(const ProveOptions& options) {
   if ((!options.devices.empty() || options.entry) &&
       std::none_of(options.subjects.begin(), options.subjects.end(), is_shader))
     throw UsageError("--device, --entry: no --subject is a shader; leave them out");
+  if (options.source && asks_for_codec(options.laws, options.function.has_value()))
+    return prove_codec_of(options);
   // Loading a library may take long, so interrupts are handled from here on.
   const InterruptGuard guard;
   std::vector<RunsOn> runs_on;
@@ -290,8 +322,8 @@ void add_source(CLI::App& command, ProveOptions& options) {
   auto* const source =
       command
           .add_option("--source", options.source,
-                      "a function in C, C++, GLSL, HLSL, LLVM's bitcode or SPIR-V: prove index.floats of it, "
-                      "for every pair of floats")
+                      "a codec in C, C++ or LLVM's bitcode: prove its laws for every map; or, with "
+                      "index.floats, a function in these or in GLSL, HLSL or SPIR-V, for every pair of floats")
           ->type_name("FILE.c|.cpp|.bc|.ll|.glsl|.comp|.hlsl|.spv");
   command.add_option("--function", options.function, "its name in the source; index_of where not given")
       ->type_name("NAME")
@@ -300,7 +332,22 @@ void add_source(CLI::App& command, ProveOptions& options) {
       ->type_name("FLAG")
       ->allow_extra_args(false)
       ->needs(source);
-  command.add_option("--case", options.one_case, "run the source's function on one counterexample again")
+  command
+      .add_option("--format", options.format, "the format of a codec's maps; both where not given")
+      ->check(CLI::IsMember({"2-state", "4-state"}))
+      ->needs(source);
+  command
+      .add_option("--budget", options.budget,
+                  "seconds for one law of a codec at one level in one format, 60 where not given; then its sample runs")
+      ->type_name("SECONDS")
+      ->check(finite_within(0.1, 1e6))
+      ->needs(source);
+  command
+      .add_option("--certificates", options.certificates, "an existing folder: each proof of a codec leaves its steps there")
+      ->type_name("FOLDER")
+      ->check(CLI::ExistingDirectory)
+      ->needs(source);
+  command.add_option("--case", options.one_case, "run the source on one counterexample again")
       ->type_name("LEVEL@CASE")
       ->needs(source);
 }

@@ -41,6 +41,17 @@ std::string contents(const File& file) {
   return text;
 }
 
+/// The part of a file from a byte on. The place where the program that writes it goes on stays.
+std::string contents_from(const File& file, std::size_t begin) {
+  std::string text;
+  std::array<char, 4096> part;
+  for (;;) {
+    const ssize_t n = pread(fileno(file.get()), part.data(), part.size(), static_cast<off_t>(begin + text.size()));
+    if (n <= 0) return text;
+    text.append(part.data(), static_cast<std::size_t>(n));
+  }
+}
+
 void bound(const Bounds& bounds) {
   const auto at_most = [](auto resource, rlim_t most) {
     const rlimit limit{most, most};
@@ -140,7 +151,8 @@ class Running {
 }  // namespace
 
 ProgramEnd run_program(const std::vector<std::string>& arguments, const std::string& input,
-                       const std::function<void()>& stop, const Bounds& bounds) {
+                       const std::function<void()>& stop, const Bounds& bounds,
+                       const std::function<void(const std::string&)>& heard) {
   const std::string& program = arguments.at(0);
   // Files, not pipes: a full pipe would let each side wait for the other.
   const File in = nameless_file(program), out = nameless_file(program), errors = nameless_file(program);
@@ -160,15 +172,23 @@ ProgramEnd run_program(const std::vector<std::string>& arguments, const std::str
 
   Running running(child);
   const auto begun = std::chrono::steady_clock::now();
+  std::size_t said = 0;
+  const auto hear = [&] {
+    const std::string more = heard ? contents_from(out, said) : std::string();
+    said += more.size();
+    if (!more.empty()) heard(more);
+  };
   int status = 0;
   while (!running.ended(status)) {
     if (stop) stop();
+    hear();
     if (std::chrono::steady_clock::now() - begun > bounds.time)
       return {false, false, "stopped after " + std::to_string(bounds.time.count()) + " s", {}, {}};
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   // Ctrl-C ends the program as well, which is no failure of the program.
   if (stop) stop();
+  hear();
   return {WIFEXITED(status) && WEXITSTATUS(status) == 0, WIFEXITED(status),
           WIFEXITED(status) ? "exit code " + std::to_string(WEXITSTATUS(status))
                             : "signal " + std::to_string(WTERMSIG(status)),

@@ -32,10 +32,11 @@ struct ProgramEnd {
 /// Runs arguments[0], found on the PATH, with these arguments and without a shell: no word is interpreted.
 /// Its standard input is `input`.
 /// It is ended when it exceeds `bounds`. `stop` is called every 10 ms, and once after the end; if it throws,
-/// the program is ended first.
+/// the program is ended first. `heard` is called with each part of the standard output as it comes.
 /// Errors: NoProgram; std::runtime_error if it cannot be started, or there is no room for files or processes.
 ProgramEnd run_program(const std::vector<std::string>& arguments, const std::string& input = {},
-                       const std::function<void()>& stop = {}, const Bounds& bounds = {});
+                       const std::function<void()>& stop = {}, const Bounds& bounds = {},
+                       const std::function<void(const std::string&)>& heard = {});
 
 /// The text in one line, for a message.
 std::string one_line(std::string text);

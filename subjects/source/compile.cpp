@@ -13,7 +13,7 @@
 #include <iterator>
 
 #include "subjects/program/program.hpp"
-#include "subjects/source/flags.hpp"
+#include "subjects/source/tools.hpp"
 
 namespace mmverify::source {
 
@@ -35,64 +35,17 @@ const mmverify_subject_t* mmverify_subject_v1(void) {
 }
 )";
 
-fs::path program_folder() {
-  std::error_code error;
-  return fs::read_symlink("/proc/self/exe", error).parent_path();
-}
-
-/// The folder of mmverify_subject.h: installed, beside the programs of a tree built by hand, or the sources'.
-std::string header_folder() {
-  const fs::path here = program_folder();
-  std::error_code error;
-  std::string tried;
-  for (const fs::path& folder : {here / "../include", here / "../sdk", fs::path(MMVERIFY_SDK)}) {
-    const std::string place = folder.lexically_normal().string();
-    if (fs::exists(folder / "mmverify_subject.h", error)) return place;
-    tried += (tried.empty() ? "" : ", ") + place;
-  }
-  throw NotAvailable("mmverify_subject.h, which a source is compiled with, is in none of " + tried +
-                     "; put it into one of them (it is subjects/sdk/mmverify_subject.h)");
-}
-
-std::string clang() {
-  const char* named = std::getenv("MMVERIFY_CLANG");
-  return named != nullptr ? named : "clang";
-}
-
-/// The reader's path: beside the program, in the installed libexec, or in the folder cli beside the
-/// program's, for tests.
+/// The reader's path.
 std::string reader() {
-  if (const char* named = std::getenv("MMVERIFY_SOURCE_READER")) return named;
-  std::error_code error;
-  const fs::path here = program_folder();
-  for (const fs::path& place : {here / "mmverify-source", here / "../libexec/mmverify/mmverify-source",
-                                here / "../cli/mmverify-source"})
-    if (fs::exists(place, error)) return place.string();
-  throw NotAvailable(
-      "mmverify-source, which reads LLVM's bitcode, is missing in this build; install LLVM (Debian: "
-      "llvm-14-dev) and build again (./run build does both)");
-}
-
-ProgramEnd ended(const std::vector<std::string>& words) {
-  using std::chrono_literals::operator""s;
-  return program::run_program(words, {}, {}, {300s, std::uint64_t{8} << 30, std::uint64_t{256} << 20});
-}
-
-ProgramEnd of_clang(std::vector<std::string> words) {
-  words.insert(words.begin(), clang());
-  try {
-    return ended(words);
-  } catch (const program::NoProgram&) {
-    throw NotAvailable(
-        clang() +
-        ": there is no such compiler; install it (Debian: clang), or name another by MMVERIFY_CLANG");
-  }
+  return helper("MMVERIFY_SOURCE_READER", "mmverify-source",
+                "which reads LLVM's bitcode, is missing in this build; install LLVM (Debian: llvm-14-dev) and "
+                "build again (./run build does both)");
 }
 
 ProgramEnd of_reader(std::vector<std::string> words) {
   words.insert(words.begin(), reader());
   try {
-    return ended(words);
+    return run_tool(words);
   } catch (const program::NoProgram& why) {
     throw NotAvailable(why.what());
   }
@@ -102,19 +55,10 @@ ProgramEnd of_reader(std::vector<std::string> words) {
 /// nothing is checked.
 void check(const std::string& spirv, const std::string& file) {
   try {
-    if (const ProgramEnd end = ended({"spirv-val", spirv}); !end.succeeded)
+    if (const ProgramEnd end = run_tool({"spirv-val", spirv}); !end.succeeded)
       throw BadSource(file + ": spirv-val: " + program::one_line(end.out + end.errors));
   } catch (const program::NoProgram&) {
   }
-}
-
-/// The languages that clang is to take a file for, in turn; empty: the one that its name tells. clang would take a
-/// header alone for one to precompile.
-std::vector<std::string> languages_of(const std::string& file) {
-  const std::string extension = fs::path(file).extension().string();
-  if (extension == ".h") return {"c", "c++"};
-  if (extension == ".hpp") return {"c++"};
-  return {""};
 }
 
 std::string bytes_of(const std::string& file) {
@@ -131,17 +75,8 @@ Compiled::Compiled(const std::string& file, const std::string& function,
       bitcode_(read.empty() ? file : read),
       folder_(std::make_shared<const program::Folder>("source")) {
   reader();
-  std::error_code error;
-  if (!fs::exists(file, error)) throw NoSource(file + ": no such file");
-  if (!fs::is_regular_file(file, error)) throw BadSource(file + ": it is no file with text or code");
-  for (const std::string& flag : flags)
-    if (const auto why = why_not_judged(flag))
-      throw UnknownInstruction(file + ": --flag=" + flag + ": " + *why);
-  const std::string version = of_clang({"--version"}).out;
-  const std::size_t from = version.find("clang version");
-  compiler_ = from == std::string::npos
-                  ? "clang"
-                  : version.substr(from, version.find_first_of(" \n(", from + 14) - from);
+  refuse_unfit(file, flags);
+  compiler_ = clang_version();
   const std::string extension = fs::path(bitcode_).extension().string();
   if (extension == ".spv") {
     check(bitcode_, file);
@@ -158,28 +93,13 @@ Compiled::Compiled(const std::string& file, const std::string& function,
 }
 
 void Compiled::compile(const std::vector<std::string>& flags) {
-  static const std::array known{".c", ".h", ".cc", ".cpp", ".cxx", ".hpp", ".C", ".i", ".ii"};
-  if (std::find(known.begin(), known.end(), fs::path(file_).extension().string()) == known.end())
-    throw BadSource(file_ +
-                    ": its name tells no language; .c, .cpp, .glsl, .comp, .hlsl, .spv, .bc and .ll do");
   bitcode_ = folder_->file("module.bc");
   // clang must report a constant index beyond an array's end: in the bitcode it is an index into the next
   // row. LLVM's passes are left to the reader. Functions without a caller are kept.
-  std::vector<std::string> words{
-      "-O1", "-g", "-Xclang", "-disable-llvm-passes", "-Xclang", "-femit-all-decls", "-I" + header_folder()};
+  std::vector<std::string> words{"-O1", "-g", "-Xclang", "-disable-llvm-passes", "-Xclang", "-femit-all-decls"};
   words.insert(words.end(), flags.begin(), flags.end());
-  words.insert(words.end(), {"-fno-caret-diagnostics", "-Werror=array-bounds", "-ffp-contract=off",
-                             "-fno-math-errno", "-emit-llvm", "-c", "-o", bitcode_});
-  ProgramEnd end;
-  for (const std::string& language : languages_of(file_)) {
-    std::vector<std::string> all = words;
-    if (!language.empty()) all.insert(all.end(), {"-x", language});
-    all.insert(all.end(), {"--", file_});
-    end = of_clang(all);
-    if (end.succeeded) return;
-  }
-  folder_->check_room();
-  throw BadSource(file_ + ": clang does not compile it (" + end.how + "): " + program::one_line(end.errors));
+  words.insert(words.end(), {"-Werror=array-bounds", "-ffp-contract=off", "-fno-math-errno", "-emit-llvm"});
+  compile_file(file_, words, bitcode_, *folder_);
 }
 
 void Compiled::link(const std::string& fault) {
@@ -193,7 +113,7 @@ void Compiled::link(const std::string& fault) {
   std::ofstream(wrapper) << behind_the_header;
   library_ = folder_->file("index.so");
   const ProgramEnd linked =
-      of_clang({"-O1", "-ffp-contract=off", "-fno-math-errno", "-Wno-override-module", "-shared", "-fPIC",
+      run_clang({"-O1", "-ffp-contract=off", "-fno-math-errno", "-Wno-override-module", "-shared", "-fPIC",
                 "-I" + header_folder(), wrapper, alone, "-lm", "-o", library_});
   if (!linked.succeeded) folder_->check_room();
   if (!linked.succeeded)

@@ -3,32 +3,15 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "subjects/program/folder.hpp"
 #include "subjects/program/program.hpp"
+#include "subjects/source/errors.hpp"
 #include "subjects/source/program.hpp"
 
 namespace mmverify::source {
-
-/// A file that does not compile, or has no such function; what() has the compiler's message.
-struct BadSource : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-/// There is no such file.
-struct NoSource : BadSource {
-  using BadSource::BadSource;
-};
-/// There is no clang, or this build has no reader of bitcode; what() names the tool and its package.
-struct NotAvailable : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-/// Something has no operation here: an instruction, a promise, a flag; what() begins with file and line.
-struct UnknownInstruction : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// A function in C or C++, in LLVM bitcode (binary or text), or in SPIR-V, compiled.
 class Compiled {

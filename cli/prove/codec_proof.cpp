@@ -1,0 +1,165 @@
+#include "cli/prove/codec_proof.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "cli/arguments/arguments.hpp"
+#include "cli/output/exit_code.hpp"
+#include "proofs/codecs/case_text.hpp"
+#include "proofs/engine/bytes.hpp"
+#include "proofs/engine/interrupt.hpp"
+#include "proofs/registry/plugin.hpp"
+#include "proofs/registry/registry.hpp"
+
+namespace mmverify::cli {
+
+using namespace proofs;
+using codecs::CodecLaw;
+using codecs::Question;
+
+namespace {
+
+source::HarnessCall call_of(const Question& q) { return {q.file, q.function, q.level, q.format, q.size}; }
+
+/// The prover's choices as the numbers of a case: what it left open is 0.
+std::vector<std::uint64_t> numbers_of(const Question& question, const std::vector<source::Choice>& choices) {
+  std::vector<std::uint64_t> numbers;
+  for (const source::Choice& choice : choices) numbers.push_back(choice.number);
+  numbers.resize(static_cast<std::size_t>(codecs::count_of(question)));
+  return numbers;
+}
+
+std::string no_room(const Question& question) {
+  return fmt::format("its code has more than {} bytes, for which the law's harness has no room", question.size);
+}
+
+std::uint64_t& statements(Result& r) { return r.by_kind[kinds - 1].cases; }
+
+/// The file that a question's proof leaves in a folder.
+std::string certificate(const std::string& folder, const Result& r, const Question& q) {
+  if (folder.empty()) return {};
+  return fmt::format("{}/{}.level_{}.{}.{}.{}.lrat", folder, r.law, q.level, codecs::format_name(q.format), q.function,
+                     q.size);
+}
+
+}  // namespace
+
+CodecProof::CodecProof(const std::string& file, const std::vector<std::string>& flags, double timeout_seconds)
+    : file_(file), codec_(std::make_shared<source::Codec>(file, flags, codecs::texts())) {
+  replayed_by_ = "--source " + shell_quoted(file);
+  read_as_ = "LLVM bitcode of " + codec_->compiler();
+  for (const std::string& flag : flags) {
+    replayed_by_ += " --flag=" + shell_quoted(flag);
+    read_as_ += " " + flag;
+  }
+  dock::Options dock;
+  dock.timeout_seconds = timeout_seconds;
+  dock.called = file;
+  dock.keeps = codec_->files();
+  dock.fingerprint = fmt::format("{} {:016x}", codec_->compiler(), hash_of(codec_->bitcode()));
+  try {
+    library_ = open_library(codec_->library(), dock);
+  } catch (const dock::CannotLoad& why) {
+    throw EnvironmentError(fmt::format("{}: {}", file, why.what()));
+  } catch (const dock::NotHere& why) {
+    throw EnvironmentError(fmt::format("{}: {}", file, why.what()));
+  }
+  facts_ = {[library = library_](dock::Call call) { return library->offers(call); }, library_->description().flags,
+            library_->description().max_level};
+}
+
+Result CodecProof::named(const CodecLaw& law, Level level, unsigned format) const {
+  const Law& registered = *find_law(law.id);
+  Result r;
+  r.law = law.id;
+  r.topic = registered.topic;
+  r.subject = file_;
+  r.level = level;
+  r.at_once = registered.at_once;
+  r.proof = "SAT";
+  r.method = "SAT, mmverify-codec; " + read_as_;
+  r.domain = law.domain(level, format);
+  if (format != 0) r.domain = codecs::format_name(format) + " " + r.domain;
+  r.fingerprint = library_->fingerprint();
+  r.replayed_by = fmt::format("mmverify prove {} {}", law.id, replayed_by_);
+  return r;
+}
+
+void CodecProof::refute(Result& r, const Question& question, const source::CodecAnswer& answer,
+                        const CodecBudget& budget) {
+  const std::vector<std::uint64_t> numbers = numbers_of(question, answer.choices);
+  const std::string at = codecs::text_of(question, numbers);
+  const source::CodecRun run = codec_->run(call_of(question), answer.choices, budget.stop);
+  if (run.no_room) {
+    r.verdict = Verdict::not_applicable;
+    r.reason = no_room(question);
+  } else if (!run.fails) {
+    r.verdict = Verdict::incomplete;
+    r.reason = fmt::format(
+        "case {}: by the formula {}, and the compiled codec keeps the law there, under AddressSanitizer, "
+        "UndefinedBehaviorSanitizer and MemorySanitizer, too; nothing is proved",
+        at, answer.text);
+  } else {
+    r.verdict = Verdict::refuted;
+    ++r.by_kind[kinds - 1].mismatches;
+    r.counterexamples.push_back({{}, question.level, at, {}, "the law", answer.text + "; " + run.how});
+  }
+}
+
+Result CodecProof::judge(const CodecLaw& law, Level level, unsigned format, const CodecBudget& budget) {
+  Result r = named(law, level, format);
+  const std::vector<Question> all = codecs::questions(law, facts_, level, format);
+  r.cases_expected = all.size();
+  const auto begun = std::chrono::steady_clock::now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  };
+  r.verdict = Verdict::proved;
+  try {
+    for (const Question& question : all) {
+      const double left = budget.seconds - seconds();
+      source::CodecAnswer answer;
+      if (left > 0)
+        answer = codec_->prove(call_of(question),
+                               {left, budget.stop, budget.progress, certificate(budget.certificates, r, question)});
+      if (answer.kind == source::CodecAnswer::Kind::refuted) {
+        ++statements(r);
+        refute(r, question, answer, budget);
+        break;
+      }
+      if (answer.kind == source::CodecAnswer::Kind::unknown) {
+        r.verdict = Verdict::incomplete;
+        r.reason = fmt::format("not settled within {:g} s; {} of {} statements proved{}{}", budget.seconds,
+                               statements(r), all.size(), answer.text.empty() ? "" : "; ", answer.text);
+        break;
+      }
+      ++statements(r);
+    }
+  } catch (const Interrupted&) {
+    r.verdict = Verdict::incomplete;
+    r.reason = "interrupted";
+  } catch (const source::UnknownInstruction& why) {
+    r.verdict = Verdict::not_applicable;
+    r.reason = why.what();
+  }
+  r.seconds = seconds();
+  return r;
+}
+
+std::optional<CodecReplay> CodecProof::replay(const CodecLaw& law, Level level, const std::string& text) {
+  for (const unsigned format : law.formats) {
+    if (codecs::unfit(law, facts_, level, format)) continue;
+    for (const Question& question : codecs::questions(law, facts_, level, format)) {
+      const auto numbers = codecs::numbers_of(question, text);
+      if (!numbers) continue;
+      std::vector<source::Choice> choices;
+      for (const std::uint64_t number : *numbers) choices.push_back({0, number});
+      return CodecReplay{question, codec_->run(call_of(question), choices)};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace mmverify::cli

@@ -1,0 +1,240 @@
+#include "subjects/source/codec.hpp"
+
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+#include "subjects/source/tools.hpp"
+
+namespace mmverify::source {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using program::ProgramEnd;
+
+/// A way to compile and run a codec.
+struct RunKind {
+  const char* name;
+  std::vector<std::string> flags;
+};
+
+const std::array<RunKind, 3>& run_kinds() {
+  static const std::array<RunKind, 3> kinds{
+      RunKind{"plain", {}},
+      RunKind{"address", {"-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"}},
+      RunKind{"memory", {"-g", "-fsanitize=memory"}}};
+  return kinds;
+}
+
+constexpr std::chrono::seconds longest_run{10};
+constexpr std::uint64_t prover_mib = 8192;
+
+std::string prover() {
+  return helper("MMVERIFY_CODEC_PROVER", "mmverify-codec",
+                "which proves laws of codecs, is missing in this build; install LLVM and CaDiCaL (Debian: "
+                "llvm-14-dev, libcadical-dev) and build again (./run build does both)");
+}
+
+void add_macros(std::vector<std::string>& words, const HarnessCall& call) {
+  words.push_back("-DLEVEL=" + std::to_string(call.level));
+  words.push_back("-DFORMAT=" + std::to_string(call.format));
+  words.push_back("-DSIZE=" + std::to_string(call.size));
+}
+
+/// The prover's lines, read as they come.
+class ProverLines {
+ public:
+  explicit ProverLines(const ProofLimits& limits) : limits_(limits) {}
+
+  void hear(const std::string& part) {
+    rest_ += part;
+    for (std::size_t end; (end = rest_.find('\n')) != std::string::npos; rest_.erase(0, end + 1))
+      read(rest_.substr(0, end));
+  }
+  const std::optional<CodecAnswer>& answer() const { return answer_; }
+
+ private:
+  void read(const std::string& line) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word == "progress") {
+      std::uint64_t lemmas = 0, open = 0;
+      if (words >> lemmas >> open && limits_.progress) limits_.progress(lemmas, open);
+    } else if (word == "choice" && answer_) {
+      Choice choice;
+      if (words >> choice.bits >> choice.number) answer_->choices.push_back(choice);
+    } else if (word == "proved") {
+      answer_ = CodecAnswer{CodecAnswer::Kind::proved, {}, {}, 0, 0, 0};
+      words >> answer_->nodes >> answer_->lemmas >> answer_->obligations;
+    } else if (word == "refuted" || word == "unknown") {
+      const auto kind = word == "refuted" ? CodecAnswer::Kind::refuted : CodecAnswer::Kind::unknown;
+      answer_ = CodecAnswer{kind, line.size() > word.size() ? line.substr(word.size() + 1) : "", {}, 0, 0, 0};
+    }
+  }
+
+  const ProofLimits& limits_;
+  std::string rest_;
+  std::optional<CodecAnswer> answer_;
+};
+
+/// The line of a sanitizer's report that says what is wrong; empty if there is none.
+std::string sanitizer_line(const std::string& errors) {
+  std::istringstream lines(errors);
+  std::string line, summary;
+  while (std::getline(lines, line)) {
+    if (line.find(": runtime error: ") != std::string::npos) return "UndefinedBehaviorSanitizer: " + line;
+    if (line.starts_with("SUMMARY: ")) summary = line.substr(std::string("SUMMARY: ").size());
+  }
+  return summary;
+}
+
+/// The number after "line " in the driver's message, as "tree.c:17"; empty if it has none.
+std::string harness_line(const HarnessCall& call, const std::string& errors) {
+  const std::size_t at = errors.find("line ");
+  if (at != 0) return {};
+  return call.file + ":" + program::one_line(errors.substr(std::string("line ").size()));
+}
+
+}  // namespace
+
+Codec::Codec(const std::string& file, const std::vector<std::string>& flags,
+             const std::map<std::string, std::string>& texts)
+    : file_(file), flags_(flags), folder_(std::make_shared<const program::Folder>("codec")) {
+  prover();
+  refuse_unfit(file, flags);
+  compiler_ = clang_version();
+  for (const auto& [name, text] : texts) std::ofstream(folder_->file(name)) << text;
+  folder_->check_room();
+  // The rest is told by clang; a read of the file as it is follows the same words.
+  if (is_bitcode(file)) {
+    bitcode_ = folder_->file("codec" + fs::path(file).extension().string());
+    fs::copy_file(file, bitcode_);
+  } else {
+    bitcode_ = folder_->file("codec.bc");
+    std::vector<std::string> words{"-O1", "-g", "-Xclang", "-disable-llvm-passes", "-emit-llvm",
+                                   "-ffp-contract=off"};
+    if (is_cpp(file)) words.insert(words.end(), {"-fno-exceptions", "-fno-rtti"});
+    words.insert(words.end(), flags.begin(), flags.end());
+    compile_file(file, words, bitcode_, *folder_);
+  }
+  library_ = folder_->file("codec.so");
+  std::vector<std::string> link{"-shared", "-o", library_, object(0), "-lm"};
+  if (is_cpp(file)) link.push_back("-lstdc++");
+  if (const ProgramEnd end = run_clang(link); !end.succeeded)
+    throw BadSource(file + ": clang makes no shared library of it (" + end.how +
+                    "): " + program::one_line(end.errors));
+}
+
+const std::string& Codec::object(std::size_t kind) {
+  const RunKind& of = run_kinds().at(kind);
+  std::string& made = made_[std::string("codec ") + of.name];
+  if (!made.empty()) return made;
+  std::vector<std::string> words{"-O2", "-fPIC", "-ffp-contract=off", "-Wno-override-module"};
+  words.insert(words.end(), of.flags.begin(), of.flags.end());
+  if (is_cpp(file_)) words.insert(words.end(), {"-fno-exceptions", "-fno-rtti"});
+  words.insert(words.end(), flags_.begin(), flags_.end());
+  const std::string out = folder_->file(std::string("codec.") + of.name + ".o");
+  compile_file(is_bitcode(file_) ? bitcode_ : file_, words, out, *folder_);
+  return made = out;
+}
+
+std::string Codec::program(const HarnessCall& call, std::size_t kind) {
+  const RunKind& of = run_kinds().at(kind);
+  std::vector<std::string> words{"-O2", "-w", "-I" + header_folder(), "-DMMVERIFY_REPLAY", "-DFUNCTION=" + call.function};
+  add_macros(words, call);
+  words.insert(words.end(), of.flags.begin(), of.flags.end());
+  std::string& made = made_[call.file + of.name + words[4] + words[5] + words[6] + words[7]];
+  if (!made.empty()) return made;
+  const std::string out = folder_->file("replay." + std::to_string(made_.size()));
+  words.insert(words.end(), {folder_->file(call.file), folder_->file("replay.c"), object(kind), "-o", out, "-lm"});
+  if (is_cpp(file_)) words.push_back("-lstdc++");
+  if (const ProgramEnd end = run_clang(words); !end.succeeded)
+    throw BadSource(file_ + ": clang does not compile it with a law (" + end.how +
+                    "): " + program::one_line(end.errors));
+  return made = out;
+}
+
+CodecAnswer Codec::prove(const HarnessCall& call, const ProofLimits& limits) {
+  std::string key = call.file;
+  std::vector<std::string> words{"-O1", "-g", "-Xclang", "-disable-llvm-passes", "-emit-llvm", "-w"};
+  add_macros(words, call);
+  for (std::size_t k = words.size() - 3; k < words.size(); ++k) key += words[k];
+  std::string& law = made_[key];
+  if (law.empty()) {
+    const std::string out = folder_->file("law." + std::to_string(made_.size()) + ".bc");
+    compile_file(folder_->file(call.file), words, out, *folder_);
+    law = out;
+  }
+  std::ostringstream budget;
+  budget << limits.seconds;
+  std::vector<std::string> run{prover(),   bitcode_,     law,        call.function,
+                               "--budget", budget.str(), "--memory", std::to_string(prover_mib)};
+  if (!limits.certificate.empty()) run.insert(run.end(), {"--certificate", limits.certificate});
+  ProverLines lines(limits);
+  constexpr double grace = 30;  // the prover ends by itself; this bounds one that does not
+  const program::Bounds bounds{std::chrono::seconds(static_cast<std::int64_t>(std::ceil(limits.seconds + grace))),
+                               2 * prover_mib << 20, std::numeric_limits<std::uint64_t>::max()};
+  ProgramEnd end;
+  try {
+    end = program::run_program(run, {}, limits.stop, bounds, [&](const std::string& part) { lines.hear(part); });
+  } catch (const program::NoProgram& why) {
+    throw NotAvailable(why.what());
+  }
+  if (end.how == "exit code 3") throw UnknownInstruction(program::one_line(end.errors));
+  if (end.how == "exit code 2") throw BadSource(file_ + ": mmverify-codec: " + program::one_line(end.errors));
+  if (end.succeeded && lines.answer()) return *lines.answer();
+  CodecAnswer none;
+  none.text = "mmverify-codec: " + end.how + (end.errors.empty() ? "" : ": " + program::one_line(end.errors));
+  return none;
+}
+
+CodecRun Codec::run_once(const HarnessCall& call, std::size_t kind, const std::vector<std::string>& arguments,
+                         const std::function<void()>& stop, std::string* out) {
+  std::vector<std::string> words{program(call, kind)};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  // A sanitizer reserves address space beyond any bound.
+  const program::Bounds bounds{longest_run, std::numeric_limits<std::uint64_t>::max(), std::uint64_t{256} << 20};
+  const ProgramEnd end = program::run_program(words, {}, stop, bounds);
+  if (out != nullptr) *out = end.out;
+  if (end.succeeded) return {};
+  if (end.how == "exit code 3") return {false, true, harness_line(call, end.errors)};
+  const std::string place = harness_line(call, end.errors), report = sanitizer_line(end.errors);
+  if (!place.empty()) return {true, false, "the compiled codec gives another answer (" + place + ")"};
+  if (!report.empty()) return {true, false, report};
+  return {true, false, "the compiled codec ends by " + end.how};
+}
+
+CodecRun Codec::run(const HarnessCall& call, const std::vector<Choice>& choices, const std::function<void()>& stop) {
+  std::vector<std::string> numbers;
+  for (const Choice& choice : choices) numbers.push_back(std::to_string(choice.number));
+  CodecRun last;
+  for (std::size_t kind = 0; kind < run_kinds().size(); ++kind) {
+    last = run_once(call, kind, numbers, stop, nullptr);
+    if (last.fails || last.no_room) return last;
+  }
+  return last;
+}
+
+CodecRun Codec::run_all(const HarnessCall& call, unsigned bits, std::uint64_t& cases) {
+  std::string out;
+  CodecRun run = run_once(call, 0, {"--all", std::to_string(bits)}, {}, &out);
+  std::from_chars(out.data(), out.data() + out.size(), cases);
+  return run;
+}
+
+std::string Codec::bitcode() const {
+  std::ifstream in(bitcode_, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace mmverify::source
