@@ -24,7 +24,7 @@ struct CodecOptions {
   std::string json, junit;
 };
 
-/// Whether arguments ask for a codec's laws: no function is named, and the laws are not index.floats alone.
+/// Whether arguments ask for a codec's laws: neither a function is named nor index.floats.
 bool asks_for_codec(const std::vector<std::string>& laws, bool function_named);
 
 /// Proves the laws, or runs one case again.  Returns the exit code.

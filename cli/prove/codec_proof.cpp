@@ -48,10 +48,10 @@ std::string certificate(const std::string& folder, const Result& r, const Questi
 
 CodecProof::CodecProof(const std::string& file, const std::vector<std::string>& flags, double timeout_seconds)
     : file_(file), codec_(std::make_shared<source::Codec>(file, flags, codecs::texts())) {
-  replayed_by_ = "--source " + shell_quoted(file);
+  source_ = "--source " + shell_quoted(file);
   read_as_ = "LLVM bitcode of " + codec_->compiler();
   for (const std::string& flag : flags) {
-    replayed_by_ += " --flag=" + shell_quoted(flag);
+    source_ += " --flag=" + shell_quoted(flag);
     read_as_ += " " + flag;
   }
   dock::Options dock;
@@ -70,6 +70,10 @@ CodecProof::CodecProof(const std::string& file, const std::vector<std::string>& 
             library_->description().max_level};
 }
 
+std::string CodecProof::replayed_by(const std::string& law) const {
+  return fmt::format("mmverify prove {} {}", law, source_);
+}
+
 Result CodecProof::named(const CodecLaw& law, Level level, unsigned format) const {
   const Law& registered = *find_law(law.id);
   Result r;
@@ -83,7 +87,7 @@ Result CodecProof::named(const CodecLaw& law, Level level, unsigned format) cons
   r.domain = law.domain(level, format);
   if (format != 0) r.domain = codecs::format_name(format) + " " + r.domain;
   r.fingerprint = library_->fingerprint();
-  r.replayed_by = fmt::format("mmverify prove {} {}", law.id, replayed_by_);
+  r.replayed_by = replayed_by(law.id);
   return r;
 }
 

@@ -46,6 +46,9 @@ class CodecProof {
   /// Runs a case's text again on the compiled codec; nothing if it is no case of the law at that level.
   std::optional<CodecReplay> replay(const proofs::codecs::CodecLaw& law, proofs::Level level, const std::string& text);
 
+  /// The command that runs a case of the law again, without --case LEVEL@CASE.
+  std::string replayed_by(const std::string& law) const;
+
   /// The law's result without its verdict.
   proofs::Result named(const proofs::codecs::CodecLaw& law, proofs::Level level, unsigned format) const;
 
@@ -53,7 +56,7 @@ class CodecProof {
   void refute(proofs::Result& result, const proofs::codecs::Question& question, const source::CodecAnswer& answer,
               const CodecBudget& budget);
 
-  std::string file_, replayed_by_, read_as_;
+  std::string file_, source_, read_as_;
   std::shared_ptr<source::Codec> codec_;
   dock::LibraryPtr library_;
   proofs::codecs::Facts facts_;

@@ -168,7 +168,7 @@ int prove_codec_of(const ProveOptions& options) {
 Job job_of_source(const ProveOptions& options) {
   if (options.laws != std::vector<std::string>{"index.floats"})
     throw UsageError(
-        "--function: index.floats is proved of a function, and nothing else; write mmverify prove index.floats");
+        "--source: index.floats is proved of a function, and nothing else; write mmverify prove index.floats");
   if (options.format || options.budget || !options.certificates.empty())
     throw UsageError("--format, --budget, --certificates: they are for a codec's laws; leave them out");
   if (!options.subjects.empty())

@@ -208,6 +208,7 @@ CodecRun Codec::run_once(const HarnessCall& call, std::size_t kind, const std::v
   if (out != nullptr) *out = end.out;
   if (end.succeeded) return {};
   if (end.how == "exit code 3") return {false, true, harness_line(call, end.errors)};
+  if (end.how == "exit code 5") return {false, false, "too many choices to run all"};
   const std::string place = harness_line(call, end.errors), report = sanitizer_line(end.errors);
   if (!place.empty()) return {true, false, "the compiled codec gives another answer (" + place + ")"};
   if (!report.empty()) return {true, false, report};

@@ -65,7 +65,8 @@ class Codec {
   /// under MemorySanitizer, until one run fails.
   CodecRun run(const HarnessCall& call, const std::vector<Choice>& choices, const std::function<void()>& stop = {});
 
-  /// Runs the harness at -O2 on all its choices, if their bits together are at most `bits`; `cases`: their number.
+  /// Runs the harness at -O2 on all its choices, if their bits together are at most `bits`. `cases`: their number; 0 if
+  /// there are more, or a run fails.
   CodecRun run_all(const HarnessCall& call, unsigned bits, std::uint64_t& cases);
 
   /// A shared library of the codec.

@@ -86,7 +86,9 @@ if(NOT MMVERIFY_SANITIZE)
     $<$<BOOL:${MMVERIFY_BRIEF}>:--brief> $<$<BOOL:${MMVERIFY_EVERY_TEST}>:--every> COMMAND_EXPAND_LISTS)
   add_test(NAME source_promises_test
     COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/source_promises_test.sh $<TARGET_FILE:mmverify-prove>)
-  set_tests_properties(source_test source_promises_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 900 COST 1000)
+  add_test(NAME codec_command_test
+    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/codec_command_test.sh $<TARGET_FILE:mmverify-prove> ${PROJECT_SOURCE_DIR})
+  set_tests_properties(codec_command_test source_test source_promises_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 900 COST 1000)
 endif()
 
 # Implementations of others, by stand-ins of the same shape.

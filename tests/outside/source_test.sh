@@ -135,7 +135,7 @@ judged 1 '^refuted index.floats level 1' --source "$wrong" --function one_pair -
 judged 2 'levels 0..16' --source "$wrong" --function right --levels 1 --case 17@u=0,v=0
 judged 2 'u \+ v <= 1 \+ 2\^-23' --source "$wrong" --function right --levels 1 --case 0@u=1,v=1
 judged 2 "'no_index' is float \(float, float\); due is uint32_t \(uint32_t level, float u, float v\)" --source "$wrong" --function no_index
-judged 2 'index.floats is proved of a source, and nothing else' index.nested --source "$wrong"
+judged 2 'index.floats is proved of a function, and nothing else' index.nested --source "$wrong"
 # Shaders, by their SPIR-V.
 if command -v glslangValidator >/dev/null; then
   shader=$root/tests/subjects/wrong_source.glsl

@@ -1,0 +1,114 @@
+#!/usr/bin/env bash
+# prove --source of a codec: lines, exit codes, JSON and replays, with provers of one answer each; and, where the build has
+# mmverify-codec, with the real one.
+# usage: tests/outside/codec_command_test.sh MMVERIFY ROOT
+set -euo pipefail
+
+(($# == 2)) || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
+mmverify=$(readlink -f -- "$1") root=$(readlink -f -- "$2")
+command -v clang >/dev/null || { echo 'SKIPPED: no clang'; exit 77; }
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+cd "$folder"
+failures=0
+fail() { printf 'FAILED: %s\n' "$*"; failures=$((failures + 1)); }
+tree=$root/examples/subject_tree/subject_tree.c
+cp "$tree" right.c
+sed 's/owed + 3/owed + 2/' "$tree" >wrong.c
+
+# prover LINE...: a prover that runs these lines of a shell.
+prover() {
+  printf '%s\n' '#!/usr/bin/env bash' "$@" >prover
+  chmod +x prover
+}
+export MMVERIFY_CODEC_PROVER=$folder/prover
+
+# judged CODE PATTERN ARGS...: exit code, and a line of what is said.
+judged() {
+  local wanted=$1 pattern=$2 code=0
+  shift 2
+  "$mmverify" prove --quiet "$@" >said 2>&1 || code=$?
+  ((code == wanted)) || { cat said; fail "$*: exit code $code, not $wanted"; }
+  grep -qE -- "$pattern" said || { cat said; fail "$*: nothing said like: $pattern"; }
+}
+
+prover 'echo "proved 10 2 3"'
+judged 0 '^proved +tree.round_trip right.c level 1 4-state every map, 4\^4 \(SAT\) [0-9.]+ s$' tree.round_trip --source right.c --levels 0..1
+judged 0 '^4 results: 4 proved' tree.round_trip --source right.c --levels 0..1
+judged 0 '^1 results: 1 proved' tree.round_trip --source right.c --levels 1 --format 2-state
+judged 0 '^proved +tree.canonical' --source right.c --levels 0
+judged 2 'lossy.allowed right.c level 0 4-state every map, 4\^1: it has no entry point micromap_substitute' lossy.allowed --source right.c --levels 0
+judged 2 'index.nested is proved of no source' index.nested --source right.c
+judged 4 'no such file' --source missing.c
+printf 'int x' >broken.c
+judged 2 'broken.c: clang does not compile it' --source broken.c
+judged 2 'leave them out' --source right.c --shard 1/2
+
+# The folder of certificates, the budget and the memory reach the prover.
+prover 'echo "$*" >>"$(dirname "$0")/words"; echo "proved 10 2 3"'
+mkdir kept
+judged 0 . tree.lookup_is_decode --source right.c --levels 1 --format 2-state --budget 7 --certificates kept
+grep -qE 'lookup --budget (7|6\.[0-9]+) --memory [0-9]+ --certificate kept/tree.lookup_is_decode.level_1.2-state.lookup.2.lrat$' words || { cat words; fail 'the words of the prover'; }
+
+# A counterexample counts only if a run of the compiled codec fails on it.
+prover 'case $3 in round_trip) echo "refuted tree.c:14: a check"; for state in 0 0 0 1; do echo "choice 1 $state"; done;; *) echo "proved 1 1 1";; esac'
+judged 3 'case 2-state:0001: by the formula tree.c:14: a check, and the compiled codec keeps the law there' tree.round_trip --source right.c --levels 1 --format 2-state --json right.json
+judged 1 '^refuted +tree.round_trip wrong.c level 1 2-state' tree.round_trip --source wrong.c --levels 1 --format 2-state --json wrong.json
+grep -qE '^  case 2-state:0001: tree.c:14: a check; the compiled codec gives another answer \(tree.c:[0-9]+\)$' said || { cat said; fail 'the case'; }
+again=$(sed -n 's/^  replay: mmverify prove //p' said)
+eval "judged 1 '^refuted tree.round_trip level 1 case 2-state:0001 subject wrong.c' $again"
+judged 0 '^holds tree.round_trip level 1 case 2-state:0001' tree.round_trip --source right.c --case 1@2-state:0001
+judged 2 'it is no case of tree.round_trip at level 1' tree.round_trip --source right.c --case 1@2-state:00012
+judged 2 'write LEVEL@CASE' tree.round_trip --source right.c --case 2-state:0001
+for result in right wrong; do "$root/scripts/check-schema" $result.json || fail "$result.json"; done
+# Nothing but a sanitizer sees these.
+sed 's/if (t == most) return 0;/if (t == most + 1) return 0;/' "$tree" >behind.c
+judged 1 'AddressSanitizer: .*overflow' tree.malformed --source behind.c --case 0@2-state,code=
+sed 's/memset(map, 0, bytes_of(bits, (size_t)1 << 2 \* level));//' "$tree" >unset.c
+judged 1 'MemorySanitizer: use-of-uninitialized-value|another answer' tree.round_trip --source unset.c --case 0@2-state:0
+
+# Past the budget the sample of the law runs.
+prover 'echo "progress 5 1 1"; echo "unknown the budget is spent"'
+judged 3 '^checked +tree.on_samples right.c level 2 .* cases' tree.round_trip --source right.c --levels 2 --json unknown.json
+grep -qE '^unknown +tree.round_trip right.c level 2 2-state' said || { cat said; fail 'unknown'; }
+(($(grep -c '^checked' said) == 1)) || fail 'one sample for both formats'
+"$root/scripts/check-schema" unknown.json || fail unknown.json
+judged 1 '^refuted +tree.on_samples wrong.c level 3' tree.round_trip --source wrong.c --levels 3 --format 2-state
+again=$(sed -n 's/^  replay: mmverify prove //p' said | head -1)
+eval "judged 1 '^refuted tree.on_samples level 3' $again"
+
+# What the prover cannot read, and a prover that fails.
+prover 'echo "right.c:12: call: setjmp" >&2; exit 3'
+judged 2 '^n/a +tree.round_trip right.c level 1 2-state every map, 2\^4: right.c:12: call: setjmp' tree.round_trip --source right.c --levels 1
+prover 'echo "no bitcode" >&2; exit 2'
+judged 2 'right.c: mmverify-codec: no bitcode' tree.round_trip --source right.c --levels 1
+prover 'kill -SEGV $$'
+judged 3 'mmverify-codec: signal 11' tree.round_trip --source right.c --levels 0 --format 2-state
+MMVERIFY_CODEC_PROVER=$folder/none judged 4 'there is no program' tree.round_trip --source right.c --levels 0
+
+# Ctrl-C ends the prover and the run within a second.
+prover 'echo $$ >"$(dirname "$0")/pid"; exec sleep 60'
+rm -f pid
+"$mmverify" prove tree.round_trip --quiet --source right.c --levels 1 >said 2>&1 &
+run=$!
+until [[ -s pid ]]; do sleep 0.05; done
+kill -INT $run
+start=$(date +%s%N)
+code=0
+wait $run || code=$?
+took=$((($(date +%s%N) - start) / 1000000))
+((code == 3)) || { cat said; fail "interrupted: exit code $code"; }
+((took < 1500)) || fail "interrupted: $took ms"
+! kill -0 "$(<pid)" 2>/dev/null || fail 'the prover runs on'
+
+# The real one.
+unset MMVERIFY_CODEC_PROVER
+if [[ -x $(dirname "$mmverify")/mmverify-codec ]]; then
+  judged 0 '^6 results: 6 proved' tree.round_trip --source right.c --levels 0..2
+  judged 1 '^refuted +tree.round_trip wrong.c level 1' tree.round_trip --source wrong.c --levels 1
+else
+  echo 'no mmverify-codec in this build: its part is left out'
+fi
+
+((failures == 0)) || { printf '%d failures\n' "$failures"; exit 1; }
+echo ok

@@ -1,0 +1,187 @@
+// [release, night] Laws of codecs: their cases as text, and the prover beside enumeration, on right codecs and on faults.
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <memory>
+
+#include "proofs/codecs/case_text.hpp"
+#include "proofs/engine/random.hpp"
+#include "proofs/registry/registry.hpp"
+#include "subjects/source/codec.hpp"
+#include "tests/folder.hpp"
+
+namespace mmverify::codec_test {
+namespace {
+
+using namespace proofs;
+using codecs::CodecLaw;
+using codecs::Facts;
+using codecs::Question;
+
+struct Fault {
+  const char *name, *says, *file, *was, *is, *law;
+  Level level;
+};
+std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.name; }
+
+const std::vector<Fault> faults{
+#define MMVERIFY_FAULT(name, says, file, was, is, law, level) {#name, says, file, was, is, law, level},
+#include "tests/source/codec_faults.def"
+#undef MMVERIFY_FAULT
+};
+
+/// A codec that has every entry point and declares every flag.
+const Facts all_of_it{[](dock::Call) { return true; }, MMVERIFY_TREE_STREAM | MMVERIFY_VQ_KEEPS, 12};
+
+std::string source_text(const std::string& file) { return tests::text_of(std::string(MMVERIFY_ROOT) + "/" + file); }
+
+/// A codec in a file of its own, compiled, and what it says of itself.
+class Made {
+ public:
+  explicit Made(const std::string& text) {
+    const std::string file = folder_ / "codec.c";
+    std::ofstream(file) << text;
+    codec = std::make_unique<source::Codec>(file, std::vector<std::string>(), codecs::texts());
+    handle_ = dlopen(codec->library().c_str(), RTLD_NOW);
+    if (handle_ == nullptr) throw std::runtime_error(dlerror());
+    const auto* subject = reinterpret_cast<const mmverify_subject_t* (*)()>(dlsym(handle_, "mmverify_subject_v1"))();
+    facts = {[subject](dock::Call call) {
+               void* pointer = nullptr;
+               std::memcpy(&pointer, reinterpret_cast<const char*>(subject) + dock::entry_point(call).offset,
+                           sizeof pointer);
+               return pointer != nullptr;
+             },
+             subject->flags, subject->max_level};
+  }
+  ~Made() { dlclose(handle_); }
+  Made(const Made&) = delete;
+  Made& operator=(const Made&) = delete;
+
+  std::unique_ptr<source::Codec> codec;
+  Facts facts;
+
+ private:
+  tests::Folder folder_;
+  void* handle_;
+};
+
+source::HarnessCall call_of(const Question& q) { return {q.file, q.function, q.level, q.format, q.size}; }
+
+std::string name_of(const CodecLaw& law, const Question& q) {
+  return fmt::format("{} {} level {} {} size {}", law.id, q.function, q.level, q.begins, q.size);
+}
+
+std::vector<Question> asked(const CodecLaw& law, const Facts& facts, Level level) {
+  std::vector<Question> all;
+  for (const unsigned format : law.formats)
+    if (!codecs::unfit(law, facts, level, format))
+      for (const Question& q : codecs::questions(law, facts, level, format)) all.push_back(q);
+  return all;
+}
+
+/// Whether the law holds for a question by its proof.  The proof agrees with the enumeration of the question's choices,
+/// if they have at most so many bits: what is proved holds there, and what is refuted fails on the compiled codec.
+bool proved(Made& made, const CodecLaw& law, const Question& q, unsigned bits) {
+  constexpr double seconds = 120;
+  const source::CodecAnswer answer = made.codec->prove(call_of(q), {seconds, {}, {}, {}});
+  EXPECT_NE(answer.kind, source::CodecAnswer::Kind::unknown) << name_of(law, q) << ": " << answer.text;
+  const bool holds = answer.kind == source::CodecAnswer::Kind::proved;
+  std::uint64_t cases = 0;
+  const source::CodecRun every = made.codec->run_all(call_of(q), bits, cases);
+  EXPECT_FALSE(holds && every.fails) << name_of(law, q) << ": proved, and by enumeration " << every.how;
+  if (answer.kind == source::CodecAnswer::Kind::refuted) {
+    EXPECT_TRUE(made.codec->run(call_of(q), answer.choices).fails) << name_of(law, q) << ": " << answer.text;
+    EXPECT_EQ(answer.choices.size(), codecs::count_of(q)) << name_of(law, q);
+  }
+  return holds;
+}
+
+bool no_prover() {
+  try {
+    Made made(source_text("tests/subjects/codecs/maps.c"));
+    return false;
+  } catch (const source::NotAvailable&) {
+    return true;
+  }
+}
+
+TEST(CodecLaws, AreOfTheRegistryAndSoAreTheirSamples) {
+  for (const CodecLaw& law : codecs::laws()) {
+    EXPECT_NE(find_law(law.id), nullptr) << law.id;
+    ASSERT_NE(find_law(law.sampled), nullptr) << law.sampled;
+    EXPECT_EQ(find_law(law.sampled)->method, Method::sample) << law.sampled;
+    for (const codecs::Harness& h : law.harnesses) {
+      ASSERT_TRUE(codecs::texts().contains(h.file)) << h.file;
+      EXPECT_NE(codecs::texts().at(h.file).find(fmt::format("void {}(void)", h.function)), std::string::npos)
+          << h.function;
+    }
+  }
+}
+
+TEST(CodecCases, TextsComeBack) {
+  Random random(1, 51, 0);
+  for (const CodecLaw& law : codecs::laws())
+    for (Level n = law.fast.first; n <= law.fast.last; ++n)
+      for (const Question& q : asked(law, all_of_it, n)) {
+        std::vector<std::uint64_t> numbers;
+        for (const codecs::Chosen& group : q.chosen)
+          for (std::uint64_t k = 0; k < group.count; ++k) numbers.push_back(random.next() >> (64 - group.bits));
+        const std::string text = codecs::text_of(q, numbers);
+        EXPECT_EQ(codecs::numbers_of(q, text), numbers) << name_of(law, q) << ": " << text;
+        EXPECT_EQ(codecs::numbers_of(q, text + "0"), std::nullopt) << name_of(law, q) << ": " << text;
+        EXPECT_EQ(codecs::numbers_of(q, "x" + text), std::nullopt);
+      }
+}
+
+TEST(CodecCases, TextsAreThoseOfTheHouse) {
+  const CodecLaw& law = codecs::laws().front();
+  const Question q = asked(law, all_of_it, 1).back();
+  ASSERT_EQ(name_of(law, q), "tree.round_trip exact_size level 1 4-state size 3");
+  EXPECT_EQ(codecs::text_of(q, {3, 2, 1, 0, 200}), "4-state:3210,before=200");
+  EXPECT_EQ(codecs::numbers_of(q, "4-state:3214,before=200"), std::nullopt) << "a state above UO";
+  EXPECT_EQ(codecs::numbers_of(q, "4-state:3210,before=256"), std::nullopt) << "a number of nine bits";
+  EXPECT_EQ(codecs::numbers_of(q, "4-state:321,before=200"), std::nullopt) << "three states";
+}
+
+class RightCodec : public testing::TestWithParam<const char*> {};
+
+TEST_P(RightCodec, IsProvedAndEnumerated) {
+  if (no_prover()) GTEST_SKIP() << "this build has no mmverify-codec";
+  Made made(source_text(GetParam()));
+  constexpr unsigned bits = 20;
+  for (const CodecLaw& law : codecs::laws()) {
+    const Level last = law.fixed ? law.fast.last : std::min<Level>(law.fast.last, 1);
+    for (Level n = law.fast.first; n <= last; ++n)
+      for (const Question& q : asked(law, made.facts, n)) EXPECT_TRUE(proved(made, law, q, bits)) << name_of(law, q);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfExamples, RightCodec,
+                         testing::Values("examples/subject_tree/subject_tree.c", "tests/subjects/codecs/maps.c",
+                                         "examples/subject_vq/subject_vq.c"));
+
+class WrongCodec : public testing::TestWithParam<Fault> {};
+
+TEST_P(WrongCodec, IsRefutedByItsLaw) {
+  if (no_prover()) GTEST_SKIP() << "this build has no mmverify-codec";
+  const Fault& fault = GetParam();
+  std::string text = source_text(fault.file);
+  const std::size_t at = text.find(fault.was);
+  ASSERT_NE(at, std::string::npos) << fault.was;
+  Made made(text.replace(at, std::string(fault.was).size(), fault.is));
+  constexpr unsigned bits = 16;
+  bool all_hold = true;
+  for (const CodecLaw& law : codecs::laws())
+    if (std::string(law.id) == fault.law)
+      for (const Question& q : asked(law, made.facts, fault.level)) all_hold &= proved(made, law, q, bits);
+  EXPECT_FALSE(all_hold) << fault.says;
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, WrongCodec, testing::ValuesIn(faults),
+                         [](const auto& it) { return std::string(it.param.name); });
+
+}  // namespace
+}  // namespace mmverify::codec_test
