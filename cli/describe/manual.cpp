@@ -117,6 +117,8 @@ std::string manual(const Program& program, const std::string& version, const std
       ".TP\n.B 4\nThe environment, or a bad file.\n"
       ".SH ENVIRONMENT\n"
       ".TP\n.B MMVERIFY_CLANG\nThe compiler of \\-\\-source; clang where it is not set.\n"
+      ".TP\n.B MMVERIFY_CODEC_PROVER\nThe prover of a codec's laws; mmverify\\-codec of this program where "
+      "it is not set.\n"
       ".TP\n.B MMVERIFY_SHADER_LIBRARY\nThe library that runs shaders; the installed one where it is not "
       "set.\n"
       ".TP\n.B MMVERIFY_UNCONFINED\n1: a library under test may start programs, as a driver\\(aqs compiler "

@@ -43,8 +43,8 @@ std::vector<const CodecLaw*> laws_of(const CodecOptions& options) {
           return std::any_of(meant.begin(), meant.end(), [&](const Law* one) { return one->id == law->id; });
         }))
       throw UsageError(fmt::format(
-          "--source: {} is proved of no source; index.floats is proved of a function, and of a codec: {}", name,
-          [] {
+          "--source: {} is proved of no source; index.floats is proved of a function, and of a codec: {}",
+          name, [] {
             std::string ids;
             for (const CodecLaw& law : codecs::laws()) ids += (ids.empty() ? "" : ", ") + std::string(law.id);
             return ids;
@@ -101,22 +101,30 @@ class ProofProgress {
   std::chrono::steady_clock::time_point begun_;
 };
 
-std::string level_text(const Result& r) { return r.at_once.empty() ? fmt::format("level {}", r.level) : r.at_once; }
+std::string level_text(const Result& r) {
+  return r.at_once.empty() ? fmt::format("level {}", r.level) : r.at_once;
+}
 
 /// The lines of a result: the verdict, the domain and the time; what is wrong, and how to see it again.
 void print(std::FILE* out, const Result& r) {
   if (r.verdict == Verdict::not_applicable) {
-    say(out, "{}\n", printable(fmt::format("{:<9} {} {} {} {}: {}", "n/a", r.law, r.subject, level_text(r), r.domain, r.reason)));
+    say(out, "{}\n",
+        printable(fmt::format("{:<9} {} {} {} {}: {}", "n/a", r.law, r.subject, level_text(r), r.domain,
+                              r.reason)));
     return;
   }
   const bool unknown = r.verdict == Verdict::incomplete && r.reason != "interrupted";
   const std::string verdict = unknown ? "unknown" : to_string(r.verdict);
-  const std::string by = r.proof.empty() ? fmt::format("{} cases", grouped(r.cases_run())) : "(" + r.proof + ")";
-  say(out, "{}\n", printable(fmt::format("{:<9} {} {} {} {} {} {:.2f} s", verdict, r.law, r.subject, level_text(r), r.domain, by,
-                           r.seconds)));
-  if (r.verdict == Verdict::incomplete || r.verdict == Verdict::broken) say(out, "  {}\n", printable(r.reason));
+  const std::string by =
+      r.proof.empty() ? fmt::format("{} cases", grouped(r.cases_run())) : "(" + r.proof + ")";
+  say(out, "{}\n",
+      printable(fmt::format("{:<9} {} {} {} {} {} {:.2f} s", verdict, r.law, r.subject, level_text(r),
+                            r.domain, by, r.seconds)));
+  if (r.verdict == Verdict::incomplete || r.verdict == Verdict::broken)
+    say(out, "  {}\n", printable(r.reason));
   for (const Counterexample& c : r.counterexamples)
-    say(out, "  case {}: {}\n  replay: {}\n", printable(c.at), printable(c.got), printable(replay_command(r, c)));
+    say(out, "  case {}: {}\n  replay: {}\n", printable(c.at), printable(c.got),
+        printable(replay_command(r, c)));
   std::fflush(out);
 }
 
@@ -147,7 +155,8 @@ class CodecProofs {
     const Levels levels = law.fixed || !options_.levels ? own : *options_.levels;
     for (Level n = levels.first; n <= levels.last; ++n)
       for (const unsigned format : law.formats)
-        if (!proofs::interrupted() && (!options_.format || format == 0 || *options_.format == codecs::format_name(format)))
+        if (!proofs::interrupted() &&
+            (!options_.format || format == 0 || *options_.format == codecs::format_name(format)))
           judge(law, n, format);
   }
 
@@ -217,11 +226,12 @@ const Law* sampled_law(const std::string& id) {
 int replay_sample(const Law& law, const CodecProof& proof, Level level, const std::string& text) {
   for (const PluginSubject& one : plugin_subjects(proof.library())) {
     if (one.subject->topic() != law.topic) continue;
-    if (const auto why = law.unfit(*one.subject, level)) throw UsageError(fmt::format("{}: {}", law.id, *why));
+    if (const auto why = law.unfit(*one.subject, level))
+      throw UsageError(fmt::format("{}: {}", law.id, *why));
     try {
       const Replayed r = law.replay(*one.subject, level, text);
-      say(stdout, "{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted", law.id,
-          level, text, one.subject->name(), r.expected, r.got);
+      say(stdout, "{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted",
+          law.id, level, text, one.subject->name(), r.expected, r.got);
       return r.holds ? ExitCode::complete : ExitCode::failed;
     } catch (const BadCase& error) {
       throw UsageError(fmt::format("--case {}", error.what()));
@@ -246,11 +256,13 @@ int replay(const CodecOptions& options) {
   CodecProof proof(options.file, options.flags, options.timeout);
   const auto found = proof.replay(*laws.front(), level, text.substr(at + 1));
   if (!found)
-    throw UsageError(fmt::format("--case {}: it is no case of {} at level {} of this codec", text, laws.front()->id, level));
+    throw UsageError(fmt::format("--case {}: it is no case of {} at level {} of this codec", text,
+                                 laws.front()->id, level));
   if (found->run.no_room)
     throw UsageError(fmt::format("--case {}: the law's harness has no room for this codec's code", text));
-  say(stdout, "{} {} level {} case {} subject {}{}{}\n", found->run.fails ? "refuted" : "holds", laws.front()->id,
-      level, text.substr(at + 1), options.file, found->run.fails ? ": " : "", found->run.how);
+  say(stdout, "{} {} level {} case {} subject {}{}{}\n", found->run.fails ? "refuted" : "holds",
+      laws.front()->id, level, text.substr(at + 1), options.file, found->run.fails ? ": " : "",
+      found->run.how);
   return found->run.fails ? ExitCode::failed : ExitCode::complete;
 }
 

@@ -32,7 +32,8 @@ std::vector<std::uint64_t> numbers_of(const Question& question, const std::vecto
 }
 
 std::string no_room(const Question& question) {
-  return fmt::format("its code has more than {} bytes, for which the law's harness has no room", question.size);
+  return fmt::format("its code has more than {} bytes, for which the law's harness has no room",
+                     question.size);
 }
 
 std::uint64_t& statements(Result& r) { return r.by_kind[kinds - 1].cases; }
@@ -40,8 +41,8 @@ std::uint64_t& statements(Result& r) { return r.by_kind[kinds - 1].cases; }
 /// The file that a question's proof leaves in a folder.
 std::string certificate(const std::string& folder, const Result& r, const Question& q) {
   if (folder.empty()) return {};
-  return fmt::format("{}/{}.level_{}.{}.{}.{}.lrat", folder, r.law, q.level, codecs::format_name(q.format), q.function,
-                     q.size);
+  return fmt::format("{}/{}.level_{}.{}.{}.{}.lrat", folder, r.law, q.level, codecs::format_name(q.format),
+                     q.function, q.size);
 }
 
 }  // namespace
@@ -66,8 +67,8 @@ CodecProof::CodecProof(const std::string& file, const std::vector<std::string>& 
   } catch (const dock::NotHere& why) {
     throw EnvironmentError(fmt::format("{}: {}", file, why.what()));
   }
-  facts_ = {[library = library_](dock::Call call) { return library->offers(call); }, library_->description().flags,
-            library_->description().max_level};
+  facts_ = {[library = library_](dock::Call call) { return library->offers(call); },
+            library_->description().flags, library_->description().max_level};
 }
 
 std::string CodecProof::replayed_by(const std::string& law) const {
@@ -126,8 +127,8 @@ Result CodecProof::judge(const CodecLaw& law, Level level, unsigned format, cons
       const double left = budget.seconds - seconds();
       source::CodecAnswer answer;
       if (left > 0)
-        answer = codec_->prove(call_of(question),
-                               {left, budget.stop, budget.progress, certificate(budget.certificates, r, question)});
+        answer = codec_->prove(call_of(question), {left, budget.stop, budget.progress,
+                                                   certificate(budget.certificates, r, question)});
       if (answer.kind == source::CodecAnswer::Kind::refuted) {
         ++statements(r);
         refute(r, question, answer, budget);

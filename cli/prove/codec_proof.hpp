@@ -14,7 +14,7 @@
 
 namespace mmverify::cli {
 
-/// What bounds a proof, and whom it tells how far it is.
+/// The bounds of a proof, and its listeners.
 struct CodecBudget {
   double seconds = 60;  ///< for one law at one level in one format
   std::function<void()> stop;
@@ -44,7 +44,8 @@ class CodecProof {
                        const CodecBudget& budget);
 
   /// Runs a case's text again on the compiled codec; nothing if it is no case of the law at that level.
-  std::optional<CodecReplay> replay(const proofs::codecs::CodecLaw& law, proofs::Level level, const std::string& text);
+  std::optional<CodecReplay> replay(const proofs::codecs::CodecLaw& law, proofs::Level level,
+                                    const std::string& text);
 
   /// The command that runs a case of the law again, without --case LEVEL@CASE.
   std::string replayed_by(const std::string& law) const;
@@ -53,8 +54,8 @@ class CodecProof {
   proofs::Result named(const proofs::codecs::CodecLaw& law, proofs::Level level, unsigned format) const;
 
  private:
-  void refute(proofs::Result& result, const proofs::codecs::Question& question, const source::CodecAnswer& answer,
-              const CodecBudget& budget);
+  void refute(proofs::Result& result, const proofs::codecs::Question& question,
+              const source::CodecAnswer& answer, const CodecBudget& budget);
 
   std::string file_, source_, read_as_;
   std::shared_ptr<source::Codec> codec_;

@@ -168,7 +168,8 @@ int prove_codec_of(const ProveOptions& options) {
 Job job_of_source(const ProveOptions& options) {
   if (options.laws != std::vector<std::string>{"index.floats"})
     throw UsageError(
-        "--source: index.floats is proved of a function, and nothing else; write mmverify prove index.floats");
+        "--source: index.floats is proved of a function, and nothing else; write mmverify prove "
+        "index.floats");
   if (options.format || options.budget || !options.certificates.empty())
     throw UsageError("--format, --budget, --certificates: they are for a codec's laws; leave them out");
   if (!options.subjects.empty())
@@ -202,14 +203,10 @@ int replay_of_source(const Job& job, const std::string& text) {
   }
 }
 
-int prove(const ProveOptions& options) {
-  if (options.junit == "-") throw UsageError("--junit -: only --json can go to standard output; name a file");
-  refuse_same_file({{"--json", options.json}, {"--junit", options.junit}, {"--journal", options.journal}});
+int prove_laws(const ProveOptions& options) {
   if ((!options.devices.empty() || options.entry) &&
       std::none_of(options.subjects.begin(), options.subjects.end(), is_shader))
     throw UsageError("--device, --entry: no --subject is a shader; leave them out");
-  if (options.source && asks_for_codec(options.laws, options.function.has_value()))
-    return prove_codec_of(options);
   // Loading a library may take long, so interrupts are handled from here on.
   const InterruptGuard guard;
   std::vector<RunsOn> runs_on;
@@ -262,6 +259,13 @@ int prove(const ProveOptions& options) {
   if (code == ExitCode::complete && !options.source)
     refuse_what_was_left_out({options.levels, options.laws, options.subjects}, jobs, report);
   return code;
+}
+
+int prove(const ProveOptions& options) {
+  if (options.junit == "-") throw UsageError("--junit -: only --json can go to standard output; name a file");
+  refuse_same_file({{"--json", options.json}, {"--junit", options.junit}, {"--journal", options.journal}});
+  const bool codec = options.source && asks_for_codec(options.laws, options.function.has_value());
+  return codec ? prove_codec_of(options) : prove_laws(options);
 }
 
 /// The options about how strictly, and on which cases.
@@ -321,9 +325,10 @@ void add_outputs(CLI::App& command, ProveOptions& options) {
 void add_source(CLI::App& command, ProveOptions& options) {
   auto* const source =
       command
-          .add_option("--source", options.source,
-                      "a codec in C, C++ or LLVM's bitcode: prove its laws for every map; or, with "
-                      "index.floats, a function in these or in GLSL, HLSL or SPIR-V, for every pair of floats")
+          .add_option(
+              "--source", options.source,
+              "a codec in C, C++ or LLVM's bitcode: prove its laws for every map; or, with "
+              "index.floats, a function in these or in GLSL, HLSL or SPIR-V, for every pair of floats")
           ->type_name("FILE.c|.cpp|.bc|.ll|.glsl|.comp|.hlsl|.spv");
   command.add_option("--function", options.function, "its name in the source; index_of where not given")
       ->type_name("NAME")
@@ -332,18 +337,19 @@ void add_source(CLI::App& command, ProveOptions& options) {
       ->type_name("FLAG")
       ->allow_extra_args(false)
       ->needs(source);
-  command
-      .add_option("--format", options.format, "the format of a codec's maps; both where not given")
+  command.add_option("--format", options.format, "the format of a codec's maps; both where not given")
       ->check(CLI::IsMember({"2-state", "4-state"}))
       ->needs(source);
   command
       .add_option("--budget", options.budget,
-                  "seconds for one law of a codec at one level in one format, 60 where not given; then its sample runs")
+                  "seconds for one law of a codec at one level in one format, 60 where not given; then its "
+                  "sample runs")
       ->type_name("SECONDS")
       ->check(finite_within(0.1, 1e6))
       ->needs(source);
   command
-      .add_option("--certificates", options.certificates, "an existing folder: each proof of a codec leaves its steps there")
+      .add_option("--certificates", options.certificates,
+                  "an existing folder: each proof of a codec leaves its steps there")
       ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory)
       ->needs(source);

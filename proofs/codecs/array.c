@@ -1,5 +1,5 @@
 /* Laws of arrays whose buffers are small: any index code, and maps emulated at a lower level. */
-#include "law.h"
+#include "proofs/codecs/law.h"
 
 /* The target of a code by the header's rule for array_resolve. */
 static void target(unsigned type, int cluster, uint32_t code, uint32_t base, uint32_t records, uint32_t* kind,
@@ -26,9 +26,9 @@ static void target(unsigned type, int cluster, uint32_t code, uint32_t base, uin
 /* array.codes: SIZE is the type of the index, 8 added in a cluster; two codes, each with its base and records. */
 void codes(void) {
   const unsigned type = SIZE & 7;
-  const uint32_t bits = type == MMVERIFY_INDEX_U8                                    ? 8
+  const uint32_t bits = type == MMVERIFY_INDEX_U8                                  ? 8
                         : type == MMVERIFY_INDEX_U16 || type == MMVERIFY_INDEX_I16 ? 16
-                                                                                     : 32;
+                                                                                   : 32;
   uint32_t code[2], base[2], records[2], is[4];
   for (int k = 0; k < 2; ++k) {
     code[k] = (uint32_t)any(bits);

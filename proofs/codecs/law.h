@@ -6,8 +6,9 @@
 #ifndef MMVERIFY_CODEC_LAW_H
 #define MMVERIFY_CODEC_LAW_H
 
-#include <mmverify_subject.h>
 #include <string.h>
+
+#include "subjects/sdk/mmverify_subject.h"
 
 /* Any number of so many bits, 1 to 64; and any state of a map, in the order of the index.  Each call is a choice. */
 uint64_t any(uint32_t bits);
@@ -57,7 +58,8 @@ static inline void any_map(uint32_t level, uint32_t format, uint8_t* map) {
   const size_t states = (size_t)1 << 2 * level, each = 8 / format;
   for (size_t at = 0; at < bytes_for(states, format); ++at) {
     unsigned byte = 0;
-    for (size_t k = 0; k < each && at * each + k < states; ++k) byte |= (unsigned)any_state(format) << k * format;
+    for (size_t k = 0; k < each && at * each + k < states; ++k)
+      byte |= (unsigned)any_state(format) << k * format;
     map[at] = (uint8_t)byte;
   }
 }
@@ -65,7 +67,8 @@ static inline void any_map(uint32_t level, uint32_t format, uint8_t* map) {
 /* Any bits after the last state, which maps to maps must not heed. */
 static inline void any_padding(uint8_t* map, uint32_t format, size_t states) {
   const size_t used = states * format % 8;
-  if (used != 0) map[states * format / 8] = (uint8_t)(map[states * format / 8] | any((uint32_t)(8 - used)) << used);
+  if (used != 0)
+    map[states * format / 8] = (uint8_t)(map[states * format / 8] | any((uint32_t)(8 - used)) << used);
 }
 
 static inline void any_bytes(uint8_t* bytes, size_t count) {

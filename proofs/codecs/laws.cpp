@@ -48,7 +48,9 @@ std::vector<Chosen> padded(Level, unsigned format, std::uint64_t count) {
     all.push_back({"padding", Written::number, static_cast<unsigned>(8 - used), 1});
   return all;
 }
-std::vector<Chosen> padded_map(Level n, unsigned format, std::uint64_t) { return padded(n, format, states(n)); }
+std::vector<Chosen> padded_map(Level n, unsigned format, std::uint64_t) {
+  return padded(n, format, states(n));
+}
 
 std::vector<Chosen> map_and_bytes_before(Level n, unsigned format, std::uint64_t) {
   return {{"", Written::digits, format, states(n)}, {"before", Written::number, 8, 1}};
@@ -71,7 +73,9 @@ std::vector<Chosen> block_and_region(Level n, unsigned, std::uint64_t) {
           {"x", Written::number, n, 1},
           {"y", Written::number, n, 1}};
 }
-std::vector<Chosen> regions(Level n, unsigned, std::uint64_t) { return {{"", Written::digits, 2, states(n)}}; }
+std::vector<Chosen> regions(Level n, unsigned, std::uint64_t) {
+  return {{"", Written::digits, 2, states(n)}};
+}
 
 std::vector<Chosen> two_codes(Level, unsigned, std::uint64_t type) {
   constexpr unsigned widths[] = {8, 16, 32, 16, 32};
@@ -132,7 +136,13 @@ void add_tree_laws(std::vector<CodecLaw>& all) {
   add("tree.malformed", 2, every_code, "tree.malformed_on_samples",
       {{"tree.c", "malformed", {Call::tree_decode}, 0, both, hostile, code}});
   add("tree.canonical", 2, every_code, "tree.malformed_on_samples",
-      {{"tree.c", "canonical", {Call::tree_encode, Call::tree_decode}, MMVERIFY_TREE_STREAM, both, hostile, code}});
+      {{"tree.c",
+        "canonical",
+        {Call::tree_encode, Call::tree_decode},
+        MMVERIFY_TREE_STREAM,
+        both,
+        hostile,
+        code}});
 }
 
 void add_micromap_laws(std::vector<CodecLaw>& all) {
@@ -147,9 +157,10 @@ void add_micromap_laws(std::vector<CodecLaw>& all) {
                  [](Level, unsigned) { return std::string("any states, 1 to 33 of them"); },
                  "micromap.packing_any_count_on_samples",
                  {{"micromap.c", "packing_any_count", packing, 0, both, counts, padded}}});
-  all.push_back(on_maps("micromap.force2", 0, samples,
-                        {of_maps("micromap.c", "force2", {Call::micromap_force2}, four),
-                         of_maps("micromap.c", "widen", {Call::micromap_widen, Call::micromap_force2}, {1})}));
+  all.push_back(
+      on_maps("micromap.force2", 0, samples,
+              {of_maps("micromap.c", "force2", {Call::micromap_force2}, four),
+               of_maps("micromap.c", "widen", {Call::micromap_widen, Call::micromap_force2}, {1})}));
   all.push_back(on_maps("micromap.up", 0, samples, {of_maps("micromap.c", "up", {Call::micromap_up})}));
   Harness down_up = of_maps("micromap.c", "down_up", {Call::micromap_up, Call::micromap_down});
   down_up.chosen = map;
@@ -158,7 +169,8 @@ void add_micromap_laws(std::vector<CodecLaw>& all) {
   Harness forced = of_maps("micromap.c", "down_force2", {Call::micromap_down, Call::micromap_force2}, four);
   forced.chosen = map;
   all.push_back(on_maps("micromap.down_force2", 1, samples, {forced}));
-  all.push_back(on_maps("micromap.modes", 0, samples, {of_maps("micromap.c", "modes", {Call::micromap_through}, four)}));
+  all.push_back(on_maps("micromap.modes", 0, samples,
+                        {of_maps("micromap.c", "modes", {Call::micromap_through}, four)}));
 }
 
 void add_lossy_laws(std::vector<CodecLaw>& all) {
@@ -179,18 +191,37 @@ struct Vq {
 };
 
 void add_vq_laws(std::vector<CodecLaw>& all) {
-  for (const Vq& vq :
-       {Vq{4, Call::vq2_decode, Call::vq2_region, Call::vq2_encode, "vq2.region_is_map", "vq2.on_random_blocks",
-           "vq2.conservative", "vq2.conservative_on_samples", "vq2.lossless_when_it_fits"},
-        Vq{5, Call::vq4_decode, Call::vq4_region, Call::vq4_encode, "vq4.region_is_map", "vq4.on_random_blocks",
-           "vq4.conservative", "vq4.conservative_on_samples", "vq4.lossless_when_it_fits"}}) {
+  for (const Vq& vq : {Vq{4, Call::vq2_decode, Call::vq2_region, Call::vq2_encode, "vq2.region_is_map",
+                          "vq2.on_random_blocks", "vq2.conservative", "vq2.conservative_on_samples",
+                          "vq2.lossless_when_it_fits"},
+                       Vq{5, Call::vq4_decode, Call::vq4_region, Call::vq4_encode, "vq4.region_is_map",
+                          "vq4.on_random_blocks", "vq4.conservative", "vq4.conservative_on_samples",
+                          "vq4.lossless_when_it_fits"}}) {
     const Levels level{vq.level, vq.level};
-    all.push_back({vq.is_map, level, level, true, none, every_block, vq.random,
+    all.push_back({vq.is_map,
+                   level,
+                   level,
+                   true,
+                   none,
+                   every_block,
+                   vq.random,
                    {{"vq.c", "whole_map", {vq.decode}, 0, none, no_size, block, "block"},
                     {"vq.c", "any_region", {vq.region}, 0, none, no_size, block_and_region, "block"}}});
-    all.push_back({vq.conservative, level, level, true, none, every_square_map, vq.conservative_samples,
+    all.push_back({vq.conservative,
+                   level,
+                   level,
+                   true,
+                   none,
+                   every_square_map,
+                   vq.conservative_samples,
                    {{"vq.c", "conservative", {vq.encode}, 0, none, no_size, regions, "map"}}});
-    all.push_back({vq.lossless, level, level, true, none, every_block, vq.lossless,
+    all.push_back({vq.lossless,
+                   level,
+                   level,
+                   true,
+                   none,
+                   every_block,
+                   vq.lossless,
                    {{"vq.c", "lossless", {vq.encode}, MMVERIFY_VQ_KEEPS, none, no_size, block, "block"}}});
   }
 }
@@ -255,8 +286,8 @@ std::vector<Question> questions(const CodecLaw& law, const Facts& facts, Level l
     if (!is_about(h, facts, format)) continue;
     const unsigned bits = format == 0 ? 2 : format;
     for (const std::uint64_t size : h.sizes(facts, level, bits))
-      all.push_back({h.file, h.function, level, bits, size, h.begins != nullptr ? h.begins : format_name(bits),
-                     h.chosen(level, bits, size)});
+      all.push_back({h.file, h.function, level, bits, size,
+                     h.begins != nullptr ? h.begins : format_name(bits), h.chosen(level, bits, size)});
   }
   return all;
 }

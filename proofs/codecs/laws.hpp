@@ -34,7 +34,7 @@ struct Question {
   std::vector<Chosen> chosen;
 };
 
-/// What a codec says of itself.
+/// The entry points, flags and highest level that a codec declares.
 struct Facts {
   std::function<bool(dock::Call)> offers;
   std::uint32_t flags = 0;
@@ -67,7 +67,7 @@ const std::vector<CodecLaw>& laws();
 /// The reason why a law is not about a codec at a level, if any.
 std::optional<std::string> unfit(const CodecLaw& law, const Facts& facts, Level level, unsigned format);
 
-/// What is to be proved.  Domain: unfit() gives no reason.
+/// The questions that a law is proved by.  Domain: unfit() gives no reason.
 std::vector<Question> questions(const CodecLaw& law, const Facts& facts, Level level, unsigned format);
 
 /// "2-state", "4-state".

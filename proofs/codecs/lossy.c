@@ -1,5 +1,5 @@
 /* Laws of lossy codecs of 4-state maps, for every map of LEVEL, each with one rule for each state. */
-#include "law.h"
+#include "proofs/codecs/law.h"
 
 /* A map and what stands for it: the same whatever the bits after the last state are, and zeros there. */
 static void substituted(uint8_t* map, uint8_t* out) {

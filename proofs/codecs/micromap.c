@@ -1,8 +1,12 @@
 /* Laws of packed maps, for every map of LEVEL and FORMAT, and whatever the bits after its last state are. */
-#include "law.h"
+#include "proofs/codecs/law.h"
 
 enum { ABOVE_BYTES = (4 * STATES * FORMAT + 7) / 8, BELOW = LEVEL == 0 ? 1 : STATES / 4 };
-enum { BELOW_BYTES = (BELOW * FORMAT + 7) / 8, TWO_STATE_BYTES = (STATES + 7) / 8, FOUR_STATE_BYTES = (STATES + 3) / 4 };
+enum {
+  BELOW_BYTES = (BELOW * FORMAT + 7) / 8,
+  TWO_STATE_BYTES = (STATES + 7) / 8,
+  FOUR_STATE_BYTES = (STATES + 3) / 4
+};
 
 /* micromap.packing */
 void packing(void) {

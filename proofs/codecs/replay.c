@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "law.h"
+#include "proofs/codecs/law.h"
 
 void FUNCTION(void);
 
@@ -70,7 +70,8 @@ static uint32_t bits_used(void) {
 
 int main(int count, char** arguments) {
   const int all = count == 3 && strcmp(arguments[1], "--all") == 0;
-  for (int k = 1; !all && k < count && given < MOST_CHOICES; ++k) numbers[given++] = strtoull(arguments[k], NULL, 10);
+  for (int k = 1; !all && k < count && given < MOST_CHOICES; ++k)
+    numbers[given++] = strtoull(arguments[k], NULL, 10);
   volatile uint64_t cases = 0;
   do {
     used = 0;

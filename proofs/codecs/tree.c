@@ -1,5 +1,5 @@
 /* Laws of tree codecs, for every map of LEVEL and FORMAT.  SIZE: bytes that a code may have, or of a hostile code. */
-#include "law.h"
+#include "proofs/codecs/law.h"
 
 /* Nodes of the largest tree, and bytes of its code in the paper's form. */
 enum { NODES = (4 * STATES - 1) / 3, LONGEST = (NODES + 7) / 8 + MAP_BYTES };

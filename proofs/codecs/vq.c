@@ -1,5 +1,5 @@
 /* Laws of VQ2 (LEVEL 4) and VQ4 (LEVEL 5), for every block or every map.  docs/VQ.md has the order of a block's bits. */
-#include "law.h"
+#include "proofs/codecs/law.h"
 
 #if LEVEL == 4
 #define SIDE 2 /* regions to a side of a vector; a map has 8 x 8 vectors */
@@ -44,7 +44,8 @@ static unsigned entry(const uint8_t* block, unsigned quadrant, unsigned index, u
 
 /* Region (x, y) of a block's map: turned by 90 degrees, reflected from top to bottom, then from left to right. */
 static unsigned region(const uint8_t* block, unsigned x, unsigned y) {
-  const unsigned quadrant = (x >= WIDTH / 2 ? 1u : 0u) + (y < WIDTH / 2 ? 2u : 0u), vector = x / SIDE + 8 * (y / SIDE);
+  const unsigned quadrant = (x >= WIDTH / 2 ? 1u : 0u) + (y < WIDTH / 2 ? 2u : 0u),
+                 vector = x / SIDE + 8 * (y / SIDE);
   const unsigned stored = number(block, 64 * INDEX_BITS + 3 * (quadrant == 0 ? 0 : quadrant - 1), 3);
   const unsigned transform = quadrant == 0 ? 0 : stored;
   const unsigned right = transform & 4 ? SIDE - 1 - x % SIDE : x % SIDE;

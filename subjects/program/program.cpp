@@ -46,7 +46,8 @@ std::string contents_from(const File& file, std::size_t begin) {
   std::string text;
   std::array<char, 4096> part;
   for (;;) {
-    const ssize_t n = pread(fileno(file.get()), part.data(), part.size(), static_cast<off_t>(begin + text.size()));
+    const ssize_t n =
+        pread(fileno(file.get()), part.data(), part.size(), static_cast<off_t>(begin + text.size()));
     if (n <= 0) return text;
     text.append(part.data(), static_cast<std::size_t>(n));
   }

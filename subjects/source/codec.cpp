@@ -121,8 +121,8 @@ Codec::Codec(const std::string& file, const std::vector<std::string>& flags,
     fs::copy_file(file, bitcode_);
   } else {
     bitcode_ = folder_->file("codec.bc");
-    std::vector<std::string> words{"-O1", "-g", "-Xclang", "-disable-llvm-passes", "-emit-llvm",
-                                   "-ffp-contract=off"};
+    std::vector<std::string> words{
+        "-O1", "-g", "-Xclang", "-disable-llvm-passes", "-emit-llvm", "-ffp-contract=off"};
     if (is_cpp(file)) words.insert(words.end(), {"-fno-exceptions", "-fno-rtti"});
     words.insert(words.end(), flags.begin(), flags.end());
     compile_file(file, words, bitcode_, *folder_);
@@ -150,13 +150,15 @@ const std::string& Codec::object(std::size_t kind) {
 
 std::string Codec::program(const HarnessCall& call, std::size_t kind) {
   const RunKind& of = run_kinds().at(kind);
-  std::vector<std::string> words{"-O2", "-w", "-I" + header_folder(), "-DMMVERIFY_REPLAY", "-DFUNCTION=" + call.function};
+  std::vector<std::string> words{"-O2", "-w", "-I" + header_folder(), "-DMMVERIFY_REPLAY",
+                                 "-DFUNCTION=" + call.function};
   add_macros(words, call);
   words.insert(words.end(), of.flags.begin(), of.flags.end());
   std::string& made = made_[call.file + of.name + words[4] + words[5] + words[6] + words[7]];
   if (!made.empty()) return made;
   const std::string out = folder_->file("replay." + std::to_string(made_.size()));
-  words.insert(words.end(), {folder_->file(call.file), folder_->file("replay.c"), object(kind), "-o", out, "-lm"});
+  words.insert(words.end(),
+               {folder_->file(call.file), folder_->file("replay.c"), object(kind), "-o", out, "-lm"});
   if (is_cpp(file_)) words.push_back("-lstdc++");
   if (const ProgramEnd end = run_clang(words); !end.succeeded)
     throw BadSource(file_ + ": clang does not compile it with a law (" + end.how +
@@ -182,11 +184,13 @@ CodecAnswer Codec::prove(const HarnessCall& call, const ProofLimits& limits) {
   if (!limits.certificate.empty()) run.insert(run.end(), {"--certificate", limits.certificate});
   ProverLines lines(limits);
   constexpr double grace = 30;  // the prover ends by itself; this bounds one that does not
-  const program::Bounds bounds{std::chrono::seconds(static_cast<std::int64_t>(std::ceil(limits.seconds + grace))),
-                               2 * prover_mib << 20, std::numeric_limits<std::uint64_t>::max()};
+  const program::Bounds bounds{
+      std::chrono::seconds(static_cast<std::int64_t>(std::ceil(limits.seconds + grace))),
+      2 * prover_mib << 20, std::numeric_limits<std::uint64_t>::max()};
   ProgramEnd end;
   try {
-    end = program::run_program(run, {}, limits.stop, bounds, [&](const std::string& part) { lines.hear(part); });
+    end = program::run_program(run, {}, limits.stop, bounds,
+                               [&](const std::string& part) { lines.hear(part); });
   } catch (const program::NoProgram& why) {
     throw NotAvailable(why.what());
   }
@@ -203,7 +207,8 @@ CodecRun Codec::run_once(const HarnessCall& call, std::size_t kind, const std::v
   std::vector<std::string> words{program(call, kind)};
   words.insert(words.end(), arguments.begin(), arguments.end());
   // A sanitizer reserves address space beyond any bound.
-  const program::Bounds bounds{longest_run, std::numeric_limits<std::uint64_t>::max(), std::uint64_t{256} << 20};
+  const program::Bounds bounds{longest_run, std::numeric_limits<std::uint64_t>::max(),
+                               std::uint64_t{256} << 20};
   const ProgramEnd end = program::run_program(words, {}, stop, bounds);
   if (out != nullptr) *out = end.out;
   if (end.succeeded) return {};
@@ -215,7 +220,8 @@ CodecRun Codec::run_once(const HarnessCall& call, std::size_t kind, const std::v
   return {true, false, "the compiled codec ends by " + end.how};
 }
 
-CodecRun Codec::run(const HarnessCall& call, const std::vector<Choice>& choices, const std::function<void()>& stop) {
+CodecRun Codec::run(const HarnessCall& call, const std::vector<Choice>& choices,
+                    const std::function<void()>& stop) {
   std::vector<std::string> numbers;
   for (const Choice& choice : choices) numbers.push_back(std::to_string(choice.number));
   CodecRun last;

@@ -55,7 +55,8 @@ class Codec {
  public:
   /// Compiles the codec. `texts`: files that harnesses include, and the harnesses, by name.
   /// Errors: NoSource, BadSource, NotAvailable, UnknownInstruction.
-  Codec(const std::string& file, const std::vector<std::string>& flags, const std::map<std::string, std::string>& texts);
+  Codec(const std::string& file, const std::vector<std::string>& flags,
+        const std::map<std::string, std::string>& texts);
 
   /// Asks the prover about a harness, for all choices at once.
   /// Errors: UnknownInstruction if it cannot read the codec; BadSource; NotAvailable.
@@ -63,7 +64,8 @@ class Codec {
 
   /// Runs the harness on the compiled codec: at -O2, then under AddressSanitizer and UndefinedBehaviorSanitizer, then
   /// under MemorySanitizer, until one run fails.
-  CodecRun run(const HarnessCall& call, const std::vector<Choice>& choices, const std::function<void()>& stop = {});
+  CodecRun run(const HarnessCall& call, const std::vector<Choice>& choices,
+               const std::function<void()>& stop = {});
 
   /// Runs the harness at -O2 on all its choices, if their bits together are at most `bits`. `cases`: their number; 0 if
   /// there are more, or a run fails.

@@ -37,9 +37,10 @@ const mmverify_subject_t* mmverify_subject_v1(void) {
 
 /// The reader's path.
 std::string reader() {
-  return helper("MMVERIFY_SOURCE_READER", "mmverify-source",
-                "which reads LLVM's bitcode, is missing in this build; install LLVM (Debian: llvm-14-dev) and "
-                "build again (./run build does both)");
+  return helper(
+      "MMVERIFY_SOURCE_READER", "mmverify-source",
+      "which reads LLVM's bitcode, is missing in this build; install LLVM (Debian: llvm-14-dev) and "
+      "build again (./run build does both)");
 }
 
 ProgramEnd of_reader(std::vector<std::string> words) {
@@ -96,7 +97,8 @@ void Compiled::compile(const std::vector<std::string>& flags) {
   bitcode_ = folder_->file("module.bc");
   // clang must report a constant index beyond an array's end: in the bitcode it is an index into the next
   // row. LLVM's passes are left to the reader. Functions without a caller are kept.
-  std::vector<std::string> words{"-O1", "-g", "-Xclang", "-disable-llvm-passes", "-Xclang", "-femit-all-decls"};
+  std::vector<std::string> words{
+      "-O1", "-g", "-Xclang", "-disable-llvm-passes", "-Xclang", "-femit-all-decls"};
   words.insert(words.end(), flags.begin(), flags.end());
   words.insert(words.end(), {"-Werror=array-bounds", "-ffp-contract=off", "-fno-math-errno", "-emit-llvm"});
   compile_file(file_, words, bitcode_, *folder_);
@@ -114,7 +116,7 @@ void Compiled::link(const std::string& fault) {
   library_ = folder_->file("index.so");
   const ProgramEnd linked =
       run_clang({"-O1", "-ffp-contract=off", "-fno-math-errno", "-Wno-override-module", "-shared", "-fPIC",
-                "-I" + header_folder(), wrapper, alone, "-lm", "-o", library_});
+                 "-I" + header_folder(), wrapper, alone, "-lm", "-o", library_});
   if (!linked.succeeded) folder_->check_room();
   if (!linked.succeeded)
     throw BadSource(file_ + ": clang makes no shared library of it (" + linked.how +

@@ -1,4 +1,6 @@
 // [release, night] Laws of codecs: their cases as text, and the prover beside enumeration, on right codecs and on faults.
+#include "subjects/source/codec.hpp"
+
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,7 +12,6 @@
 #include "proofs/codecs/case_text.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/registry/registry.hpp"
-#include "subjects/source/codec.hpp"
 #include "tests/folder.hpp"
 
 namespace mmverify::codec_test {
@@ -36,7 +37,9 @@ const std::vector<Fault> faults{
 /// A codec that has every entry point and declares every flag.
 const Facts all_of_it{[](dock::Call) { return true; }, MMVERIFY_TREE_STREAM | MMVERIFY_VQ_KEEPS, 12};
 
-std::string source_text(const std::string& file) { return tests::text_of(std::string(MMVERIFY_ROOT) + "/" + file); }
+std::string source_text(const std::string& file) {
+  return tests::text_of(std::string(MMVERIFY_ROOT) + "/" + file);
+}
 
 /// A codec in a file of its own, compiled, and what it says of itself.
 class Made {
@@ -44,10 +47,12 @@ class Made {
   explicit Made(const std::string& text) {
     const std::string file = folder_ / "codec.c";
     std::ofstream(file) << text;
-    codec = std::make_unique<source::Codec>(file, std::vector<std::string>(), codecs::texts());
+    codec =
+        std::make_unique<source::Codec>(file, std::vector<std::string>{"-I" MMVERIFY_ROOT}, codecs::texts());
     handle_ = dlopen(codec->library().c_str(), RTLD_NOW);
     if (handle_ == nullptr) throw std::runtime_error(dlerror());
-    const auto* subject = reinterpret_cast<const mmverify_subject_t* (*)()>(dlsym(handle_, "mmverify_subject_v1"))();
+    const auto* subject =
+        reinterpret_cast<const mmverify_subject_t* (*)()>(dlsym(handle_, "mmverify_subject_v1"))();
     facts = {[subject](dock::Call call) {
                void* pointer = nullptr;
                std::memcpy(&pointer, reinterpret_cast<const char*>(subject) + dock::entry_point(call).offset,
@@ -128,7 +133,8 @@ TEST(CodecCases, TextsComeBack) {
       for (const Question& q : asked(law, all_of_it, n)) {
         std::vector<std::uint64_t> numbers;
         for (const codecs::Chosen& group : q.chosen)
-          for (std::uint64_t k = 0; k < group.count; ++k) numbers.push_back(random.next() >> (64 - group.bits));
+          for (std::uint64_t k = 0; k < group.count; ++k)
+            numbers.push_back(random.next() >> (64 - group.bits));
         const std::string text = codecs::text_of(q, numbers);
         EXPECT_EQ(codecs::numbers_of(q, text), numbers) << name_of(law, q) << ": " << text;
         EXPECT_EQ(codecs::numbers_of(q, text + "0"), std::nullopt) << name_of(law, q) << ": " << text;
@@ -155,13 +161,14 @@ TEST_P(RightCodec, IsProvedAndEnumerated) {
   for (const CodecLaw& law : codecs::laws()) {
     const Level last = law.fixed ? law.fast.last : std::min<Level>(law.fast.last, 1);
     for (Level n = law.fast.first; n <= last; ++n)
-      for (const Question& q : asked(law, made.facts, n)) EXPECT_TRUE(proved(made, law, q, bits)) << name_of(law, q);
+      for (const Question& q : asked(law, made.facts, n))
+        EXPECT_TRUE(proved(made, law, q, bits)) << name_of(law, q);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(OfExamples, RightCodec,
-                         testing::Values("examples/subject_tree/subject_tree.c", "tests/subjects/codecs/maps.c",
-                                         "examples/subject_vq/subject_vq.c"));
+                         testing::Values("examples/subject_tree/subject_tree.c",
+                                         "tests/subjects/codecs/maps.c", "examples/subject_vq/subject_vq.c"));
 
 class WrongCodec : public testing::TestWithParam<Fault> {};
 

@@ -1,7 +1,8 @@
 /* Packed maps, a lossy codec, and index codes, as plain C: what the laws of proofs/codecs/ prove, and what
  * tests/outside/codec_test.sh plants faults in. */
-#include <mmverify_subject.h>
 #include <string.h>
+
+#include "subjects/sdk/mmverify_subject.h"
 
 static unsigned get(const uint8_t* map, uint32_t bits, size_t k) {
   return map[k * bits / 8] >> k * bits % 8 & ((1u << bits) - 1);
