@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 
 # cmake --install and cpack name what is not built before they copy a file.
 set(needed "")
-foreach(target mmverify_impl mmverify mmverify-worker mmverify-shaders mmverify-source)
+foreach(target mmverify_impl mmverify mmverify-worker mmverify-shaders mmverify-source mmverify-codec)
   if(TARGET ${target})
     list(APPEND needed $<TARGET_FILE:${target}>)
   endif()

@@ -1,0 +1,180 @@
+#include "subjects/source/circuit/sweeper.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace mmverify::source::circuit {
+namespace {
+
+/// Members of a class that are tried for one node.
+constexpr int tried_most = 2;
+/// Models that make a new word of patterns.
+constexpr std::size_t models_a_word = 16;
+
+constexpr std::uint64_t ones = ~std::uint64_t{0};
+
+}  // namespace
+
+Sweeper::Sweeper(Graph& graph, Solver& solver, int merge_conflicts, bool merging)
+    : graph_(graph), solver_(solver), merge_conflicts_(merge_conflicts), merging_(merging) {
+  for (std::uint64_t& word : counts_.words) word = ones;
+  values_.push_back({});
+  keep(0, values_.front());
+  graph_.watch(this);
+}
+
+std::uint64_t Sweeper::word_of(Literal l, std::size_t w) const {
+  return values_[node_of(l)].words[w] ^ (is_negated(l) ? ones : 0);
+}
+
+Values Sweeper::values_of(Literal a, Literal b) const {
+  Values values;
+  for (std::size_t w = 0; w < pattern_words; ++w) values.words[w] = word_of(a, w) & word_of(b, w);
+  return values;
+}
+
+// A literal and its negation have one signature: the first pattern's value is taken for false.
+std::uint64_t Sweeper::signature(const Values& values) const {
+  const std::uint64_t flip = (values.words[0] & 1) != 0 ? ones : 0;
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (std::size_t w = 0; w < pattern_words; ++w) {
+    hash ^= (values.words[w] ^ flip) & counts_.words[w];
+    hash *= 0x100000001b3;
+    hash ^= hash >> 29;
+  }
+  return hash;
+}
+
+bool Sweeper::same(const Values& values, Node other, bool& inverted) const {
+  inverted = ((values.words[0] ^ values_[other].words[0]) & 1) != 0;
+  const std::uint64_t flip = inverted ? ones : 0;
+  for (std::size_t w = 0; w < pattern_words; ++w)
+    if (((values.words[w] ^ values_[other].words[w] ^ flip) & counts_.words[w]) != 0) return false;
+  return true;
+}
+
+void Sweeper::keep(Node n, const Values& values) { classes_[signature(values)].push_back(n); }
+
+void Sweeper::input_made(Node n) {
+  values_.resize(n);
+  values_.push_back(patterns_.next());
+  keep(n, values_.back());
+}
+
+Answer Sweeper::equals(Literal a, Literal b, Literal l) {
+  for (const auto& all :
+       {std::array{a, b, negated(l)}, std::array{l, negated(a), always}, std::array{l, negated(b), always}}) {
+    const Answer got = solver_.ask({all[0], all[1], all[2]}, merge_conflicts_);
+    if (got != Answer::impossible) return got;
+  }
+  solver_.learn({negated(a), negated(b), l});
+  solver_.learn({negated(l), a});
+  solver_.learn({negated(l), b});
+  return Answer::impossible;
+}
+
+Literal Sweeper::equal_to(Node n, Literal a, Literal b) {
+  Values values = values_of(a, b);
+  if (merging_) {
+    int tried = 0;
+    // A model may refine the classes, so a candidate is found anew each time.
+    std::vector<Node> candidates;
+    if (const auto at = classes_.find(signature(values)); at != classes_.end()) candidates = at->second;
+    for (const Node other : candidates) {
+      bool inverted = false;
+      if (!same(values, other, inverted)) continue;
+      if (++tried > tried_most) break;
+      const Literal l = literal_of(other) ^ (inverted ? 1U : 0U);
+      const Answer got = equals(a, b, l);
+      if (got == Answer::impossible) {
+        ++statistics_.merged;
+        return l;
+      }
+      if (got == Answer::possible) {
+        ++statistics_.different;
+        take_model();
+        values = values_of(a, b);
+      } else {
+        ++statistics_.undecided;
+      }
+    }
+  }
+  values_.resize(n);
+  values_.push_back(values);
+  keep(n, values);
+  return nothing;
+}
+
+void Sweeper::take_model() {
+  const std::vector<Node>& inputs = graph_.inputs();
+  Inputs model(inputs.size());
+  for (std::size_t k = 0; k < inputs.size(); ++k)
+    model[k] = solver_.needed(inputs[k]) ? solver_.value(inputs[k]) : (patterns_.random() & 1) != 0;
+  models_.push_back(std::move(model));
+  if (models_.size() >= models_a_word) refine();
+}
+
+void Sweeper::refine() {
+  const std::size_t w = pattern_words / 2 + refined_++ % (pattern_words / 2);
+  const std::vector<Node>& inputs = graph_.inputs();
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    std::uint64_t word = 0;
+    for (std::size_t k = 0; k < 64; ++k) {
+      const Inputs& model = models_[k % models_.size()];
+      bool bit = i < model.size() ? model[i] : (patterns_.random() & 1) != 0;
+      // Neighbours of a model: some of its bits turned.
+      if (k >= models_.size() && patterns_.random() % 32 == 0) bit = !bit;
+      word |= std::uint64_t{bit} << k;
+    }
+    values_[inputs[i]].words[w] = word;
+  }
+  models_.clear();
+  for (Node n = 1; n < values_.size(); ++n)
+    if (graph_.is_conjunction(n))
+      values_[n].words[w] = word_of(graph_.first(n), w) & word_of(graph_.second(n), w);
+  counts_.words[w] = ones;
+  for (const Literal l : assumed_) counts_.words[w] &= word_of(l, w);
+  classes_.clear();
+  for (Node n = 0; n < values_.size(); ++n) keep(n, values_[n]);
+}
+
+Answer Sweeper::both_possible(Literal a, Literal b, int conflicts) {
+  if (a == never || b == never || a == negated(b)) return Answer::impossible;
+  const std::vector<Node>& inputs = graph_.inputs();
+  for (std::size_t w = 0; w < pattern_words; ++w)
+    if (const std::uint64_t hits = word_of(a, w) & word_of(b, w) & counts_.words[w]; hits != 0) {
+      const int bit = std::countr_zero(hits);
+      example_.resize(inputs.size());
+      for (std::size_t k = 0; k < inputs.size(); ++k)
+        example_[k] = (values_[inputs[k]].words[w] >> bit & 1) != 0;
+      return Answer::possible;
+    }
+  const std::uint64_t key = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+  if (const auto at = asked_.find(key); at != asked_.end() && at->second == Answer::impossible)
+    return at->second;
+  const Answer got = solver_.ask({a, b}, conflicts);
+  if (got == Answer::possible) {
+    ++statistics_.possible;
+    example_.resize(inputs.size());
+    for (std::size_t k = 0; k < inputs.size(); ++k) example_[k] = solver_.value(inputs[k]);
+    take_model();
+  } else if (got == Answer::impossible) {
+    ++statistics_.impossible;
+    solver_.learn({negated(a), negated(b)});
+  } else {
+    ++statistics_.open;
+  }
+  asked_[key] = got;
+  return got;
+}
+
+void Sweeper::assume(Literal holds) {
+  assumed_.push_back(holds);
+  solver_.learn({holds});
+  for (std::size_t w = 0; w < pattern_words; ++w) counts_.words[w] &= word_of(holds, w);
+  classes_.clear();
+  for (Node n = 0; n < values_.size(); ++n) keep(n, values_[n]);
+}
+
+}  // namespace mmverify::source::circuit

@@ -1,0 +1,196 @@
+// Pointers, loads and stores.
+#include <llvm/IR/GetElementPtrTypeIterator.h>
+
+#include "subjects/source/executor/executor.hpp"
+
+namespace mmverify::source::executor {
+namespace {
+
+/// Places of one access that may be told apart.
+constexpr std::size_t most_places = 1 << 16;
+
+/// Bytes that a program may reach: the size where it is known, else what the inputs make it.
+Word size_of(const Object& object) {
+  return object.size.empty() ? circuit::constant(object.cells.size(), pointer_bits) : object.size;
+}
+
+}  // namespace
+
+ValuePtr Executor::moved_by(const ValuePtr& p, const Word& by) const {
+  auto made = std::make_shared<Value>(*p);
+  for (Target& t : made->targets) t.offset = circuit::sum(graph_, t.offset, by);
+  return made;
+}
+
+ValuePtr Executor::moved(State& s, const llvm::GEPOperator& gep, const llvm::Instruction& at) {
+  const ValuePtr from = value(s, gep.getPointerOperand(), at);
+  if (!is_pointer(from)) throw Unreadable(at, "a number taken for a pointer");
+  Word by = circuit::constant(0, pointer_bits);
+  for (auto step = llvm::gep_type_begin(gep); step != llvm::gep_type_end(gep); ++step) {
+    if (llvm::StructType* record = step.getStructTypeOrNull()) {
+      const std::uint64_t field = llvm::cast<llvm::ConstantInt>(step.getOperand())->getZExtValue();
+      by = circuit::sum(
+          graph_, by,
+          circuit::constant(layout_.getStructLayout(record)->getElementOffset(static_cast<unsigned>(field)),
+                            pointer_bits));
+      continue;
+    }
+    const ValuePtr index = numeric(s, step.getOperand(), at);
+    require_set(index, at, "an index that was never set");
+    const std::uint64_t element = layout_.getTypeAllocSize(step.getIndexedType());
+    const Word wide = circuit::resized(index->bits, pointer_bits, true);
+    // Beyond 2^47 elements an index would wrap.
+    const Word top(wide.begin() + 47, wide.end());
+    require_never(negated(all_alike(top)), at, "an index beyond all memory");
+    by = circuit::sum(graph_, by, circuit::product(graph_, wide, circuit::constant(element, pointer_bits)));
+  }
+  if (const auto none = circuit::value_of(by); none && *none == 0) return from;
+  ValuePtr made = moved_by(from, by);
+  if (!gep.isInBounds()) return made;
+  for (const Target& t : made->targets) {
+    const Object* object = t.object > 0 ? s.memory.find(t.object) : nullptr;
+    if (object != nullptr)
+      require_never(graph_.both(t.when, circuit::less(graph_, size_of(*object), t.offset)), at,
+                    "a pointer outside of " + object->name);
+    else if (t.object == null_object)
+      require_never(t.when, at, "a null pointer moved");
+  }
+  return made;
+}
+
+Literal Executor::all_alike(const Word& bits) const {
+  Literal same = always;
+  for (const Literal l : bits) same = graph_.both(same, negated(graph_.differ(l, bits.front())));
+  return same;
+}
+
+const Object* Executor::object_at(const State& s, const Target& t, Literal condition,
+                                  const llvm::Instruction& at, const char* access) {
+  const std::string what = access;
+  const auto refuse = [&](const std::string& why) -> const Object* {
+    obligations_.require_never(running_, condition, at, why);
+    return nullptr;
+  };
+  if (t.object == null_object) return refuse("a null pointer is " + what);
+  if (t.object == unset_object) return refuse("a pointer that was never set is " + what);
+  if (t.object == number_object) throw Unreadable(at, "a pointer that was made of a part of another");
+  if (functions_.contains(t.object)) return refuse("a function is " + what);
+  const Object* object = s.memory.find(t.object);
+  if (object == nullptr) return refuse("a variable is " + what + " after its life");
+  if (object->gone != never)
+    obligations_.require_never(running_, graph_.both(condition, object->gone), at,
+                               object->name + " is " + what + " after it was freed");
+  return object;
+}
+
+std::vector<std::pair<Literal, std::size_t>> Executor::offsets(const Object& object, const Word& offset,
+                                                               std::size_t bytes, Literal condition,
+                                                               const llvm::Instruction& at,
+                                                               const char* access) {
+  const std::size_t size = object.cells.size();
+  const std::string what = object.name + " is " + access + " outside of its " +
+                           (object.size.empty() ? std::to_string(size) + " bytes" : "bytes");
+  // The access ends beyond the object: size < offset + bytes, with a bit for the carry.
+  const Word end = circuit::sum(graph_, circuit::resized(offset, pointer_bits + 1, false),
+                                circuit::constant(bytes, pointer_bits + 1));
+  const Literal outside =
+      circuit::less(graph_, circuit::resized(size_of(object), pointer_bits + 1, false), end);
+  obligations_.require_never(running_, graph_.both(condition, outside), at, what);
+  if (const auto place = circuit::value_of(offset)) {
+    if (*place + bytes > size) return {};
+    return {{always, *place}};
+  }
+  std::vector<std::pair<Literal, std::size_t>> places;
+  for (std::size_t place = 0; place + bytes <= size; ++place) {
+    if (places.size() > most_places) throw Unreadable(at, "an access with too many places");
+    const Literal here = circuit::equal(graph_, circuit::constant(place, pointer_bits), offset);
+    if (here != never) places.emplace_back(here, place);
+  }
+  return places;
+}
+
+ValuePtr Executor::load_from(const Object& object, const Target& t, std::size_t bytes, const llvm::Type& type,
+                             Literal condition, const llvm::Instruction& at) {
+  const auto places = offsets(object, t.offset, bytes, condition, at, "read");
+  if (places.size() == 1 && places.front().first == always)
+    return loaded(object, places.front().second, bytes);
+  std::vector<std::pair<Literal, ValuePtr>> values;
+  bool numbers = true;
+  for (const auto& [here, place] : places) {
+    values.emplace_back(here, loaded(object, place, bytes));
+    numbers = numbers && values.back().second->kind == Value::Kind::number;
+  }
+  if (values.empty()) return unset_of(type, at);
+  if (!numbers) {
+    ValuePtr all = values.front().second;
+    for (const auto& [here, v] : values) all = chosen(graph_, here, v, all);
+    return all;
+  }
+  // Exactly one place is read, so a bit is set if it is at that place.
+  Word bits(8 * bytes), unset(8 * bytes, never);
+  for (std::size_t k = 0; k < bits.size(); ++k) {
+    std::vector<Literal> some, none;
+    for (const auto& [here, v] : values) {
+      if (const Literal l = graph_.both(here, v->bits[k]); l != never) some.push_back(l);
+      if (v->unset.empty()) continue;
+      if (const Literal l = graph_.both(here, v->unset[k]); l != never) none.push_back(l);
+    }
+    bits[k] = graph_.any_of(std::move(some));
+    unset[k] = graph_.any_of(std::move(none));
+  }
+  return number(std::move(bits), std::move(unset));
+}
+
+ValuePtr Executor::load(State& s, const ValuePtr& p, std::size_t bytes, const llvm::Type& type,
+                        const llvm::Instruction& at) {
+  if (!is_pointer(p)) throw Unreadable(at, "a number taken for a pointer");
+  ValuePtr all;
+  for (const Target& t : p->targets) {
+    const Object* object = object_at(s, t, t.when, at, "read");
+    if (object == nullptr) continue;
+    ValuePtr v = load_from(*object, t, bytes, type, t.when, at);
+    if (type.isPointerTy() && !is_pointer(v)) v = pointer_of(v);
+    all = all == nullptr ? v : chosen(graph_, t.when, v, all);
+  }
+  if (all == nullptr) return unset_of(type, at);
+  if (type.isIntegerTy() && all->kind == Value::Kind::number &&
+      all->bits.size() != type.getIntegerBitWidth()) {
+    const std::size_t width = type.getIntegerBitWidth();
+    return number(circuit::resized(all->bits, width, false),
+                  all->unset.empty() ? Word{} : circuit::resized(all->unset, width, false));
+  }
+  return all;
+}
+
+ValuePtr Executor::pointer_of(const ValuePtr& v) const {
+  // Eight zero bytes are the null pointer.
+  if (const auto n = known(v); n && *n == 0) return pointer(null_object);
+  const Word unset = unset_bits(*v);
+  return pointer(!unset.empty() && unset.front() == always ? unset_object : number_object);
+}
+
+void Executor::store(State& s, const ValuePtr& p, const ValuePtr& v, Literal when,
+                     const llvm::Instruction& at) {
+  if (!is_pointer(p)) throw Unreadable(at, "a number taken for a pointer");
+  if (v->kind == Value::Kind::parts) throw Unreadable(at, "a struct in a register is written");
+  ValuePtr whole = v;
+  if (v->kind == Value::Kind::number && v->bits.size() % 8 != 0)
+    whole = number(circuit::resized(v->bits, 8 * bytes_of(*v), false),
+                   v->unset.empty() ? Word{} : circuit::resized(v->unset, 8 * bytes_of(*v), false));
+  const std::size_t bytes = bytes_of(*whole);
+  for (const Target& t : p->targets) {
+    const Literal here = graph_.both(when, t.when);
+    if (here == never) continue;
+    const Object* object = object_at(s, t, here, at, "written");
+    if (object == nullptr) continue;
+    if (object->constant) require_never(here, at, "the constant " + object->name + " is written");
+    const auto places = offsets(*object, t.offset, bytes, here, at, "written");
+    if (places.empty()) continue;
+    Object& own = s.memory.writable(t.object);
+    for (const auto& [equal, place] : places)
+      mmverify::source::executor::store(
+          own, place, chosen(graph_, graph_.both(here, equal), whole, loaded(own, place, bytes)));
+  }
+}
+
+}  // namespace mmverify::source::executor

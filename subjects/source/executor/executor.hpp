@@ -1,0 +1,165 @@
+// Runs a function of LLVM's bitcode on all values of its choices at once. Paths that meet are merged, loops end when no
+// input goes on, calls are followed, and whatever C leaves undefined is an obligation.
+#pragma once
+
+#include <llvm/IR/DataLayout.h>
+#include <llvm/IR/InstrTypes.h>
+#include <llvm/IR/Instructions.h>
+#include <llvm/IR/Module.h>
+#include <llvm/IR/Operator.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "subjects/source/executor/memory.hpp"
+#include "subjects/source/executor/obligations.hpp"
+#include "subjects/source/executor/shape.hpp"
+
+namespace mmverify::source::executor {
+
+/// A number that the law chose: what a counterexample consists of.
+struct Choice {
+  Literal when;  ///< the choice is made
+  Word bits;
+};
+
+/// A path, or several that met.
+struct State {
+  Literal when = always;  ///< the path is taken, given that its call is
+  std::unordered_map<const llvm::Value*, ValuePtr> values;
+  Memory memory;
+  std::map<const llvm::Loop*, unsigned> turns;  ///< of the loops around the block
+};
+
+class Executor {
+ public:
+  Executor(llvm::Module& module, Graph& graph, circuit::Sweeper& sweeper, Obligations& obligations);
+
+  /// Runs it, without arguments. Throws Unreadable, Refuted, Undecided.
+  void run(llvm::Function& law);
+  /// Called now and then; it may throw.
+  void each_step(std::function<void()> call) { each_step_ = std::move(call); }
+
+  const std::vector<Choice>& choices() const { return choices_; }
+
+ private:
+  /// A running call.
+  struct Call {
+    llvm::Function& function;
+    const Shape& shape;
+    Literal outer;  ///< the call is made
+    int number;
+    std::map<std::vector<unsigned>, std::pair<const llvm::BasicBlock*, State>> waiting = {};
+    State returned = {};
+    ValuePtr result = nullptr;
+    bool has_returned = false;
+    bool lost = false;  ///< a path ended without a return
+  };
+
+  // run.cpp: calls, blocks and edges.
+  /// The function's result; the state goes on after its return, or has the condition `never`.
+  ValuePtr call(llvm::Function& function, const std::vector<ValuePtr>& arguments, State& state,
+                const llvm::Instruction* at);
+  void run_block(Call& c, const llvm::BasicBlock& block, State state);
+  void end_block(Call& c, const llvm::Instruction& end, State state);
+  /// Some input may take the path.
+  bool possible(Literal when);
+  void branch(Call& c, const llvm::BranchInst& end, State state);
+  void choose_case(Call& c, const llvm::SwitchInst& end, State state);
+  void come_back(Call& c, const llvm::ReturnInst& end, State state);
+  void go(Call& c, const llvm::Instruction& end, const llvm::BasicBlock& to, State state);
+  std::vector<unsigned> key(const Call& c, const llvm::BasicBlock* block, const State& state) const;
+  void merge(State& into, State&& other);
+
+  // values.cpp: constants and operands.
+  ValuePtr value(State& s, const llvm::Value* v, const llvm::Instruction& at);
+  ValuePtr constant(State& s, const llvm::Constant& c, const llvm::Instruction& at);
+  ValuePtr unset_of(const llvm::Type& type, const llvm::Instruction& at) const;
+  /// The number; throws Unreadable for a pointer.
+  ValuePtr numeric(State& s, const llvm::Value* v, const llvm::Instruction& at);
+  int object_of(const llvm::GlobalVariable& global, const llvm::Instruction& at) const;
+  /// Adds the global variables with their first values.
+  void make_globals(State& s, const llvm::Instruction& at);
+  void initialize(State& s, Object& object, std::size_t at, const llvm::Constant& c,
+                  const llvm::Instruction& where);
+
+  // instructions.cpp
+  /// False if no path goes on behind the instruction.
+  bool step(Call& c, State& s, const llvm::Instruction& i);
+  bool step_on_numbers(State& s, const llvm::Instruction& i);
+  ValuePtr binary(State& s, const llvm::BinaryOperator& i);
+  ValuePtr shifted(const llvm::BinaryOperator& i, const ValuePtr& a, const ValuePtr& b);
+  ValuePtr divided(const llvm::BinaryOperator& i, const ValuePtr& a, const ValuePtr& b);
+  ValuePtr on_pointers(const llvm::BinaryOperator& i, const ValuePtr& a, const ValuePtr& b);
+  void require_no_overflow(const llvm::BinaryOperator& i, const ValuePtr& a, const ValuePtr& b);
+  ValuePtr compared(State& s, const llvm::ICmpInst& i);
+  ValuePtr compared_pointers(const llvm::ICmpInst& i, const ValuePtr& a, const ValuePtr& b);
+  ValuePtr cast(State& s, const llvm::CastInst& i);
+
+  // accesses.cpp: pointers, loads and stores.
+  ValuePtr moved(State& s, const llvm::GEPOperator& gep, const llvm::Instruction& at);
+  /// The bits are all the same.
+  Literal all_alike(const Word& bits) const;
+  /// A number that is read as a pointer.
+  ValuePtr pointer_of(const ValuePtr& v) const;
+  ValuePtr moved_by(const ValuePtr& p, const Word& by) const;
+  ValuePtr load(State& s, const ValuePtr& p, std::size_t bytes, const llvm::Type& type,
+                const llvm::Instruction& at);
+  void store(State& s, const ValuePtr& p, const ValuePtr& v, Literal when, const llvm::Instruction& at);
+  /// Each offset within the object with its condition; outside is an obligation.
+  std::vector<std::pair<Literal, std::size_t>> offsets(const Object& object, const Word& offset,
+                                                       std::size_t bytes, Literal condition,
+                                                       const llvm::Instruction& at, const char* access);
+  /// The object; null after an obligation that says that no input leads there.
+  const Object* object_at(const State& s, const Target& t, Literal condition, const llvm::Instruction& at,
+                          const char* access);
+  ValuePtr load_from(const Object& object, const Target& t, std::size_t bytes, const llvm::Type& type,
+                     Literal condition, const llvm::Instruction& at);
+
+  // library.cpp, intrinsics.cpp: functions without a body.
+  bool call_instruction(Call& c, State& s, const llvm::CallBase& i);
+  bool call_library(State& s, const llvm::CallBase& i, const std::string& name);
+  bool call_law(State& s, const llvm::CallBase& i, const std::string& name);
+  bool call_intrinsic(Call& c, State& s, const llvm::CallBase& i);
+  ValuePtr counted(State& s, const llvm::CallBase& i);
+  ValuePtr with_overflow(State& s, const llvm::CallBase& i);
+  ValuePtr allocated(State& s, const Word& size, bool zero, const llvm::Instruction& at);
+  void release(State& s, const ValuePtr& p, const llvm::Instruction& at);
+  void copy(State& s, const ValuePtr& to, const ValuePtr& from, const Word& size, bool may_overlap,
+            const llvm::Instruction& at);
+  void copy_cells(State& s, const Target& to, const Target& from, std::size_t bytes,
+                  const llvm::Instruction& at);
+  void fill(State& s, const ValuePtr& to, const ValuePtr& byte, const Word& size,
+            const llvm::Instruction& at);
+  ValuePtr compared_bytes(State& s, const ValuePtr& a, const ValuePtr& b, const Word& size,
+                          const llvm::Instruction& at);
+  void require_apart(const ValuePtr& to, const ValuePtr& from, const Word& size, const llvm::Instruction& at);
+  std::size_t most_bytes(const State& s, const ValuePtr& p, const Word& size) const;
+
+  /// The path is taken, all calls around it included.
+  Literal condition(const State& s) const;
+  void require_never(Literal broken, const llvm::Instruction& at, const std::string& what);
+  /// No bit of the number may be unset.
+  void require_set(const ValuePtr& v, const llvm::Instruction& at, const std::string& what);
+
+  llvm::Module& module_;
+  const llvm::DataLayout& layout_;
+  Graph& graph_;
+  circuit::Sweeper& sweeper_;
+  Obligations& obligations_;
+  std::map<const llvm::Function*, std::unique_ptr<Shape>> shapes_;
+  std::map<const llvm::GlobalVariable*, int> globals_;
+  std::map<int, llvm::Function*> functions_;
+  std::map<const llvm::Function*, int> function_numbers_;
+  std::vector<Choice> choices_;
+  std::function<void()> each_step_;
+  Literal outer_ = always;    ///< the calls around are made
+  Literal running_ = always;  ///< the condition of the step that runs
+  int objects_ = 0, calls_ = 0, depth_ = 0;
+};
+
+}  // namespace mmverify::source::executor

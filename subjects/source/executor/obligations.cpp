@@ -1,0 +1,37 @@
+#include "subjects/source/executor/obligations.hpp"
+
+namespace mmverify::source::executor {
+namespace {
+
+using circuit::Answer;
+
+/// Conflicts for an obligation when it comes up.
+constexpr int first_effort = 2000;
+
+}  // namespace
+
+void Obligations::require_never(Literal condition, Literal broken, const llvm::Instruction& at,
+                                const std::string& what) {
+  ++made_;
+  if (condition == never || broken == never) return;
+  switch (sweeper_.both_possible(condition, broken, first_effort)) {
+    case Answer::impossible:
+      return;
+    case Answer::possible:
+      throw Refuted(place_of(at) + ": " + what, sweeper_.example());
+    case Answer::unknown:
+      open_.push_back({condition, broken, place_of(at) + ": " + what});
+  }
+}
+
+void Obligations::settle() {
+  while (!open_.empty()) {
+    const Open& one = open_.back();
+    const Answer got = sweeper_.both_possible(one.condition, one.broken, circuit::all_conflicts);
+    if (got == Answer::possible) throw Refuted(one.what, sweeper_.example());
+    if (got == Answer::unknown) throw Undecided(one.what + "?");
+    open_.pop_back();
+  }
+}
+
+}  // namespace mmverify::source::executor

@@ -1,0 +1,36 @@
+// What must hold on every input: each obligation is settled when it comes up, or at the end.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "subjects/source/circuit/sweeper.hpp"
+#include "subjects/source/executor/reasons.hpp"
+#include "subjects/source/executor/value.hpp"
+
+namespace mmverify::source::executor {
+
+class Obligations {
+ public:
+  explicit Obligations(circuit::Sweeper& sweeper) : sweeper_(sweeper) {}
+
+  /// No input reaches `at` under `condition` with `broken`. Throws Refuted.
+  void require_never(Literal condition, Literal broken, const llvm::Instruction& at, const std::string& what);
+  /// Settles what is open. Throws Refuted, Undecided.
+  void settle();
+
+  std::uint64_t made() const { return made_; }
+  std::size_t open() const { return open_.size(); }
+
+ private:
+  struct Open {
+    Literal condition, broken;
+    std::string what;
+  };
+  circuit::Sweeper& sweeper_;
+  std::vector<Open> open_;
+  std::uint64_t made_ = 0;
+};
+
+}  // namespace mmverify::source::executor
