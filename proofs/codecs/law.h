@@ -16,10 +16,10 @@ uint64_t any_state(uint32_t format);
 /* Leaves out all choices for which the condition does not hold. */
 void assume(int holds);
 #ifdef MMVERIFY_REPLAY
-void mmverify_check(int holds, int line);
-void mmverify_room(int holds, int line);
-#define check(holds) mmverify_check((holds) != 0, __LINE__)
-#define room(holds) mmverify_room((holds) != 0, __LINE__)
+void mmverify_check_fails(int line);
+void mmverify_no_room(int line);
+#define check(holds) ((holds) ? (void)0 : mmverify_check_fails(__LINE__))
+#define room(holds) ((holds) ? (void)0 : mmverify_no_room(__LINE__))
 #else
 /* An obligation: it holds for all choices. */
 void check(int holds);

@@ -36,7 +36,7 @@ const std::array<RunKind, 3>& run_kinds() {
 }
 
 constexpr std::chrono::seconds longest_run{10};
-constexpr std::uint64_t prover_mib = 8192;
+constexpr std::uint64_t prover_memory = std::uint64_t{8} << 30;
 
 std::string prover() {
   return helper("MMVERIFY_CODEC_PROVER", "mmverify-codec",
@@ -44,6 +44,7 @@ std::string prover() {
                 "llvm-14-dev, libcadical-dev) and build again (./run build does both)");
 }
 
+constexpr std::size_t macros = 3;
 void add_macros(std::vector<std::string>& words, const HarnessCall& call) {
   words.push_back("-DLEVEL=" + std::to_string(call.level));
   words.push_back("-DFORMAT=" + std::to_string(call.format));
@@ -148,14 +149,18 @@ const std::string& Codec::object(std::size_t kind) {
   return made = out;
 }
 
+std::string Codec::without_folder() const { return "-fdebug-prefix-map=" + folder_->file("") + "="; }
+
 std::string Codec::program(const HarnessCall& call, std::size_t kind) {
   const RunKind& of = run_kinds().at(kind);
   std::vector<std::string> words{"-O2", "-w", "-I" + header_folder(), "-DMMVERIFY_REPLAY",
                                  "-DFUNCTION=" + call.function};
   add_macros(words, call);
-  words.insert(words.end(), of.flags.begin(), of.flags.end());
-  std::string& made = made_[call.file + of.name + words[4] + words[5] + words[6] + words[7]];
+  std::string key = call.file + of.name + call.function;
+  for (std::size_t k = words.size() - macros; k < words.size(); ++k) key += words[k];
+  std::string& made = made_[key];
   if (!made.empty()) return made;
+  words.insert(words.end(), of.flags.begin(), of.flags.end());
   const std::string out = folder_->file("replay." + std::to_string(made_.size()));
   words.insert(words.end(),
                {folder_->file(call.file), folder_->file("replay.c"), object(kind), "-o", out, "-lm"});
@@ -168,9 +173,9 @@ std::string Codec::program(const HarnessCall& call, std::size_t kind) {
 
 CodecAnswer Codec::prove(const HarnessCall& call, const ProofLimits& limits) {
   std::string key = call.file;
-  std::vector<std::string> words{"-O1", "-g", "-Xclang", "-disable-llvm-passes", "-emit-llvm", "-w"};
+  std::vector<std::string> words{"-O1", "-g", "-Xclang", "-disable-llvm-passes", "-emit-llvm", "-w", without_folder()};
   add_macros(words, call);
-  for (std::size_t k = words.size() - 3; k < words.size(); ++k) key += words[k];
+  for (std::size_t k = words.size() - macros; k < words.size(); ++k) key += words[k];
   std::string& law = made_[key];
   if (law.empty()) {
     const std::string out = folder_->file("law." + std::to_string(made_.size()) + ".bc");
@@ -179,14 +184,13 @@ CodecAnswer Codec::prove(const HarnessCall& call, const ProofLimits& limits) {
   }
   std::ostringstream budget;
   budget << limits.seconds;
-  std::vector<std::string> run{prover(),   bitcode_,     law,        call.function,
-                               "--budget", budget.str(), "--memory", std::to_string(prover_mib)};
+  std::vector<std::string> run{prover(), bitcode_, law, call.function, "--budget", budget.str()};
   if (!limits.certificate.empty()) run.insert(run.end(), {"--certificate", limits.certificate});
   ProverLines lines(limits);
   constexpr double grace = 30;  // the prover ends by itself; this bounds one that does not
   const program::Bounds bounds{
       std::chrono::seconds(static_cast<std::int64_t>(std::ceil(limits.seconds + grace))),
-      2 * prover_mib << 20, std::numeric_limits<std::uint64_t>::max()};
+      prover_memory, std::numeric_limits<std::uint64_t>::max()};
   ProgramEnd end;
   try {
     end = program::run_program(run, {}, limits.stop, bounds,

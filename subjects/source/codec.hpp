@@ -83,6 +83,8 @@ class Codec {
  private:
   /// The codec as an object of that kind of run, compiled when it is first asked for.
   const std::string& object(std::size_t kind);
+  /// The flag that leaves the folder out of the names of files in messages.
+  std::string without_folder() const;
   /// The harness with its driver as a program of that kind of run.
   std::string program(const HarnessCall& call, std::size_t kind);
   CodecRun run_once(const HarnessCall& call, std::size_t kind, const std::vector<std::string>& arguments,
