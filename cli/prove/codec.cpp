@@ -175,8 +175,7 @@ class CodecProofs {
                        [] {
                          if (proofs::interrupted()) throw Interrupted();
                        },
-                       [this](std::uint64_t lemmas, std::uint64_t open) { progress_.add(lemmas, open); },
-                       options_.certificates};
+                       [this](std::uint64_t lemmas, std::uint64_t open) { progress_.add(lemmas, open); }};
     const Result r = proof_.judge(law, n, format, budget);
     add(r);
     if (r.verdict == Verdict::incomplete && r.reason != "interrupted") sample(law, n);
