@@ -119,8 +119,7 @@ Result CodecProof::judge(const CodecLaw& law, Level level, unsigned format, cons
     for (const Question& question : all) {
       const double left = budget.seconds - seconds();
       source::CodecAnswer answer;
-      if (left > 0)
-        answer = codec_->prove(call_of(question), {left, budget.stop, budget.progress});
+      if (left > 0) answer = codec_->prove(call_of(question), {left, budget.stop, budget.progress});
       if (answer.kind == source::CodecAnswer::Kind::refuted) {
         ++statements(r);
         refute(r, question, answer, budget);

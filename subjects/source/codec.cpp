@@ -173,7 +173,8 @@ std::string Codec::program(const HarnessCall& call, std::size_t kind) {
 
 CodecAnswer Codec::prove(const HarnessCall& call, const ProofLimits& limits) {
   std::string key = call.file;
-  std::vector<std::string> words{"-O1", "-g", "-Xclang", "-disable-llvm-passes", "-emit-llvm", "-w", without_folder()};
+  std::vector<std::string> words{"-O1",        "-g", "-Xclang",       "-disable-llvm-passes",
+                                 "-emit-llvm", "-w", without_folder()};
   add_macros(words, call);
   for (std::size_t k = words.size() - macros; k < words.size(); ++k) key += words[k];
   std::string& law = made_[key];
@@ -188,8 +189,8 @@ CodecAnswer Codec::prove(const HarnessCall& call, const ProofLimits& limits) {
   ProverLines lines(limits);
   constexpr double grace = 30;  // the prover ends by itself; this bounds one that does not
   const program::Bounds bounds{
-      std::chrono::seconds(static_cast<std::int64_t>(std::ceil(limits.seconds + grace))),
-      prover_memory, std::numeric_limits<std::uint64_t>::max()};
+      std::chrono::seconds(static_cast<std::int64_t>(std::ceil(limits.seconds + grace))), prover_memory,
+      std::numeric_limits<std::uint64_t>::max()};
   ProgramEnd end;
   try {
     end = program::run_program(run, {}, limits.stop, bounds,

@@ -32,6 +32,19 @@ TEST(Program, ReadsItsInputAndSaysHowItEnds) {
   EXPECT_THROW(run_program({"mmverify-has-no-such-program"}), NoProgram);
 }
 
+TEST(Program, IsHeardWhileItRuns) {
+  std::string heard;
+  std::size_t parts = 0;
+  const ProgramEnd end =
+      run_program({"sh", "-c", "echo one; sleep 0.3; echo two"}, {}, {}, {}, [&](const std::string& part) {
+        heard += part;
+        ++parts;
+      });
+  EXPECT_EQ(heard, "one\ntwo\n");
+  EXPECT_EQ(parts, 2u);
+  EXPECT_EQ(end.out, heard);
+}
+
 TEST(Program, ComplaintsComeInOneLine) {
   EXPECT_EQ(one_line("a.c:1: error\n1 error generated.\n\n"), "a.c:1: error; 1 error generated.");
   EXPECT_EQ(one_line("\n"), "it said nothing");
