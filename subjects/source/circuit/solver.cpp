@@ -17,8 +17,10 @@ class Solver::Clock : public CaDiCaL::Terminator {
 
 Solver::Solver(const Graph& graph)
     : graph_(graph), solver_(std::make_unique<CaDiCaL::Solver>()), clock_(std::make_unique<Clock>()) {
-  // Thousands of small questions: what a solver does before its search costs more than the search.
-  for (const char* name : {"lucky", "walk"}) solver_->set(name, 0);
+  // Thousands of small questions: work before a search costs more than the search, and a variable that is eliminated
+  // comes back with the next question.
+  for (const char* name : {"lucky", "walk", "elim"}) solver_->set(name, 0);
+  solver_->set("quiet", 1);
   solver_->connect_terminator(clock_.get());
 }
 
@@ -33,11 +35,29 @@ void Solver::clause(std::initializer_list<int> numbers) {
   solver_->add(0);
 }
 
+void Solver::write_certificate(std::FILE* file) {
+  certificate_ = file;
+  solver_->set("binary", 0);
+  // The solver writes its own steps, clauses that it derives or deletes, into the same file.
+  solver_->trace_proof(file, "certificate");
+}
+
+void Solver::write(char kind, std::initializer_list<int> numbers) {
+  if (certificate_ == nullptr) return;
+  std::fputc(kind, certificate_);
+  for (const int n : numbers) std::fprintf(certificate_, " %d", n);
+  std::fputs(" 0\n", certificate_);
+}
+
 void Solver::define(Node n) {
   const int v = variable_[n] = ++variables_;
-  if (n == 0) return clause({-v});
-  if (!graph_.is_conjunction(n)) return;
+  if (n == 0) {
+    write('f', {v});
+    return clause({-v});
+  }
+  if (!graph_.is_conjunction(n)) return write('i', {v});
   const int a = number(graph_.first(n)), b = number(graph_.second(n));
+  write('n', {v, a, b});
   clause({-v, a});
   clause({-v, b});
   clause({v, -a, -b});
@@ -83,9 +103,27 @@ Answer Solver::ask(std::initializer_list<Literal> all, int conflicts) {
 }
 
 void Solver::learn(std::initializer_list<Literal> some) {
-  for (const Literal l : some) (void)number(l);
-  for (const Literal l : some) solver_->add(number(l));
+  std::vector<int> numbers;
+  for (const Literal l : some) numbers.push_back(number(l));
+  if (certificate_ != nullptr) {
+    std::fputc('m', certificate_);
+    for (const int n : numbers) std::fprintf(certificate_, " %d", n);
+    std::fputs(" 0\n", certificate_);
+  }
+  for (const int n : numbers) solver_->add(n);
   solver_->add(0);
+}
+
+void Solver::assume(Literal holds) {
+  const int n = number(holds);
+  write('a', {n});
+  clause({n});
+}
+
+void Solver::claim_never(Literal a, Literal b) {
+  if (a == never || b == never || a == negated(b)) return;
+  const int x = number(a), y = number(b);
+  write('o', {-x, -y});
 }
 
 bool Solver::value(Node input) const { return needed(input) && solver_->val(variable_[input]) > 0; }

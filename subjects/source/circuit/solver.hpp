@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdio>
 #include <functional>
 #include <initializer_list>
 #include <memory>
@@ -36,8 +37,16 @@ class Solver {
   /// Whether some inputs make all of these literals true. `conflicts`: the effort, in conflicts of the search.
   Answer ask(std::initializer_list<Literal> all, int conflicts);
 
-  /// States that one of these literals is true at least, for all inputs that count.
+  /// Adds the clause that one of these literals is true, which follows from the last question's answer.
   void learn(std::initializer_list<Literal> some);
+  /// Inputs that make the literal false count no more.
+  void assume(Literal holds);
+
+  /// Writes each step from now on, and the graph's nodes, in the form of proofs/certificate/checker.hpp. The file
+  /// outlives the solver. Call it before the first question.
+  void write_certificate(std::FILE* file);
+  /// Writes the claim that no inputs make both true.
+  void claim_never(Literal a, Literal b);
 
   /// After `possible`: the value of the input; false where the question did not need it.
   bool value(Node input) const;
@@ -53,10 +62,13 @@ class Solver {
   int variable(Node n);
   void define(Node n);
   void clause(std::initializer_list<int> numbers);
+  /// Writes a line of the certificate, if there is one.
+  void write(char kind, std::initializer_list<int> numbers);
 
   const Graph& graph_;
   std::unique_ptr<CaDiCaL::Solver> solver_;
   std::unique_ptr<Clock> clock_;
+  std::FILE* certificate_ = nullptr;
   std::vector<int> variable_;  ///< by node; 0: none yet
   int variables_ = 0;
   std::uint64_t questions_ = 0;

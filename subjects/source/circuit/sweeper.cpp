@@ -171,7 +171,7 @@ Answer Sweeper::both_possible(Literal a, Literal b, int conflicts) {
 
 void Sweeper::assume(Literal holds) {
   assumed_.push_back(holds);
-  solver_.learn({holds});
+  solver_.assume(holds);
   for (std::size_t w = 0; w < pattern_words; ++w) counts_.words[w] &= word_of(holds, w);
   classes_.clear();
   for (Node n = 0; n < values_.size(); ++n) keep(n, values_[n]);

@@ -30,6 +30,8 @@ class Sweeper : public Watcher {
 
   /// Whether some inputs make both literals true. `impossible` becomes a clause.
   Answer both_possible(Literal a, Literal b, int conflicts);
+  /// Notes in the certificate that no inputs make both true.
+  void claim_never(Literal a, Literal b) { solver_.claim_never(a, b); }
   /// Inputs that count make this literal true. Values that break it are no examples from now on.
   void assume(Literal holds);
   /// The inputs of the last `possible` of both_possible().

@@ -41,7 +41,7 @@ ValuePtr Executor::moved(State& s, const llvm::GEPOperator& gep, const llvm::Ins
     const Word wide = circuit::resized(index->bits, pointer_bits, true);
     // Beyond 2^47 elements an index would wrap.
     const Word top(wide.begin() + 47, wide.end());
-    require_never(negated(all_alike(top)), at, "an index beyond all memory");
+    require_never(Duty::bounds, negated(all_alike(top)), at, "an index beyond all memory");
     by = circuit::sum(graph_, by, circuit::product(graph_, wide, circuit::constant(element, pointer_bits)));
   }
   if (const auto none = circuit::value_of(by); none && *none == 0) return from;
@@ -50,10 +50,10 @@ ValuePtr Executor::moved(State& s, const llvm::GEPOperator& gep, const llvm::Ins
   for (const Target& t : made->targets) {
     const Object* object = t.object > 0 ? s.memory.find(t.object) : nullptr;
     if (object != nullptr)
-      require_never(graph_.both(t.when, circuit::less(graph_, size_of(*object), t.offset)), at,
+      require_never(Duty::bounds, graph_.both(t.when, circuit::less(graph_, size_of(*object), t.offset)), at,
                     "a pointer outside of " + object->name);
     else if (t.object == null_object)
-      require_never(t.when, at, "a null pointer moved");
+      require_never(Duty::pointers, t.when, at, "a null pointer moved");
   }
   return made;
 }
@@ -67,19 +67,19 @@ Literal Executor::all_alike(const Word& bits) const {
 const Object* Executor::object_at(const State& s, const Target& t, Literal condition,
                                   const llvm::Instruction& at, const char* access) {
   const std::string what = access;
-  const auto refuse = [&](const std::string& why) -> const Object* {
-    obligations_.require_never(running_, condition, at, why);
+  const auto refuse = [&](Duty duty, const std::string& why) -> const Object* {
+    require_never(duty, condition, at, why);
     return nullptr;
   };
-  if (t.object == null_object) return refuse("a null pointer is " + what);
-  if (t.object == unset_object) return refuse("a pointer that was never set is " + what);
+  if (t.object == null_object) return refuse(Duty::pointers, "a null pointer is " + what);
+  if (t.object == unset_object) return refuse(Duty::pointers, "a pointer that was never set is " + what);
   if (t.object == number_object) throw Unreadable(at, "a pointer that was made of a part of another");
-  if (functions_.contains(t.object)) return refuse("a function is " + what);
+  if (functions_.contains(t.object)) return refuse(Duty::pointers, "a function is " + what);
   const Object* object = s.memory.find(t.object);
-  if (object == nullptr) return refuse("a variable is " + what + " after its life");
+  if (object == nullptr) return refuse(Duty::life, "a variable is " + what + " after its life");
   if (object->gone != never)
-    obligations_.require_never(running_, graph_.both(condition, object->gone), at,
-                               object->name + " is " + what + " after it was freed");
+    require_never(Duty::life, graph_.both(condition, object->gone), at,
+                  object->name + " is " + what + " after it was freed");
   return object;
 }
 
@@ -95,7 +95,7 @@ std::vector<std::pair<Literal, std::size_t>> Executor::offsets(const Object& obj
                                 circuit::constant(bytes, pointer_bits + 1));
   const Literal outside =
       circuit::less(graph_, circuit::resized(size_of(object), pointer_bits + 1, false), end);
-  obligations_.require_never(running_, graph_.both(condition, outside), at, what);
+  require_never(Duty::bounds, graph_.both(condition, outside), at, what);
   if (const auto place = circuit::value_of(offset)) {
     if (*place + bytes > size) return {};
     return {{always, *place}};
@@ -183,13 +183,16 @@ void Executor::store(State& s, const ValuePtr& p, const ValuePtr& v, Literal whe
     if (here == never) continue;
     const Object* object = object_at(s, t, here, at, "written");
     if (object == nullptr) continue;
-    if (object->constant) require_never(here, at, "the constant " + object->name + " is written");
+    if (object->constant)
+      require_never(Duty::constants, here, at, "the constant " + object->name + " is written");
     const auto places = offsets(*object, t.offset, bytes, here, at, "written");
     if (places.empty()) continue;
     Object& own = s.memory.writable(t.object);
     for (const auto& [equal, place] : places)
       mmverify::source::executor::store(
-          own, place, chosen(graph_, graph_.both(here, equal), whole, loaded(own, place, bytes)));
+          own, place,
+          chosen(graph_, planted == Mistake::write_anywhere ? here : graph_.both(here, equal), whole,
+                 loaded(own, place, bytes)));
   }
 }
 

@@ -142,7 +142,7 @@ class Executor {
 
   /// The path is taken, all calls around it included.
   Literal condition(const State& s) const;
-  void require_never(Literal broken, const llvm::Instruction& at, const std::string& what);
+  void require_never(Duty duty, Literal broken, const llvm::Instruction& at, const std::string& what);
   /// No bit of the number may be unset.
   void require_set(const ValuePtr& v, const llvm::Instruction& at, const std::string& what);
 

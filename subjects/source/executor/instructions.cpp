@@ -48,9 +48,9 @@ Word unset_in_shift(Graph& g, circuit::Shift shift, const Value& a, const Value&
 }
 
 circuit::Shift shift_of(unsigned opcode) {
-  return opcode == I::Shl    ? circuit::Shift::left
-         : opcode == I::LShr ? circuit::Shift::right
-                             : circuit::Shift::right_with_sign;
+  return opcode == I::Shl                                              ? circuit::Shift::left
+         : opcode == I::LShr || planted == Mistake::shift_without_sign ? circuit::Shift::right
+                                                                       : circuit::Shift::right_with_sign;
 }
 
 Word magnitude(Graph& g, const Word& a) {
@@ -80,7 +80,7 @@ Literal compare(Graph& g, Predicate p, const Word& a, const Word& b) {
     case Predicate::ICMP_NE:
       return negated(circuit::equal(g, a, b));
     case Predicate::ICMP_ULT:
-      return circuit::less(g, a, b);
+      return planted == Mistake::signed_compare ? circuit::less_signed(g, a, b) : circuit::less(g, a, b);
     case Predicate::ICMP_UGT:
       return circuit::less(g, b, a);
     case Predicate::ICMP_ULE:
@@ -175,11 +175,12 @@ void Executor::require_no_overflow(const llvm::BinaryOperator& i, const ValuePtr
         circuit::shifted(graph_, circuit::Shift::right_with_sign,
                          circuit::shifted(graph_, circuit::Shift::left, a->bits, b->bits), b->bits);
     if (i.hasNoSignedWrap())
-      require_never(negated(circuit::equal(graph_, back, a->bits)), i, "a signed shift overflows");
+      require_never(Duty::overflow, negated(circuit::equal(graph_, back, a->bits)), i,
+                    "a signed shift overflows");
     return;
   }
-  if (i.hasNoSignedWrap()) require_never(beyond(true), i, "signed arithmetic overflows");
-  if (i.hasNoUnsignedWrap()) require_never(beyond(false), i, "arithmetic overflows");
+  if (i.hasNoSignedWrap()) require_never(Duty::overflow, beyond(true), i, "signed arithmetic overflows");
+  if (i.hasNoUnsignedWrap()) require_never(Duty::overflow, beyond(false), i, "arithmetic overflows");
 }
 
 ValuePtr Executor::on_pointers(const llvm::BinaryOperator& i, const ValuePtr& a, const ValuePtr& b) {
@@ -194,7 +195,7 @@ ValuePtr Executor::on_pointers(const llvm::BinaryOperator& i, const ValuePtr& a,
       const Literal here = graph_.both(x.when, y.when);
       if (here == never) continue;
       if (x.object != y.object || x.object == number_object || x.object == unset_object)
-        require_never(here, i, "the distance of pointers into different objects");
+        require_never(Duty::pointers, here, i, "the distance of pointers into different objects");
       else
         distance = circuit::chosen(graph_, here, circuit::difference(graph_, x.offset, y.offset), distance);
     }
@@ -213,7 +214,9 @@ ValuePtr Executor::binary(State& s, const llvm::BinaryOperator& i) {
     case I::Add:
       return number(circuit::sum(g, a->bits, b->bits), unset_above(g, *a, *b));
     case I::Sub:
-      return number(circuit::difference(g, a->bits, b->bits), unset_above(g, *a, *b));
+      return number(circuit::sum(g, a->bits, circuit::inverted(b->bits),
+                                 planted == Mistake::borrow_lost ? never : always),
+                    unset_above(g, *a, *b));
     case I::Mul:
       return number(circuit::product(g, a->bits, b->bits), unset_above(g, *a, *b));
     case I::And:
@@ -241,7 +244,7 @@ ValuePtr Executor::shifted(const llvm::BinaryOperator& i, const ValuePtr& a, con
   require_set(b, i, "a shift by a value that was never set");
   // Seven more bits hold the width itself.
   const Word amount = circuit::resized(b->bits, width + 7, false);
-  require_never(negated(circuit::less(graph_, amount, circuit::constant(width, width + 7))), i,
+  require_never(Duty::shifts, negated(circuit::less(graph_, amount, circuit::constant(width, width + 7))), i,
                 "a shift by the width of the number or more");
   return number(circuit::shifted(graph_, shift, a->bits, b->bits), unset_in_shift(graph_, shift, *a, *b));
 }
@@ -252,19 +255,23 @@ ValuePtr Executor::divided(const llvm::BinaryOperator& i, const ValuePtr& a, con
   const unsigned op = i.getOpcode();
   const bool with_sign = op == I::SDiv || op == I::SRem;
   require_set(b, i, "a division by a value that was never set");
-  require_never(negated(circuit::not_zero(g, b->bits)), i, "a division by zero");
+  require_never(Duty::division, negated(circuit::not_zero(g, b->bits)), i, "a division by zero");
   if (with_sign) {
     const Word lowest = circuit::constant(std::uint64_t{1} << (width - 1), width), minus_one(width, always);
-    require_never(g.both(circuit::equal(g, a->bits, lowest), circuit::equal(g, b->bits, minus_one)), i,
+    require_never(Duty::overflow,
+                  g.both(circuit::equal(g, a->bits, lowest), circuit::equal(g, b->bits, minus_one)), i,
                   "a signed division overflows");
   }
   const circuit::Division d =
       with_sign ? divided_signed(g, a->bits, b->bits) : circuit::divided(g, a->bits, b->bits);
   if (const auto* exact = llvm::dyn_cast<llvm::PossiblyExactOperator>(&i);
       exact != nullptr && exact->isExact())
-    require_never(circuit::not_zero(g, d.remainder), i,
+    require_never(Duty::division, circuit::not_zero(g, d.remainder), i,
                   "a distance of pointers that is no whole number of elements");
-  return number(op == I::UDiv || op == I::SDiv ? d.quotient : d.remainder, unset_wholly(g, *a, *b));
+  return number((op == I::UDiv || op == I::SDiv) != (planted == Mistake::remainder_for_quotient)
+                    ? d.quotient
+                    : d.remainder,
+                unset_wholly(g, *a, *b));
 }
 
 ValuePtr Executor::compared(State& s, const llvm::ICmpInst& i) {
@@ -285,7 +292,7 @@ ValuePtr Executor::compared_pointers(const llvm::ICmpInst& i, const ValuePtr& a,
       const Literal here = graph_.both(x.when, y.when);
       if (here == never) continue;
       if (x.object == unset_object || y.object == unset_object)
-        require_never(here, i, "a comparison of a pointer that was never set");
+        require_never(Duty::unset, here, i, "a comparison of a pointer that was never set");
       else if (x.object == number_object || y.object == number_object)
         throw Unreadable(i, "a comparison of a pointer that was made of a part of another");
       else if (x.object == y.object)
@@ -294,7 +301,7 @@ ValuePtr Executor::compared_pointers(const llvm::ICmpInst& i, const ValuePtr& a,
       else if (i.isEquality())
         holds = graph_.either(holds, i.getPredicate() == Predicate::ICMP_NE ? here : never);
       else
-        require_never(here, i, "the order of pointers into different objects");
+        require_never(Duty::pointers, here, i, "the order of pointers into different objects");
     }
   return number({holds});
 }
@@ -319,7 +326,7 @@ ValuePtr Executor::cast(State& s, const llvm::CastInst& i) {
       if (is_pointer(v)) throw Unreadable(i, "a pointer taken for a number");
       const std::size_t width = type.getIntegerBitWidth();
       if (width > 64) throw Unreadable(i, "a number of more than 64 bits");
-      const bool with_sign = i.getOpcode() == I::SExt;
+      const bool with_sign = i.getOpcode() == I::SExt && planted != Mistake::sign_lost;
       return number(circuit::resized(v->bits, width, with_sign),
                     v->unset.empty() ? Word{} : circuit::resized(v->unset, width, with_sign));
     }

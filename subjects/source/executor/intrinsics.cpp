@@ -42,7 +42,8 @@ ValuePtr Executor::counted(State& s, const llvm::CallBase& i) {
   require_set(v, i, "bits are counted that were never set");
   if (id == Intrinsic::ctpop) return number(ones_in(graph_, v->bits));
   if (const auto of_zero = known(numeric(s, i.getArgOperand(1), i)); of_zero && *of_zero != 0)
-    require_never(negated(circuit::not_zero(graph_, v->bits)), i, "zeros of the number 0 are counted");
+    require_never(Duty::promises, negated(circuit::not_zero(graph_, v->bits)), i,
+                  "zeros of the number 0 are counted");
   return number(zeros_below(graph_, id == Intrinsic::cttz ? v->bits : upside_down));
 }
 
@@ -91,12 +92,13 @@ bool Executor::call_intrinsic(Call&, State& s, const llvm::CallBase& i) {
     case Intrinsic::assume: {
       const ValuePtr v = numeric(s, i.getArgOperand(0), i);
       require_set(v, i, "a promise about a value that was never set");
-      require_never(negated(v->bits[0]), i, "the code's own promise (__builtin_assume) does not hold");
+      require_never(Duty::promises, negated(v->bits[0]), i,
+                    "the code's own promise (__builtin_assume) does not hold");
       return true;
     }
     case Intrinsic::trap:
     case Intrinsic::ubsantrap:
-      require_never(always, i, "the program traps");
+      require_never(Duty::ends, always, i, "the program traps");
       return false;
     case Intrinsic::expect:
       s.values[&i] = argument(0);

@@ -24,7 +24,7 @@ bool Executor::call_instruction(Call& c, State& s, const llvm::CallBase& i) {
     if (!is_pointer(to) || to->targets.size() != 1) throw Unreadable(i, "a call of one function or another");
     const auto found = functions_.find(to->targets.front().object);
     if (found == functions_.end()) {
-      require_never(always, i, "a call through a pointer to no function");
+      require_never(Duty::pointers, always, i, "a call through a pointer to no function");
       return false;
     }
     f = found->second;
@@ -62,7 +62,7 @@ bool Executor::call_law(State& s, const llvm::CallBase& i, const std::string& na
   require_set(holds, i, "the answer depends on a value that was never set");
   const Literal broken = negated(circuit::not_zero(graph_, holds->bits));
   if (name == "check")
-    require_never(broken, i, "the check fails");
+    require_never(Duty::checks, broken, i, "the check fails");
   else
     sweeper_.assume(negated(graph_.both(running_, broken)));
   return true;
@@ -89,7 +89,7 @@ bool Executor::call_library(State& s, const llvm::CallBase& i, const std::string
   } else if (name == "memcmp" || name == "bcmp") {
     s.values[&i] = compared_bytes(s, argument(0), argument(1), size(2), i);
   } else if (i.doesNotReturn()) {
-    require_never(always, i, name + " is called, which does not return");
+    require_never(Duty::ends, always, i, name + " is called, which does not return");
     s.when = never;
     return false;
   } else {
@@ -119,10 +119,10 @@ void Executor::release(State& s, const ValuePtr& p, const llvm::Instruction& at)
     if (t.object == null_object) continue;
     const Object* object = object_at(s, t, t.when, at, "freed");
     if (object == nullptr) continue;
-    require_never(graph_.both(t.when, circuit::not_zero(graph_, t.offset)), at,
+    require_never(Duty::life, graph_.both(t.when, circuit::not_zero(graph_, t.offset)), at,
                   "a pointer is freed that malloc did not return");
     if (object->call != 0 || object->constant)
-      require_never(t.when, at, object->name + " is freed, which malloc did not return");
+      require_never(Duty::life, t.when, at, object->name + " is freed, which malloc did not return");
     Object& own = s.memory.writable(t.object);
     own.gone = graph_.either(own.gone, t.when);
   }
@@ -154,7 +154,8 @@ void Executor::require_apart(const ValuePtr& to, const ValuePtr& from, const Wor
       const Literal meet =
           graph_.both(circuit::not_zero(graph_, ahead),
                       graph_.either(circuit::less(graph_, ahead, size), circuit::less(graph_, behind, size)));
-      require_never(graph_.both(graph_.both(t.when, f.when), meet), at, "memcpy between bytes that overlap");
+      require_never(Duty::overlap, graph_.both(graph_.both(t.when, f.when), meet), at,
+                    "memcpy between bytes that overlap");
     }
 }
 
@@ -162,7 +163,7 @@ void Executor::copy(State& s, const ValuePtr& to, const ValuePtr& from, const Wo
                     const llvm::Instruction& at) {
   if (!is_pointer(to) || !is_pointer(from)) throw Unreadable(at, "a number taken for a pointer");
   const std::size_t most = std::max(most_bytes(s, to, size), most_bytes(s, from, size));
-  require_never(circuit::less(graph_, circuit::constant(most, size.size()), size), at,
+  require_never(Duty::bounds, circuit::less(graph_, circuit::constant(most, size.size()), size), at,
                 "a copy of more bytes than there are");
   if (!may_overlap) require_apart(to, from, size, at);
   // A whole object's bytes may be parts of pointers, which are moved as they are.
@@ -194,10 +195,12 @@ void Executor::copy_cells(State& s, const Target& to, const Target& from, std::s
   const Object *source = object_at(s, from, always, at, "read"),
                *target = object_at(s, to, always, at, "written");
   if (source == nullptr || target == nullptr) return;
-  if (target->constant) require_never(always, at, "the constant " + target->name + " is written");
+  if (target->constant)
+    require_never(Duty::constants, always, at, "the constant " + target->name + " is written");
   const auto read = offsets(*source, from.offset, bytes, always, at, "read");
   const auto written = offsets(*target, to.offset, bytes, always, at, "written");
   if (read.empty() || written.empty()) return;
+  if (planted == Mistake::copy_short) --bytes;
   const std::vector<Cell> cells(source->cells.begin() + static_cast<long>(read.front().second),
                                 source->cells.begin() + static_cast<long>(read.front().second + bytes));
   Object& own = s.memory.writable(to.object);
@@ -208,7 +211,7 @@ void Executor::fill(State& s, const ValuePtr& to, const ValuePtr& byte, const Wo
                     const llvm::Instruction& at) {
   if (!is_pointer(to)) throw Unreadable(at, "a number taken for a pointer");
   const std::size_t most = most_bytes(s, to, size);
-  require_never(circuit::less(graph_, circuit::constant(most, size.size()), size), at,
+  require_never(Duty::bounds, circuit::less(graph_, circuit::constant(most, size.size()), size), at,
                 "more bytes are set than there are");
   const ValuePtr one = number(circuit::resized(byte->bits, 8, false),
                               byte->unset.empty() ? Word{} : circuit::resized(byte->unset, 8, false));
@@ -224,7 +227,7 @@ void Executor::fill(State& s, const ValuePtr& to, const ValuePtr& byte, const Wo
 ValuePtr Executor::compared_bytes(State& s, const ValuePtr& a, const ValuePtr& b, const Word& size,
                                   const llvm::Instruction& at) {
   const std::size_t most = std::max(most_bytes(s, a, size), most_bytes(s, b, size));
-  require_never(circuit::less(graph_, circuit::constant(most, size.size()), size), at,
+  require_never(Duty::bounds, circuit::less(graph_, circuit::constant(most, size.size()), size), at,
                 "more bytes are compared than there are");
   const llvm::Type& byte = *llvm::Type::getInt8Ty(module_.getContext());
   Literal same = always, lower = never;

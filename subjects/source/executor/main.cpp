@@ -1,7 +1,8 @@
 // mmverify-codec: decides a law on a codec in LLVM's bitcode for all values of the law's choices at once. It is a
 // process of its own: no other one contains LLVM or the SAT solver.
 //
-//   mmverify-codec CODEC.bc LAW.bc FUNCTION [--budget SECONDS] [--merge CONFLICTS] [--statistics]
+//   mmverify-codec CODEC.bc LAW.bc FUNCTION [--budget SECONDS] [--certificate FILE] [--merge CONFLICTS] [--plain]
+//                  [--statistics]
 //
 // The answer is a line on standard output, after lines of progress:
 //   progress LEMMAS OPEN SECONDS   merges proved, and obligations that are open
@@ -15,6 +16,7 @@
 #include <llvm/Support/SourceMgr.h>
 #include <llvm/Support/raw_ostream.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -32,9 +34,10 @@ struct BadFile : std::runtime_error {
 };
 
 struct Options {
-  std::string codec, law, function;
+  std::string codec, law, function, certificate;
   double budget = 0;
   int merge_conflicts = 200;
+  std::string planted = "none";
   bool merging = true, statistics = false;
 };
 
@@ -48,7 +51,11 @@ Options options_of(int count, char** words) {
     } else if (word == "--plain") {
       o.merging = false;
     } else if (word.starts_with("--")) {
-      if (k + 1 == count) throw BadFile(word + " takes a number");
+      if (k + 1 == count) throw BadFile(word + " takes a value");
+      if (word == "--certificate" || word == "--plant") {
+        (word == "--plant" ? o.planted : o.certificate) = words[++k];
+        continue;
+      }
       const double value = std::strtod(words[++k], nullptr);
       if (word == "--budget")
         o.budget = value;
@@ -121,8 +128,25 @@ class Run {
     if (o.budget > 0)
       solver_.stop_at(start_ +
                       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(o.budget)));
+    if (!o.certificate.empty()) {
+      certificate_.reset(std::fopen(o.certificate.c_str(), "w"));
+      if (certificate_ == nullptr) throw BadFile(o.certificate + ": it cannot be written");
+      solver_.write_certificate(certificate_.get());
+    }
     executor_.each_step([this] { tick(); });
     solver_.each_moment([this] { tell_progress(); });
+  }
+
+  /// Makes a deliberate mistake: a kind of obligations is dropped, or an instruction has another meaning.
+  void plant(const std::string& name) {
+    const auto duty = std::find(executor::duties.begin(), executor::duties.end(), name);
+    const auto mistake = std::find(executor::mistakes.begin(), executor::mistakes.end(), name);
+    if (duty != executor::duties.end())
+      obligations_.drop(static_cast<executor::Duty>(duty - executor::duties.begin()));
+    else if (mistake != executor::mistakes.end())
+      executor::planted = static_cast<executor::Mistake>(mistake - executor::mistakes.begin());
+    else
+      throw BadFile("no mistake is called " + name);
   }
 
   /// Prints the answer.
@@ -171,6 +195,10 @@ class Run {
   const Options& options_;
   const Clock::time_point start_ = Clock::now();
   Clock::time_point told_ = start_;
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::unique_ptr<std::FILE, Close> certificate_;
   circuit::Graph graph_;
   circuit::Solver solver_;
   circuit::Sweeper sweeper_;
@@ -183,7 +211,9 @@ int decide(const Options& o) {
   const std::unique_ptr<llvm::Module> module = linked(o, context);
   llvm::Function* law = module->getFunction(o.function);
   if (law == nullptr || law->isDeclaration()) throw BadFile(o.law + ": no function is called " + o.function);
-  Run(o, *module).decide(*law);
+  Run run(o, *module);
+  run.plant(o.planted);
+  run.decide(*law);
   return 0;
 }
 

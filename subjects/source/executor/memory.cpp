@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "subjects/source/executor/planted.hpp"
+
 namespace mmverify::source::executor {
 namespace {
 
@@ -66,7 +68,7 @@ ValuePtr loaded(const Object& object, std::size_t at, std::size_t bytes) {
   if (ValuePtr v = whole(object, at, bytes)) return v;
   Word bits, unset;
   for (std::size_t k = at; k < at + bytes; ++k) {
-    const Cell& cell = object.cells[k];
+    const Cell& cell = object.cells[planted == Mistake::bytes_reversed ? 2 * at + bytes - 1 - k : k];
     if (cell.value == nullptr) {
       bits.insert(bits.end(), 8, never);
       unset.insert(unset.end(), 8, always);

@@ -10,10 +10,10 @@ constexpr int first_effort = 2000;
 
 }  // namespace
 
-void Obligations::require_never(Literal condition, Literal broken, const llvm::Instruction& at,
+void Obligations::require_never(Duty duty, Literal condition, Literal broken, const llvm::Instruction& at,
                                 const std::string& what) {
   ++made_;
-  if (condition == never || broken == never) return;
+  if (condition == never || broken == never || duty == dropped_) return;
   switch (sweeper_.both_possible(condition, broken, first_effort)) {
     case Answer::impossible:
       return;
@@ -30,6 +30,7 @@ void Obligations::settle() {
     const Answer got = sweeper_.both_possible(one.condition, one.broken, circuit::all_conflicts);
     if (got == Answer::possible) throw Refuted(one.what, sweeper_.example());
     if (got == Answer::unknown) throw Undecided(one.what + "?");
+    sweeper_.claim_never(one.condition, one.broken);
     open_.pop_back();
   }
 }

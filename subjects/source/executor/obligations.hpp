@@ -1,11 +1,12 @@
 // What must hold on every input: each obligation is settled when it comes up, or at the end.
 #pragma once
 
-#include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "subjects/source/circuit/sweeper.hpp"
+#include "subjects/source/executor/planted.hpp"
 #include "subjects/source/executor/reasons.hpp"
 #include "subjects/source/executor/value.hpp"
 
@@ -15,8 +16,12 @@ class Obligations {
  public:
   explicit Obligations(circuit::Sweeper& sweeper) : sweeper_(sweeper) {}
 
+  /// Obligations of that kind are dropped, for a test.
+  void drop(Duty duty) { dropped_ = duty; }
+
   /// No input reaches `at` under `condition` with `broken`. Throws Refuted.
-  void require_never(Literal condition, Literal broken, const llvm::Instruction& at, const std::string& what);
+  void require_never(Duty duty, Literal condition, Literal broken, const llvm::Instruction& at,
+                     const std::string& what);
   /// Settles what is open. Throws Refuted, Undecided.
   void settle();
 
@@ -29,6 +34,7 @@ class Obligations {
     std::string what;
   };
   circuit::Sweeper& sweeper_;
+  std::optional<Duty> dropped_;
   std::vector<Open> open_;
   std::uint64_t made_ = 0;
 };

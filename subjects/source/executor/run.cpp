@@ -9,6 +9,9 @@ namespace {
 
 constexpr int deepest = 400;
 constexpr unsigned most_turns = 1 << 20;
+/// The condition for the values of a path that joins others.
+Literal side(Literal when) { return planted == Mistake::other_side ? negated(when) : when; }
+
 /// Conflicts for the question whether any input takes an edge.
 constexpr int edge_effort = 1000;
 
@@ -31,12 +34,14 @@ void Executor::run(llvm::Function& law) {
 
 Literal Executor::condition(const State& s) const { return graph_.both(outer_, s.when); }
 
-void Executor::require_never(Literal broken, const llvm::Instruction& at, const std::string& what) {
-  obligations_.require_never(running_, broken, at, what);
+void Executor::require_never(Duty duty, Literal broken, const llvm::Instruction& at,
+                             const std::string& what) {
+  obligations_.require_never(duty, running_, broken, at, what);
 }
 
 void Executor::require_set(const ValuePtr& v, const llvm::Instruction& at, const std::string& what) {
-  if (v->kind == Value::Kind::number && !v->unset.empty()) require_never(graph_.any_of(v->unset), at, what);
+  if (v->kind == Value::Kind::number && !v->unset.empty())
+    require_never(Duty::unset, graph_.any_of(v->unset), at, what);
 }
 
 std::vector<unsigned> Executor::key(const Call& c, const llvm::BasicBlock* block, const State& state) const {
@@ -103,7 +108,7 @@ void Executor::end_block(Call& c, const llvm::Instruction& end, State state) {
   if (const auto* i = llvm::dyn_cast<llvm::SwitchInst>(&end)) return choose_case(c, *i, std::move(state));
   if (!llvm::isa<llvm::UnreachableInst>(end))
     throw Unreadable(end, std::string("the end of a block is ") + end.getOpcodeName());
-  require_never(always, end, "code that is never reached is reached");
+  require_never(Duty::ends, always, end, "code that is never reached is reached");
   c.lost = true;
 }
 
@@ -111,7 +116,7 @@ void Executor::branch(Call& c, const llvm::BranchInst& end, State state) {
   if (end.isUnconditional()) return go(c, end, *end.getSuccessor(0), std::move(state));
   const ValuePtr decides = numeric(state, end.getCondition(), end);
   require_set(decides, end, "a branch on a value that was never set");
-  const Literal yes = decides->bits[0];
+  const Literal yes = planted == Mistake::other_branch ? negated(decides->bits[0]) : decides->bits[0];
   if (yes <= always) return go(c, end, *end.getSuccessor(yes == always ? 0 : 1), std::move(state));
   const Literal taken = graph_.both(state.when, yes), passed = graph_.both(state.when, negated(yes));
   // A branch that every input takes leaves the path's condition as it is.
@@ -161,9 +166,9 @@ void Executor::come_back(Call& c, const llvm::ReturnInst& end, State state) {
 void Executor::merge(State& into, State&& other) {
   for (auto& [name, v] : other.values) {
     const auto [at, fresh] = into.values.emplace(name, v);
-    if (!fresh) at->second = chosen(graph_, other.when, v, at->second);
+    if (!fresh) at->second = chosen(graph_, side(other.when), v, at->second);
   }
-  into.memory.choose(graph_, other.when, other.memory);
+  into.memory.choose(graph_, side(other.when), other.memory);
   into.when = graph_.either(into.when, other.when);
 }
 

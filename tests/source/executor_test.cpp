@@ -1,0 +1,212 @@
+// [release] What mmverify-codec says of C programs: random ones beside their compiled selves, and each undefined thing.
+// MMVERIFY_FUZZ_SEEDS=N runs so many seeds in the place of six.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "tests/folder.hpp"
+#include "tests/source/random_buffers.hpp"
+
+namespace mmverify {
+namespace {
+
+constexpr const char* declarations = R"(#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+uint64_t any(uint32_t bits);
+void check(int holds);
+void assume(int holds);
+)";
+
+class Executor : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::string(MMVERIFY_CODEC).empty())
+      GTEST_SKIP() << "no llvm-14-dev or no libcadical-dev: nothing to test";
+  }
+
+  /// What a shell command prints.
+  std::string printed(const std::string& command) const {
+    const auto out = folder_ / "out";
+    EXPECT_EQ(std::system(fmt::format("( {} ) > {} 2>&1", command, out.string()).c_str()), 0)
+        << command << "\n"
+        << tests::text_of(out);
+    return tests::text_of(out);
+  }
+  std::string written(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+  /// The answer for a law and, beside it, nothing: the law's file is all there is.
+  std::string answer(const std::string& program, const std::string& more = {}) const {
+    const std::string c = written("law.c", program), bc = c + ".bc", none = written("none.ll", "");
+    printed(fmt::format(
+        "clang -w -O1 -g -fno-discard-value-names -Xclang -disable-llvm-passes -emit-llvm -c -o {} {}", bc,
+        c));
+    return printed(fmt::format("{} {} {} law {}", MMVERIFY_CODEC, none, bc, more));
+  }
+
+  tests::Folder folder_;
+};
+
+std::uint64_t seeds() {
+  const char* n = std::getenv("MMVERIFY_FUZZ_SEEDS");
+  return n == nullptr ? 6 : std::strtoull(n, nullptr, 10);
+}
+
+/// Pairs of numbers that a program runs on; a law chooses one of the eight.
+std::vector<std::array<unsigned, 2>> some_pairs(std::uint64_t seed) {
+  proofs::Random random(seed, 3, 0);
+  std::vector<std::array<unsigned, 2>> pairs;
+  for (unsigned k = 0; k < 8; ++k) pairs.push_back({random.code(), random.code()});
+  return pairs;
+}
+
+class RandomPrograms : public Executor {
+ protected:
+  /// Results of the compiled program on the pairs.
+  std::vector<std::uint64_t> results(const std::string& program, std::uint64_t seed) const {
+    std::string text = program + "#include <stdio.h>\nint main(void) {\n";
+    for (const auto& [x, y] : some_pairs(seed))
+      text += fmt::format("  printf(\"%lu\\n\", run({}, {}));\n", x, y);
+    const std::string c = written("native.c", text + "}\n"), exe = c + ".exe";
+    printed(
+        fmt::format("clang -w -O0 -fsanitize=undefined,address -fno-sanitize-recover=all -o {} {}", exe, c));
+    std::istringstream in(printed("ASAN_OPTIONS=detect_leaks=0 " + exe));
+    std::vector<std::uint64_t> all;
+    for (std::uint64_t r = 0; in >> r;) all.push_back(r);
+    return all;
+  }
+  /// A law that says so.
+  static std::string law(const std::string& program, std::uint64_t seed,
+                         const std::vector<std::uint64_t>& results) {
+    std::string xs, ys, rs;
+    const auto pairs = some_pairs(seed);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      xs += fmt::format("{}, ", pairs[k][0]);
+      ys += fmt::format("{}, ", pairs[k][1]);
+      rs += fmt::format("{}u, ", results[k]);
+    }
+    return fmt::format(
+        "{}{}void law(void) {{\n  static const uint64_t x[] = {{{}}}, y[] = {{{}}}, r[] = {{{}}};\n"
+        "  uint64_t k = any(3);\n  check(run(x[k], y[k]) == r[k]);\n}}\n",
+        declarations, program, xs, ys, rs);
+  }
+};
+
+TEST_F(RandomPrograms, GiveWhatTheirCompiledSelvesGive) {
+  for (std::uint64_t seed = 0; seed < seeds(); ++seed) {
+    const std::string program = tests::RandomBuffers(seed).text();
+    std::vector<std::uint64_t> due = results(program, seed);
+    ASSERT_EQ(due.size(), some_pairs(seed).size()) << seed;
+    const std::string said = answer(law(program, seed, due));
+    EXPECT_NE(said.find("proved "), std::string::npos) << "seed " << seed << "\n" << said;
+    // A wrong expectation is refuted, on that very pair.
+    due[5] += 1;
+    EXPECT_NE(answer(law(program, seed, due)).find("the check fails\nchoice 3 5\n"), std::string::npos)
+        << seed;
+  }
+}
+
+TEST_F(RandomPrograms, NoticeEachMistakeOfTheExecutor) {
+  for (const char* mistake :
+       {"signed-compare", "sign-lost", "shift-without-sign", "other-branch", "other-side", "bytes-reversed",
+        "write-anywhere", "borrow-lost", "remainder-for-quotient", "copy-short"}) {
+    bool noticed = false;
+    for (std::uint64_t seed = 0; seed < 20 && !noticed; ++seed) {
+      const std::string program = tests::RandomBuffers(seed).text();
+      noticed = answer(law(program, seed, results(program, seed)), fmt::format("--plant {} || true", mistake))
+                    .find("proved ") == std::string::npos;
+    }
+    EXPECT_TRUE(noticed) << mistake;
+  }
+}
+
+/// A program that breaks one kind of obligation on some inputs, and the words that say so.
+struct Undefined {
+  const char *duty, *body, *says;
+};
+
+const std::array undefined{
+    Undefined{"checks", "check(any(8) != 77);", "the check fails\nchoice 8 77\n"},
+    Undefined{"bounds", "uint8_t b[5] = {0}; check(b[any(3)] == 0);", "a pointer outside of b"},
+    Undefined{"bounds", "uint8_t b[4] = {0}; uint8_t* p = b + any(2); check(p[1] == 0);",
+              "b is read outside of its 4 bytes"},
+    Undefined{"bounds", "uint8_t b[4]; uint8_t* p = b + any(2); p[1] = 0;",
+              "b is written outside of its 4 bytes"},
+    Undefined{"bounds", "uint8_t b[5]; b[any(3)] = 1;", "a pointer outside of b"},
+    Undefined{"bounds", "uint64_t n = any(2); uint8_t* p = calloc(n, 1); check(n == 0 || p[2] == 0);",
+              "a pointer outside of the allocation"},
+    Undefined{"bounds", "uint8_t b[4] = {0}, c[4]; memcpy(c, b, any(3));",
+              "a copy of more bytes than there are"},
+    Undefined{"pointers", "uint8_t b = 0; uint8_t* p = any(1) ? &b : 0; check(*p == 0);",
+              "a null pointer is read"},
+    Undefined{"pointers", "uint8_t b[2], c[2]; uint8_t* p = any(1) ? b : c; check(p - b >= 0);",
+              "the distance of pointers into different objects"},
+    Undefined{"pointers", "uint8_t b[2], c[2]; check((any(1) ? b : c) <= b);",
+              "the order of pointers into different objects"},
+    Undefined{"life", "uint8_t* p = malloc(2); p[1] = 1; if (any(1)) free(p); check(p[1] == 1);",
+              "after it was freed"},
+    Undefined{"life", "uint8_t* p = malloc(2); if (any(1)) free(p); free(p);",
+              "is freed after it was freed"},
+    Undefined{
+        "unset",
+        "const uint8_t* p; { uint8_t b[3] = {1}; p = b; } { uint8_t c = 2; check(c == 2); } check(*p == 1);",
+        "never set"},
+    Undefined{"unset", "uint8_t b[3]; b[0] = b[1] = 1; check(b[any(2) % 3] == 1);", "never set"},
+    Undefined{"unset", "uint32_t n; if (any(4) != 9) n = 2; for (uint32_t k = 0; k < n; ++k) check(1);",
+              "a branch on a value that was never set"},
+    Undefined{"shifts", "check((1u << any(6)) != 0);", "a shift by the width of the number or more"},
+    Undefined{"overflow", "int x = (int)any(31); check(x + 1 > x);", "signed arithmetic overflows"},
+    Undefined{"overflow", "int x = (int)any(20); check(x * 5000 >= 0);", "signed arithmetic overflows"},
+    Undefined{"division", "check(7u / any(3) >= 1);", "a division by zero"},
+    Undefined{"overlap", "uint8_t b[8] = {0}; memcpy(b + any(2), b, 3); check(b[0] == 0);",
+              "memcpy between bytes that overlap"},
+    Undefined{"constants", "static const uint8_t b[2] = {1, 2}; ((uint8_t*)b)[any(1)] = 3;", "the constant"},
+    Undefined{"promises", "uint64_t n = any(3); __builtin_assume(n < 7); check(n < 8);", "promise"},
+    Undefined{"ends", "if (any(9) == 300) abort();", "abort is called"},
+    Undefined{"ends", "if (any(9) == 300) __builtin_unreachable();",
+              "code that is never reached is reached"}};
+
+TEST_F(Executor, RefutesEachUndefinedThing) {
+  for (const Undefined& one : undefined) {
+    const std::string program = fmt::format("{}void law(void) {{ {} }}\n", declarations, one.body);
+    const std::string said = answer(program);
+    EXPECT_NE(said.find("refuted "), std::string::npos) << one.body << "\n" << said;
+    EXPECT_NE(said.find(one.says), std::string::npos) << one.body << "\n" << said;
+    // An executor that forgets this obligation does not say so.
+    EXPECT_EQ(answer(program, fmt::format("--plant {}", one.duty)).find(one.says), std::string::npos)
+        << one.body;
+  }
+}
+
+TEST_F(Executor, ProvesWhatIsDefined) {
+  for (const char* body :
+       {"uint8_t b[5] = {0}; check(b[any(3) % 5] == 0);", "int x = (int)any(31); check(x - 1 < x);",
+        "uint8_t* p = malloc(2); p[1] = 1; if (any(1)) { free(p); p = 0; } check(p == 0 || p[1] == 1); "
+        "free(p);",
+        "uint64_t n = any(6), s = 0; for (uint64_t k = 0; k < n; ++k) s += k; check(2 * s + n == n * n);",
+        "uint64_t x = any(16); assume(x % 3 == 0); check(x != 65534 && x != 65533);",
+        "struct { uint8_t tag; uint32_t x; } a, b; a.x = (uint32_t)any(32); b = a; check(b.x == a.x);"}) {
+    const std::string said = answer(fmt::format("{}void law(void) {{ {} }}\n", declarations, body));
+    EXPECT_NE(said.find("proved "), std::string::npos) << body << "\n" << said;
+  }
+}
+
+TEST_F(Executor, NamesWhatItCannotFollow) {
+  for (const auto& [body, says] :
+       {std::pair{"volatile float x = (float)any(3); check(x >= 0);", "law.c:7: the conversion uitofp"},
+        std::pair{"check(atoi(\"7\") == 7);", "a call of strtol"},
+        std::pair{"uint8_t b; check((uintptr_t)&b % 2 == 0);", "arithmetic on a pointer's bits"}})
+    EXPECT_NE(
+        answer(fmt::format("{}void law(void) {{ {} }}\n", declarations, body), "; test $? = 3").find(says),
+        std::string::npos)
+        << body;
+}
+
+}  // namespace
+}  // namespace mmverify
