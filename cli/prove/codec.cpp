@@ -175,7 +175,8 @@ class CodecProofs {
                        [] {
                          if (proofs::interrupted()) throw Interrupted();
                        },
-                       [this](std::uint64_t lemmas, std::uint64_t open) { progress_.add(lemmas, open); }};
+                       [this](std::uint64_t lemmas, std::uint64_t open) { progress_.add(lemmas, open); },
+                       options_.certificates};
     const Result r = proof_.judge(law, n, format, budget);
     add(r);
     if (r.verdict == Verdict::incomplete && r.reason != "interrupted") sample(law, n);

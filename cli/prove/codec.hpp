@@ -16,6 +16,7 @@ struct CodecOptions {
   std::optional<proofs::Levels> levels;
   std::optional<std::string> format;  ///< "2-state", "4-state"
   std::optional<std::string> one_case;
+  std::string certificates;  ///< a folder
   proofs::Tier tier = proofs::Tier::fast;
   double budget = 60, timeout = 10;
   std::uint64_t seed = 1;

@@ -38,6 +38,13 @@ std::string no_room(const Question& question) {
 
 std::uint64_t& statements(Result& r) { return r.by_kind[kinds - 1].cases; }
 
+/// The file that a question's proof leaves in a folder.
+std::string certificate(const std::string& folder, const Result& r, const Question& q) {
+  if (folder.empty()) return {};
+  return fmt::format("{}/{}.level_{}.{}.{}.{}.lrat", folder, r.law, q.level, codecs::format_name(q.format),
+                     q.function, q.size);
+}
+
 }  // namespace
 
 CodecProof::CodecProof(const std::string& file, const std::vector<std::string>& flags, double timeout_seconds)
@@ -119,7 +126,9 @@ Result CodecProof::judge(const CodecLaw& law, Level level, unsigned format, cons
     for (const Question& question : all) {
       const double left = budget.seconds - seconds();
       source::CodecAnswer answer;
-      if (left > 0) answer = codec_->prove(call_of(question), {left, budget.stop, budget.progress});
+      if (left > 0)
+        answer = codec_->prove(call_of(question), {left, budget.stop, budget.progress,
+                                                   certificate(budget.certificates, r, question)});
       if (answer.kind == source::CodecAnswer::Kind::refuted) {
         ++statements(r);
         refute(r, question, answer, budget);

@@ -19,6 +19,7 @@ struct CodecBudget {
   double seconds = 60;  ///< for one law at one level in one format
   std::function<void()> stop;
   std::function<void(std::uint64_t lemmas, std::uint64_t open)> progress;
+  std::string certificates;  ///< the folder where proofs leave theirs; empty: none
 };
 
 /// The outcome of a case that is run on the compiled codec again.

@@ -48,6 +48,7 @@ struct ProveOptions {
   std::optional<std::string> source, function, one_case, format;
   std::vector<std::string> flags;
   std::optional<double> budget;
+  std::string certificates;
 };
 
 Request request(const ProveOptions& options, std::vector<RunsOn>& runs_on) {
@@ -151,6 +152,7 @@ int prove_codec_of(const ProveOptions& options) {
   if (options.levels) codec.levels = parse_levels(*options.levels);
   codec.format = options.format;
   codec.one_case = options.one_case;
+  codec.certificates = options.certificates;
   codec.tier = options.tier == "long" ? Tier::long_run : Tier::fast;
   if (options.budget) codec.budget = *options.budget;
   codec.timeout = timeout_of("", options.timeout);
@@ -168,8 +170,8 @@ Job job_of_source(const ProveOptions& options) {
     throw UsageError(
         "--source: index.floats is proved of a function, and nothing else; write mmverify prove "
         "index.floats");
-  if (options.format || options.budget)
-    throw UsageError("--format, --budget: they are for a codec's laws; leave them out");
+  if (options.format || options.budget || !options.certificates.empty())
+    throw UsageError("--format, --budget, --certificates: they are for a codec's laws; leave them out");
   if (!options.subjects.empty())
     throw UsageError("--source and --subject: give one of them; the source is the subject that is judged");
   SourceOptions of{*options.source, "index_of", options.flags, options.dialect == "published"};
@@ -344,6 +346,12 @@ void add_source(CLI::App& command, ProveOptions& options) {
                   "sample runs")
       ->type_name("SECONDS")
       ->check(finite_within(0.1, 1e6))
+      ->needs(source);
+  command
+      .add_option("--certificates", options.certificates,
+                  "an existing folder: each proof of a codec leaves its steps there")
+      ->type_name("FOLDER")
+      ->check(CLI::ExistingDirectory)
       ->needs(source);
   command.add_option("--case", options.one_case, "run the source on one counterexample again")
       ->type_name("LEVEL@CASE")

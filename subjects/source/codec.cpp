@@ -186,6 +186,7 @@ CodecAnswer Codec::prove(const HarnessCall& call, const ProofLimits& limits) {
   std::ostringstream budget;
   budget << limits.seconds;
   std::vector<std::string> run{prover(), bitcode_, law, call.function, "--budget", budget.str()};
+  if (!limits.certificate.empty()) run.insert(run.end(), {"--certificate", limits.certificate});
   ProverLines lines(limits);
   constexpr double grace = 30;  // the prover ends by itself; this bounds one that does not
   const program::Bounds bounds{

@@ -40,6 +40,7 @@ struct ProofLimits {
   double seconds = 60;
   std::function<void()> stop = {};  ///< called all the time; an exception ends the proof
   std::function<void(std::uint64_t lemmas, std::uint64_t open)> progress = {};
+  std::string certificate = {};  ///< the file that a proof leaves; empty: none
 };
 
 /// A run of the compiled codec on choices.

@@ -91,7 +91,7 @@ std::vector<Question> asked(const CodecLaw& law, const Facts& facts, Level level
 /// if they have at most so many bits: what is proved holds there, and what is refuted fails on the compiled codec.
 bool proved(Made& made, const CodecLaw& law, const Question& q, unsigned bits) {
   constexpr double seconds = 120;
-  const source::CodecAnswer answer = made.codec->prove(call_of(q), {seconds, {}, {}});
+  const source::CodecAnswer answer = made.codec->prove(call_of(q), {seconds, {}, {}, {}});
   EXPECT_NE(answer.kind, source::CodecAnswer::Kind::unknown) << name_of(law, q) << ": " << answer.text;
   const bool holds = answer.kind == source::CodecAnswer::Kind::proved;
   std::uint64_t cases = 0;
