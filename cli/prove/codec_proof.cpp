@@ -41,8 +41,8 @@ std::uint64_t& statements(Result& r) { return r.by_kind[kinds - 1].cases; }
 /// The file that a question's proof leaves in a folder.
 std::string certificate(const std::string& folder, const Result& r, const Question& q) {
   if (folder.empty()) return {};
-  return fmt::format("{}/{}.level_{}.{}.{}.{}.lrat", folder, r.law, q.level, codecs::format_name(q.format),
-                     q.function, q.size);
+  return fmt::format("{}/{}.level_{}.{}.{}.{}.certificate", folder, r.law, q.level,
+                     codecs::format_name(q.format), q.function, q.size);
 }
 
 }  // namespace

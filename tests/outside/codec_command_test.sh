@@ -48,7 +48,7 @@ judged 2 'leave them out' --source right.c --shard 1/2
 prover 'echo "$*" >>"$(dirname "$0")/words"; echo "proved 10 2 3"'
 mkdir kept
 judged 0 . tree.lookup_is_decode --source right.c --levels 1 --format 2-state --budget 7 --certificates kept
-grep -qE 'lookup --budget (7|6\.[0-9]+) --certificate kept/tree.lookup_is_decode.level_1.2-state.lookup.2.lrat$' words || { cat words; fail 'the words of the prover'; }
+grep -qE 'lookup --budget (7|6\.[0-9]+) --certificate kept/tree.lookup_is_decode.level_1.2-state.lookup.2.certificate$' words || { cat words; fail 'the words of the prover'; }
 
 # A counterexample counts only if a run of the compiled codec fails on it.
 prover 'case $3 in round_trip) echo "refuted tree.c:14: a check"; for state in 0 0 0 1; do echo "choice 1 $state"; done;; *) echo "proved 1 1 1";; esac'

@@ -151,8 +151,7 @@ const std::array undefined{
               "the order of pointers into different objects"},
     Undefined{"life", "uint8_t* p = malloc(2); p[1] = 1; if (any(1)) free(p); check(p[1] == 1);",
               "after it was freed"},
-    Undefined{"life", "uint8_t* p = malloc(2); if (any(1)) free(p); free(p);",
-              "is freed after it was freed"},
+    Undefined{"life", "uint8_t* p = malloc(2); if (any(1)) free(p); free(p);", "is freed after it was freed"},
     Undefined{
         "unset",
         "const uint8_t* p; { uint8_t b[3] = {1}; p = b; } { uint8_t c = 2; check(c == 2); } check(*p == 1);",
