@@ -292,6 +292,9 @@ std::vector<Case> gltfs() {
                    Json& maps = s.file.json["meshes"][0]["primitives"][0]["extensions"];
                    maps.begin().value()["extras"]["mmverify_bake"] = {{"version", 1}, {"alphaCutoff", 0.75}};
                  })});
+  all.push_back({"material.cutoff", gltf([](micromap_file::Subject& s) {
+                   s.file.json["materials"].push_back({{"alphaMode", "MASK"}, {"alphaCutoff", 1.25}});
+                 })});
   all.push_back({"primitive.same_geometry", gltf([](micromap_file::Subject& s) {
                    Json& primitives = s.file.json["meshes"][0]["primitives"];
                    Json other = primitives[0];
