@@ -28,6 +28,7 @@ const char* to_string(DagForm form);
 struct DagFormFigures {
   std::uint64_t bytes = 0;  ///< of all maps, with 8 bytes a map for its place
   double ns = 0;            ///< a lookup, over independent random ones on all maps; 0 if not measured
+  double least_ns = 0, most_ns = 0;  ///< the same of the fastest round and of the slowest
 };
 
 /// The figures of one level and format.
