@@ -21,7 +21,7 @@ struct Range {
 
 struct Point {
   double x, y;
-  std::string label = {};            ///< beside the mark, apart from the other marks and labels of the panel
+  std::string label = {};             ///< beside the mark, apart from the other marks and labels of the panel
   std::optional<Range> repeats = {};  ///< of x: an error bar
 };
 

@@ -402,9 +402,10 @@ int mmverify_array_geometry_counts(const mmverify_array* array, size_t first, si
     need(first <= triangles && count <= triangles - first, "triangles that the array does not have");
     const auto begin = indices.begin() + static_cast<std::ptrdiff_t>(first * width);
     const array::Part part{encoding, base, {begin, begin + static_cast<std::ptrdiff_t>(count * width)}};
-    const auto counts = array::copied_as<mmverify_usage>(
-        array::geometry_counts(array->built.array.records, part));
-    need(usage == nullptr || counts.size() <= capacity, "there are more usage counts than usage has room for");
+    const auto counts =
+        array::copied_as<mmverify_usage>(array::geometry_counts(array->built.array.records, part));
+    need(usage == nullptr || counts.size() <= capacity,
+         "there are more usage counts than usage has room for");
     *found = counts.size();
     if (usage != nullptr) std::copy(counts.begin(), counts.end(), usage);
   });

@@ -102,7 +102,8 @@ typedef struct mmverify_texture {
   uint32_t width, height;
 } mmverify_texture;
 
-/* One mip level of interleaved pixels of 8 bits a channel: alpha of texel (x, y) at pitch y + channels x + channel. */
+/* One mip level of interleaved pixels of 8 bits a channel: alpha of texel (x, y) at pitch y + channels x + channel.
+ * Alpha is linear in sRGB formats, too; blocks (BC1 to BC7) are decoded before: docs/ENGINE.md. */
 typedef struct mmverify_pixels {
   const uint8_t* bytes;
   uint32_t width, height;

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/timing.hpp"
+
 namespace mmverify::bench {
 
 /// The work of one codec in a round, on all maps of a row.  An entry point that the codec lacks is empty.

@@ -89,13 +89,9 @@ class Measured {
     }
     if (flat != ranked || flat != graph) throw std::runtime_error("dag bench: two forms give other states");
     const auto each = static_cast<double>(which_.size());
-    const DagForm timed[] = {DagForm::flat, DagForm::ranked, DagForm::dag};
-    for (std::size_t k = 0; k < std::size(timed); ++k) {
-      const Spread lookup = spread_of(ns[k], each);
-      of(timed[k]).ns = lookup.median;
-      of(timed[k]).least_ns = lookup.least;
-      of(timed[k]).most_ns = lookup.most;
-    }
+    of(DagForm::flat).take(spread_of(ns[0], each));
+    of(DagForm::ranked).take(spread_of(ns[1], each));
+    of(DagForm::dag).take(spread_of(ns[2], each));
     f.dag_over_flat = median(ratio);
     f.csm = csm_figures({.level = level_,
                          .bits = bits_,

@@ -181,7 +181,7 @@ class PanelScript {
       for (const Point& point : one.points) {
         zero = point.y == 0 && none_ > 0;
         data += fmt::format("{:.6g} {:.6g} \"{}\"", point.x, zero ? none_ : point.y, point.label);
-        data += point.repeats       ? fmt::format(" {:.6g} {:.6g}\n", point.repeats->least, point.repeats->most)
+        data += point.repeats ? fmt::format(" {:.6g} {:.6g}\n", point.repeats->least, point.repeats->most)
                 : has_repeats(one) ? " NaN NaN\n"
                                    : "\n";
       }

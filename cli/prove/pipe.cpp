@@ -187,9 +187,10 @@ int check(const PipeOptions& options, const std::string& junit_file, bool quiet,
 /// Adds the options that only finished maps need.
 void add_maps(CLI::App& command, CheckMapsOptions& options) {
   command
-      .add_option("file", options.file,
-                  "maps: the scene, whose EXT_mesh_opacity_micromap is judged, or a folder of scenes; attributes: "
-                  "a file of theirs")
+      .add_option(
+          "file", options.file,
+          "maps: the scene, whose EXT_mesh_opacity_micromap is judged, or a folder of scenes; attributes: "
+          "a file of theirs")
       ->type_name("FILE|FOLDER");
   command.add_option("--data", options.raw.data, "maps: this array's data in the place of the scene's own")
       ->type_name("FILE");
@@ -203,7 +204,9 @@ void add_maps(CLI::App& command, CheckMapsOptions& options) {
   command
       .add_option("--primitive", options.raw.primitive, "the primitive whose triangles the array belongs to")
       ->type_name("MESH/PRIMITIVE");
-  command.add_option("--states", options.states, "maps: 2 where they were forced to 2-state; else as the file's records say")
+  command
+      .add_option("--states", options.states,
+                  "maps: 2 where they were forced to 2-state; else as the file's records say")
       ->check(CLI::IsMember({2, 4}));
   command.add_option("--margin", options.margin, "maps: texels by which micro-triangles were dilated")
       ->check(finite_within(0, 64));

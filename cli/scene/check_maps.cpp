@@ -163,8 +163,7 @@ void print_maps(std::FILE* out, const Checked& checked, const Scene& scene, cons
       grouped(states[1]), grouped(states[2]), grouped(states[3]));
   if (const std::uint64_t varying = counts(maps.plan).varying; varying != 0)
     say(out, "  by bounds  {} triangles, whose vertex alpha varies: {}\n", grouped(varying),
-        checked.two_state ? "in 2-state they are not judged"
-                          : "T and O are judged, unknown states are not");
+        checked.two_state ? "in 2-state they are not judged" : "T and O are judged, unknown states are not");
   for (const NotJudged& n : maps.not_judged)
     say(out, "  not judged mesh {} primitive {}, {} triangles: {}\n", scene.primitives[n.primitive].mesh,
         scene.primitives[n.primitive].number, grouped(n.triangles), sentence(n.why));
@@ -232,19 +231,21 @@ void add_findings(Checked& checked, const proofs::scene::SceneLaws& laws, const 
     const auto law = std::find_if(laws.laws.begin(), laws.laws.end(),
                                   [&](const proofs::Law& l) { return l.id == result.law; });
     if (law == laws.laws.end()) continue;
-    const SarifRule rule{law->id, law->says, "mmverify check maps names the cause and the remedy", law->source};
+    const SarifRule rule{law->id, law->says, "mmverify check maps names the cause and the remedy",
+                         law->source};
     if (result.verdict == proofs::Verdict::broken)
       checked.findings.push_back({rule, file, fmt::format("level {}", result.level), result.reason});
     for (const proofs::Counterexample& c : result.counterexamples)
-      checked.findings.push_back({rule, file, fmt::format("{}@{}", c.level, c.at),
-                                  fmt::format("level {}, {} of {} cases wrong; case {}: expected {}, got {}",
-                                              c.level, result.mismatches(), result.cases_run(), c.at,
-                                              c.expected, c.got)});
+      checked.findings.push_back(
+          {rule, file, fmt::format("{}@{}", c.level, c.at),
+           fmt::format("level {}, {} of {} cases wrong; case {}: expected {}, got {}", c.level,
+                       result.mismatches(), result.cases_run(), c.at, c.expected, c.got)});
   }
 }
 
 /// Runs the laws on the maps, prints their results.
-void judge(Checked& checked, const Scene& scene, const StoredMaps& maps, std::FILE* out, OutputFile* picture) {
+void judge(Checked& checked, const Scene& scene, const StoredMaps& maps, std::FILE* out,
+           OutputFile* picture) {
   const CheckMapsOptions& options = checked.options;
   const SceneArrays no_arrays;
   const Pairs no_pairs;
@@ -397,7 +398,9 @@ int check_maps(const CheckMapsOptions& options) {
   const proofs::Report report = merged(all);
   if (report.results.empty() && worst == failed) return worst;  // rules are broken: no law ran
   if (options.replay.empty()) {
-    json.write([&] { return to_json(report, options.seed, {}, {}, {}, {}, is_folder ? "" : all.front().cause_json); });
+    json.write([&] {
+      return to_json(report, options.seed, {}, {}, {}, {}, is_folder ? "" : all.front().cause_json);
+    });
     if (junit) junit->commit(to_junit(report));
     if (report.results.empty()) refuse_nothing({});
   }

@@ -21,7 +21,7 @@ void print_repair(std::FILE* out, const CheckMapsOptions& options,
 /// Right maps get a note if most of their unknown states are on the other side.
 /// Returns the cause as JSON: null, or empty if nothing is wrong.
 std::string print_why(std::FILE* out, const CheckMapsOptions& options, bool two_state,
-                      const mmverify::scene::Scene& scene, const mmverify::scene::StoredMaps& maps, const proofs::Report& report,
-                      OutputFile* picture);
+                      const mmverify::scene::Scene& scene, const mmverify::scene::StoredMaps& maps,
+                      const proofs::Report& report, OutputFile* picture);
 
 }  // namespace mmverify::cli

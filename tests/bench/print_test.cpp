@@ -193,10 +193,12 @@ TEST(BenchPlot, SaysWhatThePictureHolds) {
               HasSubstr("'none'"));
   EXPECT_THAT(plot_script(drawn, PlotFormat::png), HasSubstr("pngcairo size 800,600"));
   EXPECT_THAT(script, Not(HasSubstr("xerrorbars")));
-  const picture::Panel repeated{.series = {{.colour = "#123456", .points = {{2, 3, "", picture::Range{1.5, 4}}, {5, 6}}}}};
-  EXPECT_THAT(plot_script({.width = 400, .height = 300, .rows = {{repeated}}}, PlotFormat::svg),
-              testing::AllOf(HasSubstr("2 3 \"\" 1.5 4\n5 6 \"\" NaN NaN\n"),
-                    HasSubstr("$series0 using 1:2:4:5 with xerrorbars pt 0 lw 1 lc rgb '#123456' notitle")));
+  const picture::Panel repeated{
+      .series = {{.colour = "#123456", .points = {{2, 3, "", picture::Range{1.5, 4}}, {5, 6}}}}};
+  EXPECT_THAT(
+      plot_script({.width = 400, .height = 300, .rows = {{repeated}}}, PlotFormat::svg),
+      testing::AllOf(HasSubstr("2 3 \"\" 1.5 4\n5 6 \"\" NaN NaN\n"),
+                     HasSubstr("$series0 using 1:2:4:5 with xerrorbars pt 0 lw 1 lc rgb '#123456' notitle")));
 }
 
 TEST(Csv, HasALineARowAndNamesOfTablesWithin) {
