@@ -31,11 +31,11 @@ std::string uri_of(const std::string& path) {
   return uri;
 }
 
-OrderedJson location_of(const std::string& file) {
+OrderedJson sarif_location_of(const std::string& file) {
   return {{"physicalLocation", {{"artifactLocation", {{"uri", uri_of(file)}}}}}};
 }
 
-OrderedJson rule_json(const SarifRule& rule) {
+OrderedJson sarif_rule_json(const SarifRule& rule) {
   return {{"id", rule.id},
           {"shortDescription", {{"text", rule.says}}},
           {"help", {{"text", rule.help}}},
@@ -43,8 +43,8 @@ OrderedJson rule_json(const SarifRule& rule) {
           {"properties", {{"source", rule.source}}}};
 }
 
-OrderedJson result_json(const SarifResult& given, std::size_t rule) {
-  OrderedJson location = location_of(given.file);
+OrderedJson sarif_result_json(const SarifResult& given, std::size_t rule) {
+  OrderedJson location = sarif_location_of(given.file);
   location["logicalLocations"] = OrderedJson::array({{{"fullyQualifiedName", given.place}}});
   OrderedJson result{{"ruleId", given.rule.id},
                      {"ruleIndex", rule},
@@ -63,12 +63,12 @@ std::string sarif(const std::vector<SarifResult>& results,
   for (const SarifNotification& n : notifications)
     unread.push_back({{"level", "error"},
                       {"message", {{"text", n.message}}},
-                      {"locations", OrderedJson::array({location_of(n.file)})}});
+                      {"locations", OrderedJson::array({sarif_location_of(n.file)})}});
   std::map<std::string, std::size_t> numbers;
   for (const SarifResult& result : results) {
     const auto [number, is_new] = numbers.try_emplace(result.rule.id, numbers.size());
-    if (is_new) rules.push_back(rule_json(result.rule));
-    all.push_back(result_json(result, number->second));
+    if (is_new) rules.push_back(sarif_rule_json(result.rule));
+    all.push_back(sarif_result_json(result, number->second));
   }
   const OrderedJson invocation{{"executionSuccessful", unread.empty()},
                                {"toolExecutionNotifications", unread}};

@@ -332,10 +332,12 @@ std::vector<Checked> checked_folder(const CheckMapsOptions& options, std::FILE* 
                                     std::vector<SarifNotification>& unread) {
   std::vector<Checked> all;
   for (const std::string& file : micromap_files(options.file)) {
-    if (!names_used(file).ext) continue;
     CheckMapsOptions one = options;
     one.file = file;
     try {
+      if (mmverify::scene::kind_of(read_file(file, file, "the file")) != FileKind::gltf) continue;
+      open_document(file);  // or a damaged file would be one without micromaps
+      if (!names_used(file).ext) continue;
       all.push_back(checked_file(one, out, nullptr));
     } catch (const BadScene& bad) {
       say(out, "{} (not judged)\n", printable(bad.what()));
