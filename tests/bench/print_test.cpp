@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/timing.hpp"
 #include "cli/bench/csv.hpp"
 #include "cli/bench/plot.hpp"
 #include "cli/bench/tables.hpp"
@@ -169,6 +170,13 @@ picture::Panel crowded() {
                             .joined = false,
                             .points = {{10 + 0.01 * k, k < 4 ? 0.0 : 1e-3, "subject " + std::to_string(k)}}});
   return panel;
+}
+
+TEST(BenchPlot, ASpreadIsThatOfTheRounds) {
+  const Spread spread = spread_of({8, 2, 4}, 2);
+  EXPECT_EQ(spread.median, 2);
+  EXPECT_EQ(spread.least, 1);
+  EXPECT_EQ(spread.most, 4);
 }
 
 TEST(BenchPlot, SaysWhatThePictureHolds) {
