@@ -14,9 +14,15 @@ inline constexpr char grey[] = "#888888", orange[] = "#E69F00", vermilion[] = "#
 
 enum class Shape : std::uint8_t { disc, circle, square, open_square, triangle, triangle_down, diamond };
 
+/// The least and the most of repeats.
+struct Range {
+  double least, most;
+};
+
 struct Point {
   double x, y;
-  std::string label = {};  ///< beside the mark, apart from the other marks and labels of the panel
+  std::string label = {};             ///< beside the mark, apart from the other marks and labels of the panel
+  std::optional<Range> repeats = {};  ///< of x: an error bar
 };
 
 struct Series {

@@ -24,6 +24,17 @@ inline double median(std::vector<double> x) {
   return *middle;
 }
 
+/// The median of the rounds' times, the least and the most, in their unit.
+struct Spread {
+  double median = 0, least = 0, most = 0;
+};
+
+/// The spread of the rounds' times, each divided by `parts`.  Domain: not empty.
+inline Spread spread_of(const std::vector<double>& times, double parts = 1) {
+  const auto [least, most] = std::minmax_element(times.begin(), times.end());
+  return {median(times) / parts, *least / parts, *most / parts};
+}
+
 /// The time of one round in ns.
 template <class Work>
 double once_ns(const Work& work) {

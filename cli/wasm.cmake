@@ -1,7 +1,7 @@
 # mmverify.wasm, and the JavaScript that emscripten makes for it; in the place of what else cli/CMakeLists.txt makes.
 file(GLOB sources CONFIGURE_DEPENDS scene/*.cpp validate/*.cpp)
-add_executable(mmverify ${sources} attributes/check.cpp bench/plot.cpp output/plot_file.cpp prove/pipe.cpp
-  results/gate.cpp results/merge.cpp results/read_json.cpp vectors/command.cpp vectors/folder.cpp wasm_commands.cpp)
+add_executable(mmverify ${sources} attributes/check.cpp bench/plot.cpp output/plot_file.cpp output/png_file.cpp output/sarif.cpp prove/pipe.cpp
+  results/gate.cpp results/merge.cpp results/read_json.cpp vectors/command.cpp vectors/folder.cpp wasm_commands.cpp ${PROJECT_SOURCE_DIR}/bench/scene/size_panels.cpp)
 target_link_libraries(mmverify PRIVATE mmverify_cli mmverify::gate mmverify::impl mmverify::scene mmverify::scene_laws
   mmverify::program mmverify::vectors)
 foreach(part mmverify_cli mmverify)

@@ -394,6 +394,23 @@ void mmverify_array_buffers(const mmverify_array* array, mmverify_buffers* buffe
               array->geometry_usage.size()};
 }
 
+int mmverify_array_geometry_counts(const mmverify_array* array, size_t first, size_t count,
+                                   mmverify_usage* usage, size_t capacity, size_t* found) {
+  return done([&] {
+    const auto& [encoding, base, indices] = array->built.part;
+    const std::size_t width = micromap::width(encoding) / 8, triangles = indices.size() / width;
+    need(first <= triangles && count <= triangles - first, "triangles that the array does not have");
+    const auto begin = indices.begin() + static_cast<std::ptrdiff_t>(first * width);
+    const array::Part part{encoding, base, {begin, begin + static_cast<std::ptrdiff_t>(count * width)}};
+    const auto counts =
+        array::copied_as<mmverify_usage>(array::geometry_counts(array->built.array.records, part));
+    need(usage == nullptr || counts.size() <= capacity,
+         "there are more usage counts than usage has room for");
+    *found = counts.size();
+    if (usage != nullptr) std::copy(counts.begin(), counts.end(), usage);
+  });
+}
+
 int mmverify_array_state(const mmverify_array* array, size_t triangle, float u, float v, uint8_t* state) {
   return done([&] {
     const auto found = array::state_at(array->built.array, array->built.part, triangle, u, v);

@@ -102,7 +102,8 @@ typedef struct mmverify_texture {
   uint32_t width, height;
 } mmverify_texture;
 
-/* One mip level of interleaved pixels of 8 bits a channel: alpha of texel (x, y) at pitch y + channels x + channel. */
+/* One mip level of interleaved pixels of 8 bits a channel: alpha of texel (x, y) at pitch y + channels x + channel.
+ * Alpha is linear in sRGB formats, too; blocks (BC1 to BC7) are decoded before: docs/ENGINE.md. */
 typedef struct mmverify_pixels {
   const uint8_t* bytes;
   uint32_t width, height;
@@ -178,6 +179,14 @@ typedef struct mmverify_array mmverify_array;
 mmverify_array* mmverify_array_new(const mmverify_map* maps, size_t count, uint32_t index_bits);
 void mmverify_array_free(mmverify_array* array);
 void mmverify_array_buffers(const mmverify_array* array, mmverify_buffers* buffers);
+
+/* The counts of the triangles first to first + count - 1 that refer to records, by level and format, none of them zero:
+ * VkMicromapUsageEXT of a geometry that takes these triangles' indices of a shared array.  found: how many
+ * there are, 26 at most, two formats of 13 levels.  usage has room for capacity of them; where it is null, found alone is
+ * written.
+ * Test: impl_c_face_test */
+int mmverify_array_geometry_counts(const mmverify_array* array, size_t first, size_t count,
+                                   mmverify_usage* usage, size_t capacity, size_t* found);
 
 /* state: that of the micro-triangle of a triangle that contains the barycentrics (u, v).
  * Test: impl_c_face_test */

@@ -22,11 +22,6 @@ constexpr Kind kinds[] = {
     {&CodecWork::look_up, &CodecCase::lookups, &CodecFigures::look_up, &CodecRow::look_up_ratio},
 };
 
-Spread spread(const std::vector<double>& ns) {
-  const auto [least, most] = std::minmax_element(ns.begin(), ns.end());
-  return {median(ns), *least, *most};
-}
-
 CodecFigures figures(const CodecCase& of, const CodecWork& work) {
   CodecFigures f;
   if (work.bits) f.bits = work.bits() / static_cast<double>(of.micro_triangles);
@@ -46,8 +41,8 @@ CodecRow measured_codec(const CodecCase& of, std::size_t rounds) {
   auto next = times.begin();
   for (const Kind& kind : kinds) {
     const auto theirs = next, ours = of.theirs.*kind.pass ? next + 1 : next;
-    if (of.theirs.*kind.pass) row.theirs.*kind.spread = spread(*next++);
-    if (of.ours.*kind.pass) row.ours.*kind.spread = spread(*next++);
+    if (of.theirs.*kind.pass) row.theirs.*kind.spread = spread_of(*next++);
+    if (of.ours.*kind.pass) row.ours.*kind.spread = spread_of(*next++);
     if (of.theirs.*kind.pass && of.ours.*kind.pass) row.*kind.ratio = median_ratio(*theirs, *ours);
   }
   return row;

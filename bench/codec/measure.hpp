@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/timing.hpp"
+
 namespace mmverify::bench {
 
 /// The work of one codec in a round, on all maps of a row.  An entry point that the codec lacks is empty.
@@ -28,15 +30,10 @@ struct CodecCase {
   CodecWork theirs = {}, ours = {};
 };
 
-/// Nanoseconds: the median of the rounds, and the least and the most.
-struct Spread {
-  double median = 0, least = 0, most = 0;
-};
-
 struct CodecFigures {
   double bits = 0;  ///< a micro-triangle
   std::uint64_t changed = 0;
-  Spread encode, decode, look_up;  ///< of a micro-triangle; of a lookup; all 0 without the entry point
+  Spread encode, decode, look_up;  ///< ns of a micro-triangle; of a lookup; all 0 without the entry point
 };
 
 struct CodecRow {

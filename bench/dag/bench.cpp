@@ -89,9 +89,9 @@ class Measured {
     }
     if (flat != ranked || flat != graph) throw std::runtime_error("dag bench: two forms give other states");
     const auto each = static_cast<double>(which_.size());
-    of(DagForm::flat).ns = median(ns[0]) / each;
-    of(DagForm::ranked).ns = median(ns[1]) / each;
-    of(DagForm::dag).ns = median(ns[2]) / each;
+    of(DagForm::flat).take(spread_of(ns[0], each));
+    of(DagForm::ranked).take(spread_of(ns[1], each));
+    of(DagForm::dag).take(spread_of(ns[2], each));
     f.dag_over_flat = median(ratio);
     f.csm = csm_figures({.level = level_,
                          .bits = bits_,

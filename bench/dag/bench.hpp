@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/dag/csm_figures.hpp"
+#include "bench/timing.hpp"
 #include "impl/dag/dag.hpp"
 
 namespace mmverify::bench {
@@ -28,6 +29,13 @@ const char* to_string(DagForm form);
 struct DagFormFigures {
   std::uint64_t bytes = 0;  ///< of all maps, with 8 bytes a map for its place
   double ns = 0;            ///< a lookup, over independent random ones on all maps; 0 if not measured
+  double least_ns = 0, most_ns = 0;  ///< the same of the fastest round and of the slowest
+
+  void take(const Spread& lookup) {
+    ns = lookup.median;
+    least_ns = lookup.least;
+    most_ns = lookup.most;
+  }
 };
 
 /// The figures of one level and format.

@@ -20,9 +20,9 @@ picture::Picture dag_picture(const std::vector<DagFigures>& figures) {
       Series series = look;
       for (const DagFigures& f : figures)
         if (f.bits == bits && f.maps > 0)
-          series.points.push_back({f.form(form).ns,
-                                   static_cast<double>(f.form(form).bytes) / static_cast<double>(f.maps),
-                                   std::to_string(f.level)});
+          series.points.push_back(
+              {f.form(form).ns, static_cast<double>(f.form(form).bytes) / static_cast<double>(f.maps),
+               std::to_string(f.level), Range{f.form(form).least_ns, f.form(form).most_ns}});
       if (!series.points.empty()) panel.series.push_back(series);
     }
     if (!panel.series.empty()) drawn.rows.push_back({panel});

@@ -31,6 +31,10 @@ Fields<DagFormOf> fields_of_form() {
                "ns a lookup; independent random ones over all maps; 0: not measured"),
         "a lookup", "ns", digits(1)},
        [](const DagFormOf& f) { return f.figures.ns; }},
+      {{time("least_ns_per_lookup", "ns a lookup of the fastest round; 0: not measured").if_any()},
+       [](const DagFormOf& f) { return f.figures.least_ns; }},
+      {{time("most_ns_per_lookup", "ns a lookup of the slowest round; 0: not measured").if_any()},
+       [](const DagFormOf& f) { return f.figures.most_ns; }},
   };
 }
 

@@ -24,7 +24,9 @@ struct StiffFigure {
   std::uint64_t cases = 0;  ///< answers that were judged, of stiff inputs; as many of ordinary ones
   std::uint64_t wrong = 0;  ///< answers that are not the exact ones
   std::uint64_t ordinary_wrong = 0;
-  double ns = 0;     ///< an answer on stiff inputs, median over the rounds
+  double ns = 0;  ///< an answer on stiff inputs, median over the rounds
+  /// ns of the fastest round and of the slowest; of methods that are timed once, nothing.
+  std::optional<double> least_ns = {}, most_ns = {};
   double ratio = 0;  ///< median over the rounds of that / an ordinary answer's time in the same round
   std::optional<double> exact = {};  ///< of our bakers: the share of stiff answers that took whole numbers
   bool is_ours = false;              ///< a function of this library

@@ -25,7 +25,10 @@ template <class Pass>
 void add_times(StiffFigure& figure, std::size_t stiff, std::size_t ordinary, std::size_t rounds, Pass pass) {
   const RoundTimes times =
       times_in_rounds({{stiff, [&] { pass(true); }}, {ordinary, [&] { pass(false); }}}, rounds);
-  figure.ns = median(times[0]);
+  const Spread stiff_ns = spread_of(times[0]);
+  figure.ns = stiff_ns.median;
+  figure.least_ns = stiff_ns.least;
+  figure.most_ns = stiff_ns.most;
   figure.ratio = median_ratio(times[0], times[1]);
 }
 

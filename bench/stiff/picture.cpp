@@ -22,9 +22,11 @@ Series look_of_stiff(const StiffFigure& f) {
 
 /// A line from a method's figures on ordinary inputs, an open circle, to those on stiff ones.
 void add_method(const StiffFigure& f, Panel& panel) {
-  const Point ordinary{f.ns / f.ratio, f.ordinary_share()}, stiff{f.ns, f.share()};
+  const Point ordinary{f.ns / f.ratio, f.ordinary_share()},
+      stiff{f.ns, f.share(), "",
+            f.least_ns && f.most_ns ? std::optional(Range{*f.least_ns, *f.most_ns}) : std::nullopt};
   Series marks = look_of_stiff(f);
-  panel.series.push_back({.colour = marks.colour, .marks = false, .points = {ordinary, stiff}});
+  panel.series.push_back({.colour = marks.colour, .marks = false, .points = {ordinary, {f.ns, f.share()}}});
   panel.series.push_back(
       {.colour = marks.colour, .shape = Shape::circle, .joined = false, .points = {ordinary}});
   marks.points = {stiff};

@@ -206,7 +206,10 @@ class Measurement {
       ours_over_flat.push_back(at(TreeForm::ours) / at(TreeForm::flat));
     }
     for (std::size_t k = 0; k < tree_forms; ++k) {
-      f.forms[k].ns = median(ns[k]);
+      const Spread lookup = spread_of(ns[k]);
+      f.forms[k].ns = lookup.median;
+      f.forms[k].least_ns = lookup.least;
+      f.forms[k].most_ns = lookup.most;
       f.forms[k].chained_ns = median(chained_ns[k]);
     }
     f.paper_over_ours = median(paper_over_ours);

@@ -26,10 +26,11 @@ inline constexpr std::size_t tree_forms = 4;
 const char* to_string(TreeForm form);
 
 struct TreeFormFigures {
-  double bits = 0;        ///< a micro-triangle, all memory of the form; for paper its two sequences alone
-  double ns = 0;          ///< a lookup, over independent random ones on all maps; median over the rounds
-  double chained_ns = 0;  ///< a lookup that waits for the one before
-  double lines = 0;       ///< 64-byte lines of the form's arrays that a lookup reads, by a model, mean
+  double bits = 0;  ///< a micro-triangle, all memory of the form; for paper its two sequences alone
+  double ns = 0;    ///< a lookup, over independent random ones on all maps; median over the rounds
+  double least_ns = 0, most_ns = 0;  ///< the same of the fastest round and of the slowest
+  double chained_ns = 0;             ///< a lookup that waits for the one before
+  double lines = 0;  ///< 64-byte lines of the form's arrays that a lookup reads, by a model, mean
 };
 
 /// The figures of one level and format.

@@ -20,7 +20,8 @@ picture::Picture tree_picture(const std::vector<TreeFigures>& figures) {
       Series series = looks[form];
       for (const TreeFigures& f : figures)
         if (f.bits == bits)
-          series.points.push_back({f.forms[form].ns, f.forms[form].bits, std::to_string(f.level)});
+          series.points.push_back({f.forms[form].ns, f.forms[form].bits, std::to_string(f.level),
+                                   Range{f.forms[form].least_ns, f.forms[form].most_ns}});
       if (!series.points.empty()) panel.series.push_back(series);
     }
     if (!panel.series.empty()) drawn.rows.push_back({panel});

@@ -5,6 +5,7 @@
 #include "cli/arguments/arguments.hpp"
 #include "cli/attributes/attributes.hpp"
 #include "cli/commands.hpp"
+#include "cli/output/plot_file.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -71,6 +72,7 @@ Action add_attributes(CLI::App& program) {
       ->type_name("FOLDER");
   command
       ->add_option("--plot", arguments->plot, "draw errors against sizes, and with --time against run times")
+      ->check(plot_name)
       ->type_name("FILE.svg|FILE.png");
   command->add_option("--json", arguments->json, "write the figures as JSON; - is stdout")
       ->type_name("FILE|-");

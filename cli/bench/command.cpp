@@ -47,7 +47,6 @@ class Outputs {
     print_result(text, result);
     values_ += (values_.empty() ? "" : "\n") + result_csv(result);
     results_ += (results_.empty() ? "" : ",\n") + result_json(result);
-    if (picture_ && !result.drawn) throw UsageError("--plot: these figures have no drawing; leave it out");
     drawn_ = result.drawn;
   }
 
@@ -66,10 +65,16 @@ class Outputs {
   std::string results_, values_;
 };
 
+/// Refuses --plot before the work for figures that have no picture.
+void refuse_plot(const BenchOptions& options, const std::string& bench) {
+  if (!options.plot.empty())
+    throw UsageError(fmt::format("--plot: the figures of {} have no drawing; leave it out", bench));
+}
+
 /// Runs a bench that belongs to no topic; its figures have no picture.
 template <class Bench>
 int run_table(const BenchOptions& options, Bench bench) {
-  if (!options.plot.empty()) throw UsageError("--plot: these figures have no drawing; leave it out");
+  refuse_plot(options, "this bench");
   Outputs outputs(options);
   const bench::Result result = bench();
   stop_if_asked();
@@ -206,6 +211,7 @@ std::vector<proofs::Levels> checked_levels(const BenchOptions& options, const Ch
 int run_topics(const BenchOptions& options, const ChosenTopics& topics) {
   const std::vector<proofs::Levels> levels = checked_levels(options, topics);
   if (topics.size() > 1 && !options.plot.empty()) throw UsageError("--plot draws one topic; name one");
+  if (!topics.front()->draws) refuse_plot(options, fmt::format("bench {}", topics.front()->name));
   Outputs outputs(options);
   for (std::size_t k = 0; k < topics.size(); ++k) outputs.print(measured(*topics[k], options, levels[k]));
   return outputs.commit(topics.size() > 1);
@@ -335,7 +341,9 @@ Action add_bench(CLI::App& program) {
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--csv", options->csv, "write the figures as comma-separated values; - is stdout")
       ->type_name("FILE|-");
-  command->add_option("--plot", options->plot, "draw them, with gnuplot")->type_name("FILE.svg|FILE.png");
+  command->add_option("--plot", options->plot, "draw them, with gnuplot")
+      ->check(plot_name)
+      ->type_name("FILE.svg|FILE.png");
   command->add_flag("--quiet", options->quiet, "no progress on stderr");
   return [options] { return run_bench(*options); };
 }

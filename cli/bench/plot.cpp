@@ -165,6 +165,11 @@ class PanelScript {
                        [](const Point& p) { return !p.label.empty(); });
   }
 
+  static bool has_repeats(const Series& series) {
+    return std::any_of(series.points.begin(), series.points.end(),
+                       [](const Point& p) { return p.repeats.has_value(); });
+  }
+
   std::string series() const {
     // Labels of marks that lie upon one another go to different sides; those of zeros, which share a line, rise.
     constexpr const char* sides[] = {"left offset 1,0", "right offset -1,0"};
@@ -175,13 +180,19 @@ class PanelScript {
       bool zero = false;
       for (const Point& point : one.points) {
         zero = point.y == 0 && none_ > 0;
-        data += fmt::format("{:.6g} {:.6g} \"{}\"\n", point.x, zero ? none_ : point.y, point.label);
+        data += fmt::format("{:.6g} {:.6g} \"{}\"", point.x, zero ? none_ : point.y, point.label);
+        data += point.repeats ? fmt::format(" {:.6g} {:.6g}\n", point.repeats->least, point.repeats->most)
+                : has_repeats(one) ? " NaN NaN\n"
+                                   : "\n";
       }
       // gnuplot leaves a series without points out of the key, so it gets a NaN.
       if (one.points.empty()) data += "1 NaN\n";
       data += "EOD\n";
       plots += fmt::format(", $series{} using 1:2 with {} {}", k, look(one),
                            one.name.empty() ? "notitle" : "title " + quoted(one.name));
+      if (has_repeats(one))
+        plots += fmt::format(", $series{} using 1:2:4:5 with xerrorbars pt 0 lw 1 lc rgb '{}' notitle", k,
+                             one.colour);
       if (has_labels(one))
         plots +=
             fmt::format(", $series{} using 1:2:3 with labels noenhanced {} font ',12' tc rgb '{}' notitle", k,

@@ -35,6 +35,7 @@ struct BenchTopic {
   proofs::Level highest = 0;
   bool reads_textures = false;
   bool makes_maps = false;  ///< their number is --maps
+  bool draws = true;        ///< the figures have a picture, for --plot
   std::uint64_t most_samples = ~std::uint64_t{0};
   /// Runs the bench. A std::runtime_error counts as EnvironmentError.
   bench::Result (*measure)(const BenchOptions& options, const proofs::Levels& levels) = nullptr;

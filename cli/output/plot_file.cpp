@@ -27,6 +27,12 @@ std::string plotted_png(const bench::picture::Picture& picture) {
   return run_gnuplot(plot_script(picture, PlotFormat::png), "IEND");
 }
 
+std::string plot_name(const std::string& name) {
+  return name.ends_with(".svg") || name.ends_with(".png")
+             ? ""
+             : fmt::format("{:.200}: plots are SVG or PNG; name it .svg or .png", name);
+}
+
 PlotFile::PlotFile(const std::string& path) : file_(path), is_png_(path.ends_with(".png")) {}
 
 void PlotFile::commit(const bench::picture::Picture& picture) {

@@ -187,9 +187,11 @@ int check(const PipeOptions& options, const std::string& junit_file, bool quiet,
 /// Adds the options that only finished maps need.
 void add_maps(CLI::App& command, CheckMapsOptions& options) {
   command
-      .add_option("file", options.file,
-                  "maps: the scene, whose EXT_mesh_opacity_micromap is judged; attributes: a file of theirs")
-      ->type_name("FILE");
+      .add_option(
+          "file", options.file,
+          "maps: the scene, whose EXT_mesh_opacity_micromap is judged, or a folder of scenes; attributes: "
+          "a file of theirs")
+      ->type_name("FILE|FOLDER");
   command.add_option("--data", options.raw.data, "maps: this array's data in the place of the scene's own")
       ->type_name("FILE");
   command.add_option("--records", options.raw.records, "its records, 8 bytes each")->type_name("FILE");
@@ -202,7 +204,9 @@ void add_maps(CLI::App& command, CheckMapsOptions& options) {
   command
       .add_option("--primitive", options.raw.primitive, "the primitive whose triangles the array belongs to")
       ->type_name("MESH/PRIMITIVE");
-  command.add_option("--states", options.states, "maps: 2 where they were forced to 2-state")
+  command
+      .add_option("--states", options.states,
+                  "maps: 2 where they were forced to 2-state; else as the file's records say")
       ->check(CLI::IsMember({2, 4}));
   command.add_option("--margin", options.margin, "maps: texels by which micro-triangles were dilated")
       ->check(finite_within(0, 64));
@@ -210,8 +214,9 @@ void add_maps(CLI::App& command, CheckMapsOptions& options) {
       .add_option("--picture", options.picture,
                   "maps: draw the first wrong micro-triangle and its map on the texture")
       ->check(png_name)
-      ->check(png_name)
       ->type_name("FILE.png");
+  command.add_option("--sarif", options.sarif, "maps: write what is wrong as SARIF 2.1.0; - is stdout")
+      ->type_name("FILE|-");
   add_effort(command, options.effort, "maps: ");
   command.add_option("--replay", options.replay, "maps: show one case of a law again")->type_name("LAW");
   command.add_option("--case", options.at, "the case of --replay")->type_name("LEVEL@CASE");
@@ -270,6 +275,7 @@ Action add_check(CLI::App& program) {
       return check_attributes(maps->file);
     }
     if (options->topic != "maps") {
+      if (!maps->sarif.empty()) throw UsageError("--sarif: only check maps takes it");
       if (!maps->file.empty())
         throw UsageError(
             fmt::format("check {}: answers come on standard input; leave the file out", options->topic));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "cli/output/json_output.hpp"
 #include "cli/output/junit.hpp"
 #include "cli/output/output_file.hpp"
+#include "cli/output/sarif.hpp"
 #include "cli/output/streams.hpp"
 #include "cli/output/text.hpp"
 #include "cli/scene/loaded.hpp"
@@ -24,9 +26,12 @@
 #include "proofs/engine/shape.hpp"
 #include "proofs/scene/laws.hpp"
 #include "scene/read/bad_scene.hpp"
+#include "scene/read/document.hpp"
 #include "scene/read/file.hpp"
 #include "scene/read/load.hpp"
+#include "scene/validate/folder.hpp"
 #include "scene/validate/issues.hpp"
+#include "scene/validate/kept_records.hpp"
 #include "scene/validate/micromaps.hpp"
 #include "scene/validate/stored_maps.hpp"
 
@@ -42,6 +47,16 @@ struct Malformed {
   std::vector<std::string> lines;
 };
 
+/// One file's options, its maps' states known, and what its check has found.
+struct Checked {
+  CheckMapsOptions options;
+  bool two_state = false;
+  int code = complete;
+  proofs::Report report = {};
+  std::string cause_json = {};
+  std::vector<SarifResult> findings = {};
+};
+
 /// Prints the rules that a file's micromaps break.
 void print_malformed(std::FILE* out, const std::string& file, const std::vector<std::string>& lines) {
   say(out, "{}: its micromaps break rules\n", file);
@@ -49,12 +64,14 @@ void print_malformed(std::FILE* out, const std::string& file, const std::vector<
 }
 
 /// Reads the maps.  Records that overlap can be read all the same: they are printed, and `keeps_rules` is false.
-StoredMaps of_file(const CheckMapsOptions& options, const Scene& scene, std::FILE* out, bool& keeps_rules) {
+StoredMaps of_file(Checked& checked, const Scene& scene, std::FILE* out, bool& keeps_rules) {
+  const CheckMapsOptions& options = checked.options;
   Malformed malformed;
   bool readable = true;
   for (const FileViolation& v : validate_micromaps(options.file)) {
     if (issue_of(v.rule).severity != Severity::error) continue;
     malformed.lines.push_back(describe(v));
+    checked.findings.push_back(sarif_of(v, options.file));
     readable = readable && v.rule == "record.overlap";
   }
   if (!readable) throw malformed;
@@ -122,12 +139,13 @@ std::string command_of(const CheckMapsOptions& o) {
       text += fmt::format(" --indices {} --index-type {}", shell_quoted(o.raw.indices), o.raw.index_type);
     if (o.raw.base_triangle != 0) text += fmt::format(" --base-triangle {}", o.raw.base_triangle);
   }
-  if (o.states != 4) text += " --states 2";
+  if (o.states == 2) text += " --states 2";
   if (o.margin != 0) text += fmt::format(" --margin {}", o.margin);
   return text;
 }
 
-void print_maps(std::FILE* out, const CheckMapsOptions& options, const Scene& scene, const StoredMaps& maps) {
+void print_maps(std::FILE* out, const Checked& checked, const Scene& scene, const StoredMaps& maps) {
+  const CheckMapsOptions& options = checked.options;
   micromap::StateCounts states{};
   std::array<std::uint64_t, 13> levels{};
   for (const MapLink& link : maps.links) {
@@ -145,8 +163,7 @@ void print_maps(std::FILE* out, const CheckMapsOptions& options, const Scene& sc
       grouped(states[1]), grouped(states[2]), grouped(states[3]));
   if (const std::uint64_t varying = counts(maps.plan).varying; varying != 0)
     say(out, "  by bounds  {} triangles, whose vertex alpha varies: {}\n", grouped(varying),
-        options.states == 2 ? "in 2-state they are not judged"
-                            : "T and O are judged, unknown states are not");
+        checked.two_state ? "in 2-state they are not judged" : "T and O are judged, unknown states are not");
   for (const NotJudged& n : maps.not_judged)
     say(out, "  not judged mesh {} primitive {}, {} triangles: {}\n", scene.primitives[n.primitive].mesh,
         scene.primitives[n.primitive].number, grouped(n.triangles), sentence(n.why));
@@ -167,13 +184,25 @@ void refuse_conflicts(const CheckMapsOptions& options) {
     throw UsageError("--replay LAW and --case LEVEL@CASE go together");
   if (options.json == "-" && options.junit == "-")
     throw UsageError("--json and --junit: one standard output for both");
+  if (options.json == "-" && options.sarif == "-")
+    throw UsageError("--json and --sarif: one standard output for both");
   refuse_same_file({{"the scene", options.file},
                     {"--data", options.raw.data},
                     {"--records", options.raw.records},
                     {"--indices", options.raw.indices},
                     {"--json", options.json},
                     {"--junit", options.junit},
+                    {"--sarif", options.sarif},
                     {"--picture", options.picture}});
+}
+
+/// Refuses the options of one file for a folder.
+void refuse_for_folder(const CheckMapsOptions& options) {
+  const std::pair<const char*, const std::string&> of_one[] = {
+      {"--data", options.raw.data}, {"--replay", options.replay}, {"--picture", options.picture}};
+  for (const auto& [option, value] : of_one)
+    if (!value.empty())
+      throw UsageError(fmt::format("{}: {} is a folder; name one of its files", option, options.file));
 }
 
 int replayed(const proofs::scene::SceneLaws& laws, const CheckMapsOptions& options) {
@@ -196,10 +225,28 @@ int replayed(const proofs::scene::SceneLaws& laws, const CheckMapsOptions& optio
       fmt::format("--replay {}: no law of that name has cases of that level here", options.replay));
 }
 
-/// Runs the laws on the maps, prints and writes their results.
-int judged(const CheckMapsOptions& options, const Scene& scene, const StoredMaps& maps, JsonOutput& json,
-           std::optional<OutputFile>& junit, OutputFile* picture) {
-  std::FILE* const out = json.text();
+/// The wrong cases of a report as results of SARIF; a rule is a law.
+void add_findings(Checked& checked, const proofs::scene::SceneLaws& laws, const std::string& file) {
+  for (const proofs::Result& result : checked.report.results) {
+    const auto law = std::find_if(laws.laws.begin(), laws.laws.end(),
+                                  [&](const proofs::Law& l) { return l.id == result.law; });
+    if (law == laws.laws.end()) continue;
+    const SarifRule rule{law->id, law->says, "mmverify check maps names the cause and the remedy",
+                         law->source};
+    if (result.verdict == proofs::Verdict::broken)
+      checked.findings.push_back({rule, file, fmt::format("level {}", result.level), result.reason});
+    for (const proofs::Counterexample& c : result.counterexamples)
+      checked.findings.push_back(
+          {rule, file, fmt::format("{}@{}", c.level, c.at),
+           fmt::format("level {}, {} of {} cases wrong; case {}: expected {}, got {}", c.level,
+                       result.mismatches(), result.cases_run(), c.at, c.expected, c.got)});
+  }
+}
+
+/// Runs the laws on the maps, prints their results.
+void judge(Checked& checked, const Scene& scene, const StoredMaps& maps, std::FILE* out,
+           OutputFile* picture) {
+  const CheckMapsOptions& options = checked.options;
   const SceneArrays no_arrays;
   const Pairs no_pairs;
   const SquareMaps no_squares;
@@ -211,13 +258,16 @@ int judged(const CheckMapsOptions& options, const Scene& scene, const StoredMaps
       no_pairs,
       no_squares,
       options.margin,
-      options.states == 2,
+      checked.two_state,
       {},
       [&](std::size_t triangle) { return triangle_name(scene, maps.link(triangle)); }};
+  const std::string& judged = options.raw.data.empty() ? options.file : options.raw.data;
   const proofs::scene::SceneLaws laws = proofs::scene::map_laws(
-      data, sample_of(options.effort, data, 0, proofs::scene::work_of_a_minute),
-      options.raw.data.empty() ? options.file : options.raw.data, command_of(options));
-  if (!options.replay.empty()) return replayed(laws, options);
+      data, sample_of(options.effort, data, 0, proofs::scene::work_of_a_minute), judged, command_of(options));
+  if (!options.replay.empty()) {
+    checked.code = replayed(laws, options);
+    return;
+  }
   std::fflush(out);
   TextReport text(out, false);
   proofs::RunOptions run;
@@ -225,38 +275,40 @@ int judged(const CheckMapsOptions& options, const Scene& scene, const StoredMaps
   run.errors = options.errors;
   run.show_progress = !options.quiet;
   run.mutants = false;
-  const proofs::Report report = run_jobs(laws.jobs, run, [&](const proofs::Result& r) { text.add(r); });
-  text.finish(report, false);
-  std::string cause_json;
-  if (!report.interrupted) cause_json = print_why(out, options, scene, maps, report, picture);
-  json.write([&] { return to_json(report, options.seed, {}, {}, {}, {}, cause_json); });
-  if (junit) junit->commit(to_junit(report));
-  if (laws.jobs.empty()) refuse_nothing({});
-  return exit_code(report);
+  checked.report = run_jobs(laws.jobs, run, [&](const proofs::Result& r) { text.add(r); });
+  text.finish(checked.report, false);
+  if (!checked.report.interrupted)
+    checked.cause_json = print_why(out, options, checked.two_state, scene, maps, checked.report, picture);
+  add_findings(checked, laws, judged);
+  checked.code = exit_code(checked.report);
 }
 
-}  // namespace
+/// 2 or 4: as asked, else as the file's records say, else 4.
+bool two_state(const CheckMapsOptions& options, std::FILE* out) {
+  if (options.states || !options.raw.data.empty()) return options.states == 2;
+  const bool is_two = recorded_states(open_document(options.file), newest_draft) == 2;
+  if (is_two) say(out, "note: {}: baked to 2-state, as its record says\n", printable(options.file));
+  return is_two;
+}
 
-int check_maps(const CheckMapsOptions& options) {
-  refuse_conflicts(options);
-  const proofs::InterruptGuard guard;
-  JsonOutput json(options.json);
-  std::optional<OutputFile> junit;
-  if (!options.junit.empty()) junit.emplace(options.junit);
-  std::optional<OutputFile> picture;
-  if (!options.picture.empty()) picture.emplace(options.picture);
-  std::FILE* const out = json.text();
+/// Checks one file.  Errors: UsageError if it has no maps to judge; BadScene.
+Checked checked_file(const CheckMapsOptions& options, std::FILE* out, OutputFile* picture) {
+  Checked checked{options};
   const Scene scene = load(options.file);
-  refuse_files_of(options.file,
-                  {{"--json", options.json}, {"--junit", options.junit}, {"--picture", options.picture}});
+  refuse_files_of(options.file, {{"--json", options.json},
+                                 {"--junit", options.junit},
+                                 {"--sarif", options.sarif},
+                                 {"--picture", options.picture}});
+  const bool of_scene = options.raw.data.empty();
   StoredMaps maps;
   bool keeps_rules = true;
   try {
-    maps = options.raw.data.empty() ? of_file(options, scene, out, keeps_rules) : of_buffers(options, scene);
+    maps = of_scene ? of_file(checked, scene, out, keeps_rules) : of_buffers(options, scene);
   } catch (const Malformed& malformed) {
-    print_malformed(out, options.raw.data.empty() ? options.file : options.raw.data, malformed.lines);
-    if (options.raw.data.empty() && repairs_all_rules(options.file, {})) print_repair(out, options.file);
-    return failed;
+    print_malformed(out, of_scene ? options.file : options.raw.data, malformed.lines);
+    if (of_scene && repairs_all_rules(options.file, {})) print_repair(out, options.file);
+    checked.code = failed;
+    return checked;
   }
   for (const std::string& note : scene.notes) say(out, "note: {}\n", printable(note));
   if (maps.baked.triangles.empty() && maps.not_judged.empty()) {
@@ -264,11 +316,97 @@ int check_maps(const CheckMapsOptions& options) {
     throw UsageError(fmt::format("{}: no primitive has a micromap{}", options.file,
                                  other.empty() ? "" : "; it has " + other + ", which is not read here"));
   }
-  print_maps(out, options, scene, maps);
-  const int code = judged(options, scene, maps, json, junit, picture ? &*picture : nullptr);
-  if (!keeps_rules && code == complete && repairs_all_rules(options.file, {}))
-    print_repair(out, options.file);
-  return keeps_rules || code != complete ? code : failed;
+  checked.two_state = two_state(options, out);
+  if (checked.two_state) checked.options.states = 2;
+  print_maps(out, checked, scene, maps);
+  judge(checked, scene, maps, out, picture);
+  if (!keeps_rules && checked.code == complete) {
+    if (repairs_all_rules(options.file, {})) print_repair(out, options.file);
+    checked.code = failed;
+  }
+  return checked;
+}
+
+/// Checks each glTF file of a folder that has micromaps.  A file that cannot be judged is named, and the others go on.
+std::vector<Checked> checked_folder(const CheckMapsOptions& options, std::FILE* out,
+                                    std::vector<SarifNotification>& unread) {
+  std::vector<Checked> all;
+  for (const std::string& file : micromap_files(options.file)) {
+    CheckMapsOptions one = options;
+    one.file = file;
+    try {
+      if (mmverify::scene::kind_of(read_file(file, file, "the file")) != FileKind::gltf) continue;
+      open_document(file);  // or a damaged file would be one without micromaps
+      if (!names_used(file).ext) continue;
+      all.push_back(checked_file(one, out, nullptr));
+    } catch (const BadScene& bad) {
+      say(out, "{} (not judged)\n", printable(bad.what()));
+      unread.push_back({file, bad.what()});
+      all.push_back({one, false, environment});
+    } catch (const UsageError& nothing) {
+      say(out, "{} (not judged)\n", printable(nothing.what()));
+    }
+    if (!all.empty() && all.back().report.interrupted) break;
+  }
+  if (all.empty()) throw UsageError(options.file + ": no file of this folder has micromaps to judge");
+  const auto with = [&](int code) {
+    return std::count_if(all.begin(), all.end(), [code](const Checked& c) { return c.code == code; });
+  };
+  say(out, "{} file{} with micromaps: {} right, {} wrong, {} not judged\n", all.size(),
+      all.size() == 1 ? "" : "s", with(complete), with(failed), with(environment));
+  return all;
+}
+
+/// The results of all files, one after the other.
+proofs::Report merged(const std::vector<Checked>& all) {
+  proofs::Report report = all.front().report;
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const proofs::Report& next = all[k].report;
+    report.results.insert(report.results.end(), next.results.begin(), next.results.end());
+    report.diagnoses.insert(report.diagnoses.end(), next.diagnoses.begin(), next.diagnoses.end());
+    report.threads = std::max(report.threads, next.threads);
+    report.seconds += next.seconds;
+    report.interrupted = report.interrupted || next.interrupted;
+  }
+  return report;
+}
+
+}  // namespace
+
+int check_maps(const CheckMapsOptions& options) {
+  refuse_conflicts(options);
+  std::error_code none;
+  const bool is_folder = std::filesystem::is_directory(options.file, none);
+  if (is_folder) refuse_for_folder(options);
+  const proofs::InterruptGuard guard;
+  JsonOutput json(options.json), sarif_file(options.sarif);
+  std::optional<OutputFile> junit, picture;
+  if (!options.junit.empty()) junit.emplace(options.junit);
+  if (!options.picture.empty()) picture.emplace(options.picture);
+  std::FILE* const out = options.sarif == "-" ? stderr : json.text();
+  std::vector<SarifNotification> unread;
+  std::vector<Checked> all;
+  if (is_folder)
+    all = checked_folder(options, out, unread);
+  else
+    all.push_back(checked_file(options, out, picture ? &*picture : nullptr));
+  std::vector<SarifResult> findings;
+  int worst = complete;
+  for (const Checked& checked : all) {
+    findings.insert(findings.end(), checked.findings.begin(), checked.findings.end());
+    worst = std::max(worst, checked.code);
+  }
+  sarif_file.write([&] { return sarif(findings, unread); });
+  const proofs::Report report = merged(all);
+  if (report.results.empty() && worst == failed) return worst;  // rules are broken: no law ran
+  if (options.replay.empty()) {
+    json.write([&] {
+      return to_json(report, options.seed, {}, {}, {}, {}, is_folder ? "" : all.front().cause_json);
+    });
+    if (junit) junit->commit(to_junit(report));
+    if (report.results.empty()) refuse_nothing({});
+  }
+  return worst;
 }
 
 }  // namespace mmverify::cli

@@ -18,18 +18,19 @@ struct RawArray {
 };
 
 struct CheckMapsOptions {
-  std::string file, json, junit, replay, at, picture;
+  std::string file;  ///< or a folder of files
+  std::string json, junit, sarif, replay, at, picture;
   RawArray raw;
   BakeEffort effort;
   std::uint64_t seed = 1;
   std::size_t errors = 1;
-  int states = 4;
+  std::optional<int> states = {};  ///< 2 or 4; none: as the file's records say, else 4
   float margin = 0;
   bool quiet = false;
 };
 
-/// Reads the maps, checks that they are well-formed, and runs the laws of baking on them. Returns the exit
-/// code.
+/// Reads the maps, checks that they are well-formed, and runs the laws of baking on them; of a folder those of each glTF
+/// file with micromaps.  Returns the exit code, of several files the worst.
 /// Throws UsageError, EnvironmentError, BadScene.
 int check_maps(const CheckMapsOptions& options);
 

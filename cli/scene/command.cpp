@@ -489,6 +489,7 @@ Action add_scene(CLI::App& program) {
   auto* const plot =
       command
           ->add_option("--plot", options->plot, "draw what shaders are called for against bytes, and --sizes")
+          ->check(plot_name)
           ->type_name("FILE.svg|FILE.png");
   auto* const json = command->add_option("--json", options->json, "write the results as JSON; - is stdout")
                          ->type_name("FILE|-");

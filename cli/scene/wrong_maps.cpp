@@ -30,14 +30,15 @@ using proofs::scene::Judged;
 constexpr std::uint64_t most_other_texels = std::uint64_t{1} << 26;
 
 /// The cause of wrong maps, if one change explains all of them.
-std::optional<Cause> cause_of(const CheckMapsOptions& options, const Scene& scene, const StoredMaps& all) {
+std::optional<Cause> cause_of(const CheckMapsOptions& options, bool two_state, const Scene& scene,
+                              const StoredMaps& all) {
   const StoredMaps maps = without_varying_alpha(all);
   if (maps.plan.triangles.empty()) return {};
   const Document document = open_document(options.file);
   const Buffers buffers(document);
   Scene with_images = scene;
   decode_other_images(document, with_images, most_other_texels);
-  Judged judged{with_images, maps, options.margin, options.states == 2};
+  Judged judged{with_images, maps, options.margin, two_state};
   judged.uvs = [&](const Primitive& primitive, const BaseColorTexture& texture) {
     try {
       return read_uvs(document, buffers, primitive, texture);
@@ -82,10 +83,10 @@ void print_cause(std::FILE* out, const std::optional<Cause>& cause) {
 }
 
 /// A note if most unknown states are on the other side, which breaks no law.
-std::string print_side(std::FILE* out, const CheckMapsOptions& options, const Scene& scene,
+std::string print_side(std::FILE* out, const CheckMapsOptions& options, bool two_state, const Scene& scene,
                        const StoredMaps& all) {
   const StoredMaps maps = without_varying_alpha(all);
-  if (options.states == 2 || maps.plan.triangles.empty()) return {};
+  if (two_state || maps.plan.triangles.empty()) return {};
   const std::optional<Cause> cause =
       proofs::scene::side_cause_of(Judged{scene, maps, options.margin, false, {}});
   if (!cause) return {};
@@ -130,16 +131,16 @@ void print_repair(std::FILE* out, const CheckMapsOptions& options, const std::op
       options.file.ends_with(".gltf") ? ".gltf" : ".glb", is_enough ? "" : " --bake");
 }
 
-std::string print_why(std::FILE* out, const CheckMapsOptions& options, const Scene& scene,
+std::string print_why(std::FILE* out, const CheckMapsOptions& options, bool two_state, const Scene& scene,
                       const StoredMaps& maps, const proofs::Report& report, OutputFile* picture) {
   std::optional<Cause> cause;
   try {
     if (exit_code(report) != failed) {
       if (picture != nullptr) say(out, "picture: not drawn: no micro-triangle is wrong\n");
-      return print_side(out, options, scene, maps);
+      return print_side(out, options, two_state, scene, maps);
     }
     if (picture != nullptr) draw_wrong(out, *picture, options.picture, scene, maps, report);
-    cause = cause_of(options, scene, maps);
+    cause = cause_of(options, two_state, scene, maps);
   } catch (const proofs::Interrupted&) {
     say(out, "cause: the search was interrupted\n");
     return json_of({});

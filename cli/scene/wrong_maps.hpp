@@ -20,8 +20,8 @@ void print_repair(std::FILE* out, const CheckMapsOptions& options,
 /// Prints why maps are wrong and what to do, and draws the first wrong micro-triangle into `picture`, if there is one.
 /// Right maps get a note if most of their unknown states are on the other side.
 /// Returns the cause as JSON: null, or empty if nothing is wrong.
-std::string print_why(std::FILE* out, const CheckMapsOptions& options, const mmverify::scene::Scene& scene,
-                      const mmverify::scene::StoredMaps& maps, const proofs::Report& report,
-                      OutputFile* picture);
+std::string print_why(std::FILE* out, const CheckMapsOptions& options, bool two_state,
+                      const mmverify::scene::Scene& scene, const mmverify::scene::StoredMaps& maps,
+                      const proofs::Report& report, OutputFile* picture);
 
 }  // namespace mmverify::cli

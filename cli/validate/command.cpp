@@ -38,6 +38,8 @@ Action add_validate(CLI::App& program) {
           "--limits", options->limits,
           "the device's limits, JSON as the member limits of a sidecar; in the place of a sidecar's own")
       ->type_name("FILE");
+  command->add_flag("--warnings-as-errors", options->warnings_as_errors,
+                    "exit code 1 where there is a warning, too, as of maps whose inputs have changed");
   command->add_option("--json", options->json, "write the findings as JSON; - is stdout")
       ->type_name("FILE|-");
   command->add_option("--sarif", options->sarif, "write the findings as SARIF 2.1.0; - is stdout")

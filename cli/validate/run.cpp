@@ -73,9 +73,10 @@ JudgedFile judged(const std::string& file, std::optional<Draft> draft, const Tar
   return {file, {}, file + ": there is not enough memory to judge it"};
 }
 
-int exit_code_of(const JudgedFile& file) {
+int exit_code_of(const JudgedFile& file, bool warnings_as_errors) {
   if (!file.judged) return ExitCode::environment;
-  return file.judged->count(Severity::error) == 0 ? ExitCode::complete : ExitCode::failed;
+  const std::uint64_t warnings = warnings_as_errors ? file.judged->count(Severity::warning) : 0;
+  return file.judged->count(Severity::error) + warnings == 0 ? ExitCode::complete : ExitCode::failed;
 }
 
 /// A single file that cannot be judged ends the command.
@@ -102,9 +103,10 @@ int validate(const ValidateOptions& options) {
     all.push_back(judged(file, draft_named(options.draft), target));
     if (!several) refuse_unjudged(all.back(), options);
     print(out, all.back(), target);
-    worst = std::max(worst, exit_code_of(all.back()));
+    worst = std::max(worst, exit_code_of(all.back(), options.warnings_as_errors));
   }
   if (several) print_totals(out, all);
+  if (options.warnings_as_errors) print_counted_warnings(out, all);
   json.write([&] { return findings_json(options, all, several); });
   sarif.write([&] { return findings_sarif(all); });
   return worst;

@@ -89,6 +89,15 @@ void print(std::FILE* out, const JudgedFile& file, const Target& target) {
   if (is_wrong && repairs_all_rules(file.file, target)) print_repair(out, file.file);
 }
 
+void print_counted_warnings(std::FILE* out, const std::vector<JudgedFile>& files) {
+  std::uint64_t warnings = 0;
+  for (const JudgedFile& file : files)
+    if (file.judged) warnings += file.judged->count(Severity::warning);
+  if (warnings != 0)
+    say(out, "--warnings-as-errors: {} warning{} count{} as error{}\n", grouped(warnings),
+        warnings == 1 ? "" : "s", warnings == 1 ? "s" : "", warnings == 1 ? "" : "s");
+}
+
 void print_totals(std::FILE* out, const std::vector<JudgedFile>& files) {
   Totals totals;
   std::size_t with_errors = 0, unread = 0;

@@ -1,6 +1,7 @@
 // The induction over the orientations of a scheme's cells: finitely many steps settle every level.
 #include <deque>
 #include <set>
+#include <tuple>
 
 #include "proofs/subdivision/checks.hpp"
 
@@ -136,7 +137,9 @@ class Induction {
     std::size_t one, other;
     At<Whole> way;
     bool breaks;
-    auto operator<=>(const Pair&) const = default;
+    bool operator<(const Pair& to) const {
+      return std::tie(one, other, way, breaks) < std::tie(to.one, to.other, to.way, to.breaks);
+    }
   };
 
   /// Siblings, and from each pair the last child of one and the first child of the other.

@@ -28,9 +28,12 @@ std::uint32_t DistinctMaps::number_of(std::size_t owner, std::uint64_t hash, std
   std::vector<MapValue> space;
   const auto [begin, end] = numbers_.equal_range(hash);
   for (auto known = begin; known != end; ++known)
-    if (std::ranges::equal(this->map(known->second, space), map)) return known->second;
+    if (const auto other = this->map(known->second, space);
+        std::equal(other.begin(), other.end(), map.begin(), map.end()))
+      return known->second;
   if (kept() && values_.size() + size_ <= most_) values_.insert(values_.end(), map.begin(), map.end());
-  constant_ += std::ranges::all_of(map, [&](const MapValue& value) { return value == map.front(); });
+  constant_ +=
+      std::all_of(map.begin(), map.end(), [&](const MapValue& value) { return value == map.front(); });
   numbers_.emplace(hash, count());
   owners_.push_back(owner);
   return count() - 1;

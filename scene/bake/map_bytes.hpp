@@ -27,7 +27,10 @@ class MapBytes {
   std::size_t size() const { return bytes_.size(); }
   auto begin() const { return bytes_.begin(); }
   auto end() const { return bytes_.end(); }
-  bool operator==(const MapBytes& other) const { return std::ranges::equal(bytes_, other.bytes_); }
+  const std::uint8_t* data() const { return bytes_.data(); }
+  bool operator==(const MapBytes& other) const {
+    return std::equal(begin(), end(), other.begin(), other.end());
+  }
 
  private:
   std::shared_ptr<const void> owner_;

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "scene/edit/index_codes.hpp"
 #include "scene/validate/report.hpp"
@@ -42,9 +43,10 @@ struct EditedArray {
                                                           static_cast<micromap::Format>(record.format)));
   }
   bool holds(const micromap::Record& record, const BakedTriangle& map) const {
+    const auto bytes = bytes_of(record);
     return !map.uniform && record.level == map.level &&
            record.format == static_cast<std::uint16_t>(map.format) &&
-           std::ranges::equal(bytes_of(record), map.map);
+           std::equal(bytes.begin(), bytes.end(), map.map.begin(), map.map.end());
   }
 
   micromap::Record appended(const BakedTriangle& map) {
@@ -130,7 +132,9 @@ class ArrayEditor {
   struct Content {
     unsigned level, format;
     Bytes bytes;
-    auto operator<=>(const Content&) const = default;
+    bool operator<(const Content& other) const {
+      return std::tie(level, format, bytes) < std::tie(other.level, other.format, other.bytes);
+    }
   };
   using Records = std::set<std::size_t>;
 
@@ -174,7 +178,7 @@ class ArrayEditor {
     Json& given = micromap_of(file_, number_);
     const auto view = given.at(name).get<std::size_t>();
     const auto before = file_.view(view);
-    if (std::ranges::equal(before, bytes)) return;
+    if (std::equal(before.begin(), before.end(), bytes.begin(), bytes.end())) return;
     if (file_.is_alone(view, 0, before.size()))
       file_.replace(view, bytes);
     else

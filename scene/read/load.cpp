@@ -33,9 +33,15 @@ std::set<std::size_t> alpha_tested_images(const Scene& scene) {
   return images;
 }
 
-/// The notes of the textures whose alpha decides a state, each once.
+/// The notes of the textures whose alpha decides a state, each once, and of the materials whose cutoff is above 1.
 std::vector<std::string> notes_of(const Scene& scene) {
   std::vector<std::string> notes;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const Material& material = scene.materials[m];
+    if (material.mode == AlphaMode::mask && material.cutoff > 1)
+      notes.push_back(place("material", m, material.name) +
+                      ": alphaCutoff is above 1: every texel is transparent");
+  }
   for_each_alpha_texture(scene, [&notes](const BaseColorTexture& texture) {
     if (!texture.note.empty() && std::find(notes.begin(), notes.end(), texture.note) == notes.end())
       notes.push_back(texture.note);

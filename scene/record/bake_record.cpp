@@ -2,9 +2,10 @@
 
 #include <array>
 #include <bit>
-#include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <variant>
@@ -76,11 +77,17 @@ std::string sampler_text(const Sampler& sampler) {
          (filter_of(sampler) == Filter::nearest ? ", nearest" : ", linear");
 }
 
-/// A number as the shortest decimal of its binary32.
+/// A number as the shortest decimal of its binary32.  Nine digits are enough for every one.
 RecordJson decimal(float number) {
   std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
-  return RecordJson::parse(text.data(), end);
+  // Not std::to_chars: the C++ library of WebAssembly has it for whole numbers alone.  Five digits write 10 as 10, and not
+  // as 1e+01.
+  const bool is_plain = std::fabs(number) >= 1e-4f && std::fabs(number) < 1e5f;
+  for (int digits = is_plain ? 5 : 1; digits <= 9; ++digits) {
+    std::snprintf(text.data(), text.size(), "%.*g", digits, static_cast<double>(number));
+    if (std::strtof(text.data(), nullptr) == number) break;
+  }
+  return RecordJson::parse(text.data());
 }
 
 /// The inputs that the scene has; `words`: each one's name in a sentence.

@@ -8,6 +8,7 @@
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/document.hpp"
 #include "scene/validate/container.hpp"
+#include "scene/validate/cutoffs.hpp"
 #include "scene/validate/report.hpp"
 #include "scene/validate/same_geometry.hpp"
 #include "scene/validate/sidecar.hpp"
@@ -126,6 +127,7 @@ void judge_gltf(Judged& judged, std::optional<Draft> draft, const Names& names, 
         std::string("draft ") + text(*draft).name + " has " + text(*draft).extension + ", the file has " +
             text(used.khr ? Draft::khr : newest_draft).extension);
   }
+  if (document) add_all(cutoffs_above_1(*document));
 }
 
 }  // namespace

@@ -60,8 +60,11 @@ constexpr Row rows[] = {
     {"primitive.mode", error, "write the triangles as a list, mode 4, their vertices in the order they had"},
     {"bake.stale", warning,
      "mmverify repair puts turned and reordered maps right, with --bake the others, too; or bake anew: "
-     "mmverify scene FILE -o OUT.glb",
+     "mmverify scene FILE -o OUT.glb, with --moving for maps that were baked with it",
      "the inputs of a bake are those of its record", "ours: SCENE.md"},
+    {"material.cutoff", warning,
+     "write an alphaCutoff from 0 to 1, 0.5 if none was meant; or leave out what uses the material",
+     "a material of alphaMode MASK has a cutoff of at most 1", "glTF 2.0, 3.9.4"},
     {"primitive.same_geometry", advice,
      "nothing is wrong; but copy the accessors for readers that find maps by them, or share the maps",
      "primitives that share their accessors share their maps",

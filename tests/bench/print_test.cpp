@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/timing.hpp"
 #include "cli/bench/csv.hpp"
 #include "cli/bench/plot.hpp"
 #include "cli/bench/tables.hpp"
@@ -171,6 +172,13 @@ picture::Panel crowded() {
   return panel;
 }
 
+TEST(BenchPlot, ASpreadIsThatOfTheRounds) {
+  const Spread spread = spread_of({8, 2, 4}, 2);
+  EXPECT_EQ(spread.median, 2);
+  EXPECT_EQ(spread.least, 1);
+  EXPECT_EQ(spread.most, 4);
+}
+
 TEST(BenchPlot, SaysWhatThePictureHolds) {
   const picture::Picture drawn{
       .width = 400,
@@ -192,6 +200,13 @@ TEST(BenchPlot, SaysWhatThePictureHolds) {
   EXPECT_THAT(plot_script({.width = 400, .height = 300, .rows = {{crowded()}}}, PlotFormat::svg),
               HasSubstr("'none'"));
   EXPECT_THAT(plot_script(drawn, PlotFormat::png), HasSubstr("pngcairo size 800,600"));
+  EXPECT_THAT(script, Not(HasSubstr("xerrorbars")));
+  const picture::Panel repeated{
+      .series = {{.colour = "#123456", .points = {{2, 3, "", picture::Range{1.5, 4}}, {5, 6}}}}};
+  EXPECT_THAT(
+      plot_script({.width = 400, .height = 300, .rows = {{repeated}}}, PlotFormat::svg),
+      testing::AllOf(HasSubstr("2 3 \"\" 1.5 4\n5 6 \"\" NaN NaN\n"),
+                     HasSubstr("$series0 using 1:2:4:5 with xerrorbars pt 0 lw 1 lc rgb '#123456' notitle")));
 }
 
 TEST(Csv, HasALineARowAndNamesOfTablesWithin) {

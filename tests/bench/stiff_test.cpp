@@ -28,9 +28,13 @@ const StiffFigure& named(const std::string& kind, const std::string& method) {
 
 TEST(BenchStiff, ExactMethodsAreNeverWrong) {
   std::map<std::string, int> ours;
+  int timed_once = 0;
   for (const StiffFigure& f : small_run()) {
     EXPECT_GT(f.cases, 0u) << f.kind << f.method;
     EXPECT_GT(f.ns, 0) << f.kind << f.method;
+    EXPECT_LE(f.least_ns.value_or(f.ns), f.ns) << f.kind << f.method;
+    EXPECT_GE(f.most_ns.value_or(f.ns), f.ns) << f.kind << f.method;
+    timed_once += f.least_ns && f.most_ns ? 0 : 1;
     EXPECT_GT(f.ratio, 0) << f.kind << f.method;
     if (!f.is_ours && f.method.find("rational") == std::string::npos) continue;
     EXPECT_EQ(f.wrong + f.ordinary_wrong, 0u) << f.kind << f.method;
@@ -40,6 +44,7 @@ TEST(BenchStiff, ExactMethodsAreNeverWrong) {
                            "subnormal UVs", "magnitudes", "subnormal texels", "tiny"})
     EXPECT_GT(ours[kind], 0) << kind;
   EXPECT_EQ(ours.size(), 10u);
+  EXPECT_EQ(timed_once, 9);  // the rationals, except for points
 }
 
 // Half of these points straddle the diagonal by parts of an ulp, and a sum just below 1 rounds up to it.  In binary64 the

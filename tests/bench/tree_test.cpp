@@ -117,7 +117,9 @@ TEST(BenchTree, FiguresAreComplete) {
     EXPECT_EQ(f.form(TreeForm::flat).bits, f.bits);
     for (const TreeFormFigures& form : f.forms) {
       EXPECT_GT(form.bits, 0);
-      EXPECT_GT(form.ns, 0);
+      EXPECT_GT(form.least_ns, 0);
+      EXPECT_LE(form.least_ns, form.ns);
+      EXPECT_LE(form.ns, form.most_ns);
       EXPECT_GT(form.chained_ns, 0);
       EXPECT_GE(form.lines, 1);
     }

@@ -47,6 +47,24 @@ TEST(CFace, ArraysAreThoseOfCpp) {
   EXPECT_EQ(b.array_usage[1].count, 1u);
   EXPECT_EQ(b.geometry_usage[1].count, 2u);
   EXPECT_EQ(b.geometry_usage[1].format, 2u);
+  // Geometries that share the array: triangles 1 and 2, and triangle 1, whose index is special.
+  mmverify_usage usage[26] = {};
+  std::size_t found = 9;
+  ASSERT_EQ(mmverify_array_geometry_counts(array, 1, 2, usage, 26, &found), 1) << mmverify_error();
+  ASSERT_EQ(found, 1u);
+  EXPECT_EQ(usage[0].count, 1u);
+  EXPECT_EQ(usage[0].level, 1u);
+  EXPECT_EQ(usage[0].format, 1u);
+  ASSERT_EQ(mmverify_array_geometry_counts(array, 1, 1, usage, 0, &found), 1);
+  EXPECT_EQ(found, 0u);
+  ASSERT_EQ(mmverify_array_geometry_counts(array, 0, 4, nullptr, 0, &found), 1);
+  EXPECT_EQ(found, b.geometry_usage_count);
+  found = 9;
+  ASSERT_EQ(mmverify_array_geometry_counts(array, 0, 4, usage, 1, &found), 0);
+  EXPECT_EQ(found, 9u);
+  EXPECT_STREQ(mmverify_error(), "there are more usage counts than usage has room for");
+  EXPECT_EQ(mmverify_array_geometry_counts(array, 3, 2, usage, 26, &found), 0);
+  EXPECT_STREQ(mmverify_error(), "triangles that the array does not have");
   // The upright child at the first vertex is micro-triangle 0, the one at the third vertex the last.
   std::uint8_t state = 9;
   EXPECT_EQ(mmverify_array_state(array, 0, 0.1f, 0.1f, &state), 1);

@@ -292,6 +292,9 @@ std::vector<Case> gltfs() {
                    Json& maps = s.file.json["meshes"][0]["primitives"][0]["extensions"];
                    maps.begin().value()["extras"]["mmverify_bake"] = {{"version", 1}, {"alphaCutoff", 0.75}};
                  })});
+  all.push_back({"material.cutoff", gltf([](micromap_file::Subject& s) {
+                   s.file.json["materials"].push_back({{"alphaMode", "MASK"}, {"alphaCutoff", 1.25}});
+                 })});
   all.push_back({"primitive.same_geometry", gltf([](micromap_file::Subject& s) {
                    Json& primitives = s.file.json["meshes"][0]["primitives"];
                    Json other = primitives[0];
@@ -310,6 +313,20 @@ std::vector<Case> cases() {
 }
 
 std::string lines(const Judged& judged) { return micromap_file::lines(judged.findings); }
+
+TEST(SceneIssues, StaleMapsThatMovedNameTheOption) {
+  for (const bool moved : {false, true}) {
+    const Judged judged = gltf([moved](micromap_file::Subject& s) {
+                            Json record{{"version", 1}, {"alphaCutoff", 0.75}};
+                            if (moved) record["moving"] = {0, 0, 1, 1, 0, 1, 0, 1, 1, 0};
+                            Json& maps = s.file.json["meshes"][0]["primitives"][0]["extensions"];
+                            maps.begin().value()["extras"]["mmverify_bake"] = record;
+                          }).judged();
+    ASSERT_EQ(judged.findings.size(), 1u) << lines(judged);
+    EXPECT_EQ(judged.findings[0].found.ends_with("; the maps were baked with --moving"), moved)
+        << judged.findings[0].found;
+  }
+}
 
 TEST(SceneIssues, GoodFilesOfEveryKind) {
   const std::pair<FileKind, MadeFile> good[] = {

@@ -1,4 +1,5 @@
 // [release] The record of a bake: each input that changes is named, and no other one.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -24,6 +25,22 @@ struct Case {
   std::function<void(Scene&)> change;
   std::vector<std::string> says;
 };
+
+TEST(BakeRecord, NumbersAreTheShortestDecimals) {
+  Scene scene = made_scene();
+  const std::pair<float, const char*> numbers[] = {{0.1f, "0.1"},
+                                                   {0.5f, "0.5"},
+                                                   {1, "1"},
+                                                   {10, "10"},
+                                                   {16777217.0f, "16777216"},
+                                                   {0.33333334f, "0.33333334"},
+                                                   {1e-45f, "1e-45"}};
+  for (const auto& [number, text] : numbers) {
+    scene.materials[0].cutoff = number;
+    EXPECT_THAT(bake_record(scene, scene.primitives[0], {}),
+                testing::HasSubstr(std::string("\"alphaCutoff\":") + text + ","));
+  }
+}
 
 TEST(BakeRecord, NamesEachInputThatChanged) {
   const std::vector<Case> cases{

@@ -40,7 +40,7 @@ class Rewriting {
         return `${Math.fround(node.value)} `; // the space: a point may follow
       case "BinaryExpression":
         if (!(node.operator in binary)) return undefined;
-        return this.call(binary[node.operator], this.argument(node.left), this.argument(node.right));
+        return this.call(binary[node.operator], this.argument(node.left), this.linesBetween(node.left, node.right) + this.argument(node.right));
       case "UnaryExpression":
         return node.operator === "+" ? this.call("number", this.argument(node.argument)) : undefined;
       case "AssignmentExpression":
@@ -71,6 +71,11 @@ class Rewriting {
     return node.type === "SequenceExpression" ? `(${this.of(node)})` : this.of(node);
   }
 
+  /** The ends of lines between two nodes: lines keep their numbers. */
+  linesBetween(before, after) {
+    return this.text.slice(before.end, after.start).replace(/[^\n]/g, "");
+  }
+
   call(operation, ...operands) {
     return `${operationsName}.${operation}(${operands.join(", ")})`;
   }
@@ -79,7 +84,7 @@ class Rewriting {
     const operation = binary[node.operator.slice(0, -1)];
     if (operation === undefined) return undefined;
     const { left } = node;
-    const operand = this.argument(node.right);
+    const operand = this.linesBetween(left, node.right) + this.argument(node.right);
     return this.onPlace(left, (target) => this.call("value", `${target} = ${this.call(operation, target, operand)}`),
       (place) => `${place}.set("${operation}", ${operand})`);
   }

@@ -2,17 +2,24 @@
 import { el } from "../../report/src/dom";
 import { bytes, seconds } from "../../report/src/format";
 import { themeButton } from "../../report/src/theme";
+import { dropAnywhere } from "./files/drop";
+import { frontPicture } from "./front/picture";
 import { judgeSection } from "./judge/section";
 import { lawsSection } from "./laws/section";
 import { learnSection } from "./learn/section";
 import { ready } from "./program/client";
+import { resultSection } from "./result/section";
 import { sceneSection } from "./scene/section";
 
-const sections: { id: string; title: string; make: () => HTMLElement[] }[] = [
-  { id: "scene", title: "Your scene", make: sceneSection },
-  { id: "function", title: "Your index function", make: judgeSection },
-  { id: "laws", title: "Every law", make: lawsSection },
-  { id: "curves", title: "The two curves, and ties", make: learnSection },
+const scene = sceneSection();
+const judge = judgeSection();
+const result = resultSection();
+const sections: { id: string; title: string; nodes: HTMLElement[] }[] = [
+  { id: "scene", title: "Your scene", nodes: scene.nodes },
+  { id: "function", title: "Your index function", nodes: judge.nodes },
+  { id: "result", title: "Your result file", nodes: result.nodes },
+  { id: "laws", title: "Every law", nodes: lawsSection() },
+  { id: "curves", title: "The two curves, and ties", nodes: learnSection() },
 ];
 
 function state(): HTMLElement {
@@ -33,9 +40,20 @@ document.getElementById("page")!.replaceChildren(
     "header",
     {},
     el("div", { class: "top" }, el("h1", {}, "mmverify in a browser"), top),
-    el("p", {}, "An exact referee for opacity micromaps. A triangle of a leaf is cut into micro-triangles, each opaque, transparent or unknown; programs that make and read them must agree to the last tie."),
-    state(),
-    el("nav", { "aria-label": "Sections" }, ...sections.map(({ id, title }) => el("a", { href: `#${id}` }, title))),
+    el(
+      "div",
+      { class: "intro" },
+      el(
+        "div",
+        {},
+        el("p", {}, "An exact referee for opacity micromaps. A triangle of a leaf is cut into micro-triangles, each opaque, transparent or unknown; programs that make and read them must agree to the last tie."),
+        el("p", {}, "Paste a function, or drop a file anywhere on this page: a scene, an index function, or a result of the native program."),
+        state(),
+        el("nav", { "aria-label": "Sections" }, ...sections.map(({ id, title }) => el("a", { href: `#${id}` }, title))),
+        dropAnywhere({ scene: scene.take, function: judge.take, result: result.take }),
+      ),
+      frontPicture(),
+    ),
   ),
-  ...sections.map(({ id, title, make }) => el("section", { id, "aria-labelledby": `${id}-title` }, el("h2", { id: `${id}-title` }, title), ...make())),
+  ...sections.map(({ id, title, nodes }) => el("section", { id, "aria-labelledby": `${id}-title` }, el("h2", { id: `${id}-title` }, title), ...nodes)),
 );

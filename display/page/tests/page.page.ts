@@ -4,6 +4,7 @@
 import "./page/start";
 import "./page/scene";
 import "./page/function";
+import "./page/files";
 import "./page/laws";
 import "./page/walk";
 import "./page/access";

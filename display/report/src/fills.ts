@@ -81,7 +81,7 @@ function byAnswers(level: number, answers: Answers | undefined): Colouring {
   const { right, wrong, unknown } = looks();
   const legend = [
     { fill: right, words: "right inside" },
-    { fill: wrong, words: "wrong inside; wrong edges and vertices are drawn over it" },
+    { fill: wrong, words: "wrong inside" },
   ];
   if (!answers)
     return { fills: [unknown], kind: () => 0, legend: [{ fill: unknown, words: "not asked" }], words: `The subject was not asked on level ${level}.` };

@@ -127,7 +127,7 @@ export function drawNumbers(s: Stage, taken: ReadonlySet<number>): void {
       }
 }
 
-/** Wrong edges as bars, wrong vertices as squares. */
+/** Wrong edges as bars wider than an outline, wrong vertices as squares wider than the counterexample's point. */
 export function drawWrong(s: Stage, answers: Answers): void {
   const { c } = s;
   const side = sideOf(s);
@@ -141,17 +141,17 @@ export function drawWrong(s: Stage, answers: Answers): void {
     bars.lineTo(x1 - 0.12 * (x1 - x0), y1 - 0.12 * (y1 - y0));
   }
   const squares = new Path2D();
-  const r = Math.max(0.7, Math.min(6, side / 7));
+  const r = Math.max(0.7, Math.min(8, side / 7));
   for (const v of answers.vertices) {
     const [x, y] = at(s, v.i, v.j);
     squares.rect(x - r, y - r, 2 * r, 2 * r);
   }
   c.lineCap = "butt";
   c.strokeStyle = named("paper");
-  c.lineWidth = Math.min(9, 1.5 + side / 5);
+  c.lineWidth = Math.min(11, 1.5 + side / 5);
   if (halo) c.stroke(bars);
   c.strokeStyle = c.fillStyle = named("wrong");
-  c.lineWidth = Math.max(0.7, Math.min(5, side / 8));
+  c.lineWidth = Math.max(0.7, Math.min(7, side / 8));
   c.stroke(bars);
   c.fill(squares);
   c.strokeStyle = named("paper");
@@ -159,12 +159,28 @@ export function drawWrong(s: Stage, answers: Answers): void {
   if (halo) c.stroke(squares);
 }
 
-/** The counterexample: the right micro-triangle, the one returned, the point. */
-export function drawCounter(s: Stage, counter: Counter): void {
+interface Marked {
+  index: number;
+  colour: string;
+  dashed: boolean;
+}
+
+/** The micro-triangles that a counterexample names and that lie on this level. */
+function markedBy(s: Stage, counter: Counter): Marked[] {
+  if (counter.shownAt !== s.level) return [];
+  const all: [number | null, string, boolean][] = [
+    [counter.wrong, "wrong", true],
+    [counter.about, "right", false],
+    [counter.right, "right", false],
+  ];
+  return all.flatMap(([index, colour, dashed]) => (index === null ? [] : [{ index, colour: named(colour), dashed }]));
+}
+
+/** Outlines of the right micro-triangle and of the one returned. Wrong edges are drawn after it, or it would hide them. */
+export function drawOutlines(s: Stage, counter: Counter): void {
   const { c } = s;
   const side = sideOf(s);
-  const marked = (index: number | null, colour: string, dashed: boolean) => {
-    if (index === null || counter.shownAt !== s.level) return;
+  for (const { index, colour, dashed } of markedBy(s, counter)) {
     const m = microOfIndex(index, s.level, s.order);
     outline(s, m);
     c.setLineDash(dashed ? [7, 4] : []);
@@ -175,12 +191,20 @@ export function drawCounter(s: Stage, counter: Counter): void {
     c.lineWidth = 3;
     c.stroke();
     c.setLineDash([]);
-    const [x, y] = middle(s, m);
-    if (side < 14) {
-      c.beginPath();
-      c.arc(x, y, 9, 0, 2 * Math.PI);
-      c.stroke();
-    } else if (side >= 30) {
+    if (side >= 14) continue;
+    c.beginPath();
+    c.arc(...middle(s, m), 9, 0, 2 * Math.PI);
+    c.stroke();
+  }
+}
+
+/** The counterexample: numbers of the right micro-triangle and of the one returned, and the point. */
+export function drawCounter(s: Stage, counter: Counter): void {
+  const { c } = s;
+  const side = sideOf(s);
+  if (side >= 30)
+    for (const { index, colour } of markedBy(s, counter)) {
+      const [x, y] = middle(s, microOfIndex(index, s.level, s.order));
       c.font = `bold ${Math.min(20, side / 3)}px system-ui, sans-serif`;
       c.textAlign = "center";
       c.textBaseline = "middle";
@@ -190,18 +214,14 @@ export function drawCounter(s: Stage, counter: Counter): void {
       c.fillStyle = colour;
       c.fillText(`${index}`, x, y);
     }
-  };
-  marked(counter.wrong, named("wrong"), true);
-  marked(counter.about, named("right"), false);
-  marked(counter.right, named("right"), false);
   if (counter.point) {
     const [x, y] = toPixel(s.view, s.width, s.height, counter.point.u, counter.point.v);
     c.beginPath();
-    c.arc(x, y, 5.5, 0, 2 * Math.PI);
+    c.arc(x, y, 4, 0, 2 * Math.PI);
     c.fillStyle = "#000";
     c.fill();
     c.strokeStyle = "#fff";
-    c.lineWidth = 2;
+    c.lineWidth = 1.5;
     c.stroke();
   }
 }

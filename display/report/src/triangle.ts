@@ -6,13 +6,25 @@ import { button, el, fresh, select } from "./dom";
 import { type Counter, exhibit, type Exhibit } from "./exhibit";
 import { type Colouring, colouring, type Mode, modesOf, modeWords, stateName } from "./fills";
 import { grouped, plural } from "./format";
-import { drawCorners, drawCounter, drawCross, drawGrid, drawNumbers, drawOrder, drawWrong, type Stage, wholeView } from "./overlay";
+import { drawCorners, drawCounter, drawCross, drawGrid, drawNumbers, drawOrder, drawOutlines, drawWrong, type Stage, wholeView } from "./overlay";
 import { type Fill, paint, slope, toPoint, type View } from "./raster";
 import { square } from "./square";
 import { onTheme } from "./theme";
 import type { Group } from "./verdicts";
 
 const highest = 16;
+
+/** A law and a level of it, at which a picture begins. */
+export interface Place {
+  law: string;
+  level: number;
+}
+export interface Showing {
+  /** Shown at first, where it is refuted. */
+  at?: Place;
+  /** Called for each refuted law that is shown, with its simplest counterexample. */
+  shown?: (group: Group, counter: Counter | undefined) => void;
+}
 
 /** A patch of a fill, for the legend. */
 export function patch(fill: Fill): HTMLCanvasElement {
@@ -54,7 +66,7 @@ class Viewer {
   private keys = false;
   private readonly pointers = new Map<number, { x: number; y: number }>();
 
-  constructor(readonly report: Report, all: Group[]) {
+  constructor(readonly report: Report, all: Group[], private readonly showing: Showing) {
     const sliderId = fresh("level");
     this.slider = el("input", { id: sliderId, type: "range", min: "0", max: String(highest), step: "1" });
     this.slider.addEventListener("input", () => this.setLevel(Number(this.slider.value)));
@@ -97,7 +109,10 @@ class Viewer {
     onTheme(() => {
       this.recolour();
     });
-    this.show(all[0]!);
+    const first = Math.max(0, all.findIndex((g) => g.law === showing.at?.law));
+    chooser.list.value = String(first);
+    this.show(all[first]!);
+    if (showing.at?.law === all[first]!.law) this.setLevel(showing.at.level);
   }
 
   show(group: Group): void {
@@ -114,6 +129,7 @@ class Viewer {
     this.readout.textContent = "Point at a micro-triangle to read it.";
     this.fit();
     this.setLevel(e.counters[0]?.shownAt ?? 3);
+    this.showing.shown?.(group, e.counters[0]);
   }
 
   private aboutNodes(): Node[] {
@@ -168,6 +184,9 @@ class Viewer {
     this.modes.list.value = this.mode;
     this.colours = colouring(this.shown, this.mode, this.level);
     const marks: (Node | string)[] = this.colours.legend.map(({ fill, words }) => el("span", { class: "entry" }, patch(fill), words));
+    const answers = this.mode === "answers" ? this.shown.answers.get(this.level) : undefined;
+    if (answers && answers.edges.length > 0) marks.push(el("span", { class: "entry" }, el("span", { class: "mark edge" }), "wrong on the edge"));
+    if (answers && answers.vertices.length > 0) marks.push(el("span", { class: "entry" }, el("span", { class: "mark vertex" }), "wrong at the vertex"));
     const counter = this.counter();
     if (counter?.shownAt === this.level && counter.right !== null) marks.push(el("span", { class: "entry" }, el("span", { class: "mark right" }), `expected ${counter.right}`));
     if (counter?.shownAt === this.level && counter.wrong !== null) marks.push(el("span", { class: "entry" }, el("span", { class: "mark wrong" }), `returned ${counter.wrong}`));
@@ -406,8 +425,9 @@ class Viewer {
     drawGrid(stage);
     const orderLevel = this.showOrder.checked ? drawOrder(stage) : this.level;
     const answers = this.shown.answers.get(this.level);
-    if (answers && this.mode === "answers") drawWrong(stage, answers);
     const counter = this.counter();
+    if (counter) drawOutlines(stage, counter);
+    if (answers && this.mode === "answers") drawWrong(stage, answers);
     const here = counter?.shownAt === this.level;
     drawNumbers(stage, new Set(here ? [counter.right ?? -1, counter.wrong ?? -1, counter.about ?? -1] : []));
     if (counter) drawCounter(stage, counter);
@@ -418,7 +438,7 @@ class Viewer {
   }
 }
 
-export function triangleSection(report: Report, refuted: Group[]): HTMLElement {
+export function triangleSection(report: Report, refuted: Group[], showing: Showing = {}): HTMLElement {
   const with_ = refuted.filter((g) => g.verdict === "refuted");
-  return new Viewer(report, with_).root;
+  return new Viewer(report, with_, showing).root;
 }

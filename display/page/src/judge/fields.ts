@@ -11,7 +11,7 @@ export function area(label: string, rows: number): { box: HTMLElement; text: HTM
   return { box: el("div", { class: "area" }, el("label", { for: id }, label), text), text };
 }
 
-export function whole(label: string, value: number, min: number, max: number, after = ""): { box: HTMLElement; get: () => number } {
+export function whole(label: string, value: number, min: number, max: number, after = ""): { box: HTMLElement; get: () => number; set: (to: number) => void } {
   const id = fresh("number");
   const input = el("input", { id, type: "number", value: String(value), min: String(min), max: String(max), step: "1" });
   const get = (): number => {
@@ -20,7 +20,7 @@ export function whole(label: string, value: number, min: number, max: number, af
     input.value = String(kept);
     return kept;
   };
-  return { box: el("span", { class: "field" }, el("label", { for: id }, label), input, after), get };
+  return { box: el("span", { class: "field" }, el("label", { for: id }, label), input, after), get, set: (to) => (input.value = String(to)) };
 }
 
 export function check(label: string): { box: HTMLElement; get: () => boolean; set: (to: boolean) => void } {

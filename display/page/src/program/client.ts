@@ -4,6 +4,7 @@ import workerText from "worker-text";
 import { scopeNames } from "../../../../delivery/wasm/package/binary32.mjs";
 import { inBinary32 } from "../../../../delivery/wasm/package/rewrite.mjs";
 import type { Ask, Ended, Judge, Judged, Reply, Run } from "./messages";
+import { withoutExports } from "./npm_script";
 
 /** The bytes that the page carries: gzip, in base64. */
 async function bytes(): Promise<ArrayBuffer> {
@@ -39,12 +40,16 @@ export interface Task<Result> {
 /** The numbers that a function in JavaScript computes in. */
 export type Arithmetic = "binary32" | "binary64";
 
-/** Behind the worker's text: the function under test, in a scope of its own. Throws, with the line, what cannot be rounded. */
-function withFunction(code: string, arithmetic: Arithmetic): string {
-  const [names, text] = arithmetic === "binary32" ? [scopeNames.join(", "), inBinary32(code, "script")] : ["", code];
-  return `${workerText}\n;self.indexFunction = ((${names}) => (() => { "use strict";\n${text}\n;return typeof index === "undefined" ? undefined : index; })())(...self.binary32Scope);\n`;
-}
 const linesBefore = workerText.split("\n").length + 1;
+
+/** Behind the worker's text: the function under test, in a scope of its own, and the number of lines before it. Throws, with
+ * the line, what cannot be rounded. */
+function withFunction(code: string, arithmetic: Arithmetic): string {
+  const script = withoutExports(code);
+  const [names, text] = arithmetic === "binary32" ? [scopeNames.join(", "), inBinary32(script, "script")] : ["", script];
+  const found = `[typeof index === "undefined" ? undefined : index, typeof index_f32 === "undefined" ? undefined : index_f32]`;
+  return `${workerText}\n;self.linesBefore = ${linesBefore}; self.underTest = ((${names}) => (() => { "use strict";\n${text}\n;return ${found}; })())(...self.binary32Scope);\n`;
+}
 
 function start<Result>(ask: Run | Judge, text: () => string, seconds: number): Task<Result> {
   let stop: Task<Result>["stop"] = () => undefined;

@@ -2,10 +2,10 @@
 import { type Report, runs } from "../../../report/src/data";
 import { el } from "../../../report/src/dom";
 import { verdictMark, verdictTable } from "../../../report/src/table";
-import { triangleSection } from "../../../report/src/triangle";
+import { type Showing, triangleSection } from "../../../report/src/triangle";
 import { groups, verdicts } from "../../../report/src/verdicts";
 
-export function verdictPart(report: Report): HTMLElement[] {
+export function verdictPart(report: Report, showing: Showing = {}): HTMLElement[] {
   const all = groups(runs(report));
   if (all.length === 0) return [el("p", {}, "No law applies.")];
   const counts = verdicts.flatMap((v) => {
@@ -15,7 +15,7 @@ export function verdictPart(report: Report): HTMLElement[] {
   const refuted = all.filter((g) => g.verdict === "refuted" && g.results.some((r) => r.result.counterexample !== null));
   return [
     el("ul", { class: "summary", "aria-label": "Laws by verdict" }, ...counts),
-    ...(refuted.length > 0 ? [triangleSection(report, refuted)] : []),
+    ...(refuted.length > 0 ? [triangleSection(report, refuted, showing)] : []),
     verdictTable(all),
   ];
 }

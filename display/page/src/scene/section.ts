@@ -84,8 +84,7 @@ function shown(given: Given | null, { validated, scene }: Judged): Node[] {
 }
 
 /** The scene among the files that were dropped, and those beside it. */
-async function given(list: FileList): Promise<Given | null> {
-  const all = [...list];
+async function given(all: File[]): Promise<Given | null> {
   const main = all.find((f) => /\.(glb|gltf)$/i.test(f.name)) ?? all[0];
   if (!main) return null;
   const files: Record<string, Uint8Array> = {};
@@ -93,7 +92,12 @@ async function given(list: FileList): Promise<Given | null> {
   return { name: main.name, files };
 }
 
-export function sceneSection(): HTMLElement[] {
+export interface SceneSection {
+  nodes: HTMLElement[];
+  take: (files: File[]) => void;
+}
+
+export function sceneSection(): SceneSection {
   const box = new TaskBox();
   const judge = (from: Given | null): void =>
     void box.run(`Judging ${from?.name ?? "the suite's own scene"}...`, judgeScene(from), (result) => shown(from, result));
@@ -101,30 +105,23 @@ export function sceneSection(): HTMLElement[] {
   const input = el("input", { id, type: "file" });
   input.accept = ".glb,.gltf,.bin,.png,.jpg,.jpeg,.webp,.ktx2,.dds";
   input.multiple = true;
-  const take = async (list: FileList): Promise<void> => {
-    const from = await given(list);
+  const take = async (files: File[]): Promise<void> => {
+    const from = await given(files);
     if (from) judge(from);
   };
-  input.addEventListener("change", () => input.files && void take(input.files));
+  input.addEventListener("change", () => input.files && void take([...input.files]));
   const drop = el(
     "div",
     { class: "drop" },
-    el("p", {}, el("label", { for: id }, "Drop a .glb here, or choose one "), "(a .gltf together with its files will do):"),
+    el("p", {}, el("label", { for: id }, "Drop a .glb anywhere on this page, or choose one "), "(a .gltf together with its files will do):"),
     el("div", { class: "tools" }, input, button("Use the suite's own scene", () => judge(null))),
   );
-  drop.addEventListener("dragover", (event) => {
-    event.preventDefault();
-    drop.classList.add("over");
-  });
-  drop.addEventListener("dragleave", () => drop.classList.remove("over"));
-  drop.addEventListener("drop", (event) => {
-    event.preventDefault();
-    drop.classList.remove("over");
-    if (event.dataTransfer && event.dataTransfer.files.length > 0) void take(event.dataTransfer.files);
-  });
-  return [
-    el("p", {}, `Nothing leaves this machine. The page looks for faults in the file's micromaps, plans which triangles to bake, bakes them, and measures what they take and save. Time limit: ${limit} s.`),
-    drop,
-    box.root,
-  ];
+  return {
+    nodes: [
+      el("p", {}, `Nothing leaves this machine. The page looks for faults in the file's micromaps, plans which triangles to bake, bakes them, and measures what they take and save. Time limit: ${limit} s.`),
+      drop,
+      box.root,
+    ],
+    take: (files) => void take(files),
+  };
 }

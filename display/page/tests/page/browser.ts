@@ -22,7 +22,7 @@ export function native(...args: string[]): string {
 }
 
 /** The page in a window of its own, which fails the test for any complaint, and for any request but of its own parts. */
-export async function open(options: { width?: number; dark?: boolean } = {}): Promise<Page> {
+export async function open(options: { width?: number; dark?: boolean; hash?: string } = {}): Promise<Page> {
   const context = await browser.newContext({
     viewport: { width: options.width ?? 1280, height: 900 },
     colorScheme: options.dark ? "dark" : "light",
@@ -33,8 +33,8 @@ export async function open(options: { width?: number; dark?: boolean } = {}): Pr
   const page = await context.newPage();
   page.on("console", (m) => assert.ok(!["error", "warning"].includes(m.type()), `console: ${m.text()}`));
   page.on("pageerror", (error) => assert.fail(`page: ${error.message}`));
-  page.on("request", (r) => assert.ok(r.url() === url || /^(data|blob):/.test(r.url()), `request: ${r.url()}`));
-  await page.goto(url);
+  page.on("request", (r) => assert.ok(r.url().replace(/#.*/, "") === url || /^(data|blob):/.test(r.url()), `request: ${r.url()}`));
+  await page.goto(url + (options.hash ?? ""));
   await page.waitForSelector("#state:has-text('is ready')");
   return page;
 }
@@ -45,6 +45,18 @@ export async function done(of: Locator): Promise<void> {
   const complaint = of.getByRole("alert").first();
   await ended.or(complaint).first().waitFor();
   assert.equal(await complaint.count(), 0, (await complaint.allTextContents()).join());
+}
+
+/** Drops files on an element. */
+export async function drop(page: Page, on: string, ...files: { name: string; bytes: Buffer }[]): Promise<void> {
+  await page.evaluate(
+    ({ on, files }) => {
+      const transfer = new DataTransfer();
+      for (const { name, bytes } of files) transfer.items.add(new File([Uint8Array.from(bytes)], name));
+      document.querySelector(on)!.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
+    },
+    { on, files: files.map(({ name, bytes }) => ({ name, bytes: [...bytes] })) },
+  );
 }
 
 export const verdictsIn = (of: Locator): Promise<Record<string, string>> =>

@@ -60,6 +60,20 @@ test("ties broken otherwise: refuted on edges and corners alone, with the pictur
   assert.equal(verdicts["index.bijective"], "proved");
   assert.match((await section.locator(".about").textContent())!, /simplest counterexample/);
   assert.match((await section.locator(".viewer > .note").textContent())!, /asked on \d+ cells, \d+ wrong: 0 micro-triangles, [1-9]/);
+  // The wrong edge lies on the outline of the right micro-triangle, and is drawn above it: the middle of the edge of 1 and 2.
+  await page.waitForTimeout(300);
+  const [pixel, wrong] = await section.locator("canvas.triangle").evaluate((c) => {
+    const canvas = c as HTMLCanvasElement;
+    const ink = document.createElement("canvas").getContext("2d")!;
+    ink.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--wrong");
+    ink.fillRect(0, 0, 1, 1);
+    const scale = Math.min(canvas.clientWidth - 24, (canvas.clientHeight - 60) / (Math.sqrt(3) / 2));
+    const [u, v] = [1 / 2, 1 / 4];
+    const x = canvas.clientWidth / 2 + (u + v / 2 - 0.5) * scale;
+    const y = canvas.clientHeight / 2 - ((v - 0.5) * (Math.sqrt(3) / 2) + 0.006) * scale;
+    return [canvas.getContext("2d")!.getImageData(Math.round(x), Math.round(y), 1, 1), ink.getImageData(0, 0, 1, 1)].map((d) => [...d.data].join());
+  });
+  assert.equal(pixel, wrong);
   await page.context().close();
 });
 
@@ -110,7 +124,58 @@ test("what is wrong with the text, or with an answer, is said", async () => {
   assert.ok(Object.values(await verdictsIn(section)).includes("broken"));
   await section.locator(".verdicts tr[data-verdict=broken] .more").first().click();
   assert.match((await section.locator(".below").textContent())!, /returned undefined, which is no whole number/);
+  // A script that throws, in either arithmetic, and over lines that are one operation.
+  for (const numbers of ["binary32", "binary64"]) {
+    await section.getByLabel("Numbers").selectOption(numbers);
+    await judge(page, "function index(level, u, v) {\n  const a = u *\n    v;\n  return nothing + a;\n}");
+    await done(section);
+    await section.locator(".verdicts tr[data-verdict=broken] .more").first().click();
+    assert.match((await section.locator(".below").textContent())!, /line 4: ReferenceError: nothing is not defined/);
+  }
   await page.context().close();
+});
+
+test("a text of another language gets a hint with its command; a script for npm gets a verdict", async () => {
+  const page = await open();
+  const section = page.locator("#function");
+  await judge(page, "#version 460\nuint index(uint level, float u, float v) { return 0u; }\n");
+  assert.match((await section.locator(".hint").textContent())!, /^This is GLSL.*mmverify prove index --subject mine\.glsl/);
+  assert.match((await section.getByRole("alert").filter({ visible: true }).textContent())!, /did not run this text/);
+  await judge(page, "export function index_f32(level, u, v, index) {\n  index.fill(0);\n}\n");
+  await done(section);
+  assert.equal((await verdictsIn(section))["index.equals_reference"], "refuted");
+  assert.match((await section.locator(".hint").textContent())!, /npx mmverify prove/);
+  await section.getByLabel("The function").fill("fn index(level: u32, u: f32, v: f32) -> u32 { return 0u; }");
+  assert.equal(await section.getByLabel("Language").inputValue(), "WGSL");
+  await page.context().close();
+});
+
+test("a link to a case brings the function, runs nothing by itself, and shows the case", async () => {
+  const page = await open();
+  const section = page.locator("#function");
+  await section.getByLabel("Example").selectOption({ label: "wrong: breaks ties otherwise" });
+  await section.getByLabel("Levels 0 to").fill("3");
+  await judge(page);
+  await done(section);
+  await section.getByLabel("Refuted").selectOption({ label: "index.rounding, ./your-index.js" });
+  const link = section.getByText("Link to this case: index.rounding, level 1");
+  const words = (await link.textContent())!;
+  const address = (await link.getAttribute("href"))!;
+  const code = await section.getByLabel("The function").inputValue();
+  await page.context().close();
+
+  const other = await open({ hash: address });
+  const there = other.locator("#function");
+  await there.getByText("A link brought this function").waitFor();
+  assert.equal(await there.getByLabel("The function").inputValue(), code);
+  assert.equal(await there.locator(".verdicts").count(), 0);
+  await there.getByRole("button", { name: "Judge it" }).click();
+  await done(there);
+  assert.equal(await there.getByLabel("Refuted").evaluate((list) => (list as HTMLSelectElement).selectedOptions[0]!.text), "index.rounding, ./your-index.js");
+  assert.equal(await there.getByText("Link to this case").textContent(), words);
+  await other.evaluate(() => (location.hash = "#case=abc"));
+  await there.getByText("This link's case cannot be read").waitFor();
+  await other.context().close();
 });
 
 test("WGSL: judged where there is WebGPU, else the page says that there is none and names the table", async () => {

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { before, test } from "node:test";
 
 import { percent } from "../../../report/src/format";
-import { done, folder, native, open, verdictsIn } from "./browser";
+import { done, drop, folder, native, open, verdictsIn } from "./browser";
 
 const json = (name: string) => JSON.parse(readFileSync(join(folder, name), "utf8"));
 
@@ -22,12 +22,7 @@ before(() => {
 test("a dropped .glb: findings, plan, footprint, savings, micromaps; the figures are the native program's", async () => {
   const page = await open();
   const section = page.locator("#scene");
-  const bytes = [...readFileSync(join(folder, "garden.glb"))];
-  await page.evaluate((data) => {
-    const transfer = new DataTransfer();
-    transfer.items.add(new File([Uint8Array.from(data)], "garden.glb"));
-    document.querySelector(".drop")!.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
-  }, bytes);
+  await drop(page, ".drop", { name: "garden.glb", bytes: readFileSync(join(folder, "garden.glb")) });
   await done(section);
   const text = (await section.textContent())!;
   assert.match(text, /gltf \(draft ext-2\): 0 errors, 0 warnings/);

@@ -4,9 +4,9 @@ import { test } from "node:test";
 
 import { open } from "./browser";
 
-test("four sections, the program ready, its time", async () => {
+test("five sections, the program ready, its time", async () => {
   const page = await open();
-  assert.deepEqual(await page.$$eval("section", (all) => all.map((s) => s.id)), ["scene", "function", "laws", "curves"]);
+  assert.deepEqual(await page.$$eval("section", (all) => all.map((s) => s.id)), ["scene", "function", "result", "laws", "curves"]);
   const words = (await page.textContent("#state"))!;
   assert.match(words, /The program is ready: [\d.]+ MB of WebAssembly, unpacked and compiled in/);
   console.log(`# ${words}`);

@@ -33,6 +33,19 @@ test("the triangle: level, colours, order, zoom and pan change the picture; poin
   await page.mouse.move(point.x, point.y);
   assert.match((await page.textContent(".readout"))!, /Micro-triangle 7 of level 2, inverted.*answers 4: wrong/);
 
+  // Micro-triangle 7 is outlined as the right one; the wrong edge from (2, 0) to (1, 1) is drawn above that outline.
+  const onEdge = at(1.7 / 4, 0.3 / 4);
+  const [pixel, wrong] = await canvas.evaluate(
+    (c, [x, y]) => {
+      const ink = document.createElement("canvas").getContext("2d")!;
+      ink.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--wrong");
+      ink.fillRect(0, 0, 1, 1);
+      return [(c as HTMLCanvasElement).getContext("2d")!.getImageData(x!, y!, 1, 1), ink.getImageData(0, 0, 1, 1)].map((d) => [...d.data].join());
+    },
+    [Math.round(onEdge.x - box.x), Math.round(onEdge.y - box.y)],
+  );
+  assert.equal(pixel, wrong);
+
   await page.getByLabel("the order as a line").uncheck();
   await changed("without the order it");
   await page.getByLabel("Level", { exact: true }).first().fill("4");
