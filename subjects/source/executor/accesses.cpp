@@ -144,6 +144,7 @@ ValuePtr Executor::load_from(const Object& object, const Target& t, std::size_t 
 ValuePtr Executor::load(State& s, const ValuePtr& p, std::size_t bytes, const llvm::Type& type,
                         const llvm::Instruction& at) {
   if (!is_pointer(p)) throw Unreadable(at, "a number taken for a pointer");
+  if (const auto* record = llvm::dyn_cast<llvm::StructType>(&type)) return load_parts(s, p, *record, at);
   ValuePtr all;
   for (const Target& t : p->targets) {
     const Object* object = object_at(s, t, t.when, at, "read");
@@ -162,6 +163,24 @@ ValuePtr Executor::load(State& s, const ValuePtr& p, std::size_t bytes, const ll
   return all;
 }
 
+ValuePtr Executor::load_parts(State& s, const ValuePtr& p, const llvm::StructType& record,
+                              const llvm::Instruction& at) {
+  const llvm::StructLayout& places = *layout_.getStructLayout(const_cast<llvm::StructType*>(&record));
+  std::vector<ValuePtr> all;
+  for (unsigned k = 0; k < record.getNumElements(); ++k)
+    all.push_back(load(s, moved_by(p, circuit::constant(places.getElementOffset(k), pointer_bits)),
+                       layout_.getTypeStoreSize(record.getElementType(k)), *record.getElementType(k), at));
+  return parts(std::move(all));
+}
+
+void Executor::store_parts(State& s, const ValuePtr& p, const ValuePtr& v, const llvm::StructType& record,
+                           const llvm::Instruction& at) {
+  if (!is_pointer(p)) throw Unreadable(at, "a number taken for a pointer");
+  const llvm::StructLayout& places = *layout_.getStructLayout(const_cast<llvm::StructType*>(&record));
+  for (unsigned k = 0; k < v->parts.size(); ++k)
+    store(s, moved_by(p, circuit::constant(places.getElementOffset(k), pointer_bits)), v->parts[k], always, at);
+}
+
 ValuePtr Executor::pointer_of(const ValuePtr& v) const {
   // Eight zero bytes are the null pointer.
   if (const auto n = known(v); n && *n == 0) return pointer(null_object);
@@ -172,7 +191,7 @@ ValuePtr Executor::pointer_of(const ValuePtr& v) const {
 void Executor::store(State& s, const ValuePtr& p, const ValuePtr& v, Literal when,
                      const llvm::Instruction& at) {
   if (!is_pointer(p)) throw Unreadable(at, "a number taken for a pointer");
-  if (v->kind == Value::Kind::parts) throw Unreadable(at, "a struct in a register is written");
+  if (v->kind == Value::Kind::parts) throw Unreadable(at, "a struct within a struct in a register is written");
   ValuePtr whole = v;
   if (v->kind == Value::Kind::number && v->bits.size() % 8 != 0)
     whole = number(circuit::resized(v->bits, 8 * bytes_of(*v), false),

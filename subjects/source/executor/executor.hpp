@@ -107,6 +107,10 @@ class Executor {
   /// A number that is read as a pointer.
   ValuePtr pointer_of(const ValuePtr& v) const;
   ValuePtr moved_by(const ValuePtr& p, const Word& by) const;
+  /// A struct in a register, field by field.
+  ValuePtr load_parts(State& s, const ValuePtr& p, const llvm::StructType& record, const llvm::Instruction& at);
+  void store_parts(State& s, const ValuePtr& p, const ValuePtr& v, const llvm::StructType& record,
+                   const llvm::Instruction& at);
   ValuePtr load(State& s, const ValuePtr& p, std::size_t bytes, const llvm::Type& type,
                 const llvm::Instruction& at);
   void store(State& s, const ValuePtr& p, const ValuePtr& v, Literal when, const llvm::Instruction& at);
@@ -127,7 +131,7 @@ class Executor {
   bool call_intrinsic(Call& c, State& s, const llvm::CallBase& i);
   ValuePtr counted(State& s, const llvm::CallBase& i);
   ValuePtr with_overflow(State& s, const llvm::CallBase& i);
-  ValuePtr allocated(State& s, const Word& size, bool zero, const llvm::Instruction& at);
+  ValuePtr allocated(State& s, Word size, bool zero, const llvm::Instruction& at);
   void release(State& s, const ValuePtr& p, const llvm::Instruction& at);
   void copy(State& s, const ValuePtr& to, const ValuePtr& from, const Word& size, bool may_overlap,
             const llvm::Instruction& at);
