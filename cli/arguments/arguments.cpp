@@ -153,7 +153,7 @@ std::vector<const Law*> parse_laws(const std::vector<std::string>& names, Tier t
                                    meant_law(name, true)));
     bool any = false;
     for (const Law* law : found) {
-      if (law->long_only && tier != Tier::long_run && law->id != name) continue;
+      if ((law->by_id_only || (law->long_only && tier != Tier::long_run)) && law->id != name) continue;
       any = true;
       if (std::find(chosen.begin(), chosen.end(), law) == chosen.end()) chosen.push_back(law);
     }

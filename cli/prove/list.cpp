@@ -62,7 +62,8 @@ void print_law(const Law& law) {
   for (const auto& [subject, of_subject] : fast_levels_apart(law))
     fast += fmt::format(", of {} {}", subject, levels_text(law, of_subject));
   if (!law.long_only) fast += fmt::format(", about {} s", law.tiers.seconds);
-  say(stdout, "  method: {}; fast tier: {}; long tier: {}{}\n", to_string(law.method), fast, levels,
+  const std::string by_id = law.by_id_only ? "not in it, runs by its id alone: " : "";
+  say(stdout, "  method: {}; fast tier: {}; long tier: {}{}{}\n", to_string(law.method), fast, by_id, levels,
       levels_text(law, law.tiers.long_run));
   if (!law.companion.empty())
     say(stdout, "  runs as well, on subjects that take floats: {}\n", law.companion);

@@ -150,6 +150,7 @@ struct Law {
   /// no diagnosis.
   std::function<std::vector<std::string>(const Subject&, const std::vector<Result>&)> diagnose = {};
   bool long_only = false;     ///< not part of the fast tier, unless its id is requested
+  bool by_id_only = false;    ///< part of no tier: it runs if its id is requested
   bool general = true;        ///< about any subject that fits; else only about those that it names
   Options heeds = {};         ///< the options that its judge knows
   bool knows_near = false;    ///< whether it knows Run::near

@@ -57,7 +57,7 @@ std::vector<Job> plan(const Request& request) {
   std::vector<const Law*> chosen = request.laws;
   if (chosen.empty())
     for (const Law& law : laws())
-      if (!law.long_only || request.tier == Tier::long_run) chosen.push_back(&law);
+      if (!law.by_id_only && (!law.long_only || request.tier == Tier::long_run)) chosen.push_back(&law);
 
   std::vector<Job> jobs;
   const auto add = [&](const Law& law, const SubjectPtr& subject, const Law* brought_by) {

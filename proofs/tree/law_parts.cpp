@@ -59,7 +59,7 @@ Law on_all_maps(Law law, std::vector<Entry> entries, Check check) {
 
 Law on_four_state_maps_of_level_2(Law law, std::vector<Entry> entries, Check check) {
   law.tiers.fast = law.tiers.long_run = {2, 2};
-  law.long_only = true;
+  law.long_only = law.by_id_only = true;
   law.domain = "all 4^16 4-state maps of level 2";
   law = on_maps(std::move(law), std::move(entries), check,
                 {[](Level) { return four_state_maps_of_level_2; },

@@ -88,7 +88,9 @@ if(NOT MMVERIFY_SANITIZE)
     COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/source_promises_test.sh $<TARGET_FILE:mmverify-prove>)
   add_test(NAME codec_command_test
     COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/codec_command_test.sh $<TARGET_FILE:mmverify-prove> ${PROJECT_SOURCE_DIR})
-  set_tests_properties(codec_command_test source_test source_promises_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 900 COST 1000)
+  add_test(NAME own_codecs_test
+    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/own_codecs_test.sh $<TARGET_FILE:mmverify-prove>)
+  set_tests_properties(codec_command_test own_codecs_test source_test source_promises_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 900 COST 1000)
 endif()
 
 # Implementations of others, by stand-ins of the same shape.

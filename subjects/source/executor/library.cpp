@@ -18,7 +18,7 @@ bool is_release(const std::string& name) {
 
 }  // namespace
 
-bool Executor::call_instruction(Call& c, State& s, const llvm::CallBase& i) {
+bool Executor::call_instruction(State& s, const llvm::CallBase& i) {
   if (i.isInlineAsm()) throw Unreadable(i, "assembly");
   llvm::Function* f = i.getCalledFunction();
   if (f == nullptr) {
@@ -31,7 +31,7 @@ bool Executor::call_instruction(Call& c, State& s, const llvm::CallBase& i) {
     }
     f = found->second;
   }
-  if (f->isIntrinsic()) return call_intrinsic(c, s, i);
+  if (f->isIntrinsic()) return call_intrinsic(s, i);
   const std::string name = f->getName().str();
   if (call_law(s, i, name)) return s.when != never;
   if (f->isDeclaration()) return call_library(s, i, name);
@@ -103,7 +103,9 @@ bool Executor::call_library(State& s, const llvm::CallBase& i, const std::string
 ValuePtr Executor::allocated(State& s, Word size, bool zero, const llvm::Instruction& at) {
   // A bit of the size that is never set where the program gets here makes no room.
   for (Literal& bit : size)
-    if (sweeper_.both_possible(running_, bit, size_effort) == circuit::Answer::impossible) bit = never;
+    if (bit > always &&
+        sweeper_.both_possible(running_, bit, size_effort) == circuit::Answer::impossible)
+      bit = never;
   const std::uint64_t most = circuit::at_most(size);
   if (most > largest_allocation)
     throw Unreadable(at, "an allocation of a size that the inputs decide, perhaps beyond " +
