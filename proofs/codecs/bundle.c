@@ -4,7 +4,9 @@
 
 enum { RECORDS = SIZE % 4, TYPE = SIZE / 4, TRIANGLES = 2, HEAD = 12, GEOMETRY = 12, RECORD = 8 };
 enum {
-  WIDTH = TYPE == MMVERIFY_INDEX_U8 ? 1 : TYPE == MMVERIFY_INDEX_U16 || TYPE == MMVERIFY_INDEX_I16 ? 2 : 4,
+  WIDTH = TYPE == MMVERIFY_INDEX_U8                                  ? 1
+          : TYPE == MMVERIFY_INDEX_U16 || TYPE == MMVERIFY_INDEX_I16 ? 2
+                                                                     : 4,
   ARRAY_BYTES = HEAD + GEOMETRY + RECORDS * RECORD + TRIANGLES * WIDTH + RECORDS,
   FILE_BYTES = 2 * ARRAY_BYTES + 64
 };

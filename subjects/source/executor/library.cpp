@@ -103,8 +103,7 @@ bool Executor::call_library(State& s, const llvm::CallBase& i, const std::string
 ValuePtr Executor::allocated(State& s, Word size, bool zero, const llvm::Instruction& at) {
   // A bit of the size that is never set where the program gets here makes no room.
   for (Literal& bit : size)
-    if (bit > always &&
-        sweeper_.both_possible(running_, bit, size_effort) == circuit::Answer::impossible)
+    if (bit > always && sweeper_.both_possible(running_, bit, size_effort) == circuit::Answer::impossible)
       bit = never;
   const std::uint64_t most = circuit::at_most(size);
   if (most > largest_allocation)
