@@ -34,6 +34,12 @@ Sizes hostile(const Facts&, Level n, unsigned format) {
 
 Sizes counts(const Facts&, Level, unsigned) { return {1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 33}; }
 
+/// Records of an array, 1 to 3, with indices of 8 bits; and 2 with each other type.
+Sizes bundles(const Facts&, Level, unsigned) { return {1, 2, 3, 6, 10, 14, 18}; }
+
+/// A code of the example of a scene has 12 bytes before its first map.
+Sizes short_codes(const Facts&, Level, unsigned) { return {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}; }
+
 Sizes index_types(const Facts&, Level, unsigned) { return {0, 1, 2, 3, 4, 8, 9, 10, 11, 12}; }
 
 // ---- choices
@@ -88,6 +94,18 @@ std::vector<Chosen> two_codes(Level, unsigned, std::uint64_t type) {
   all.front().name += type >= 8 ? "_in_cluster" : "";
   all.front().name += std::to_string(type & 7);
   return all;
+}
+
+/// Arrays of proofs/codecs/bundle.c, each a byte for the base, one for each of two triangles and two for each record.
+std::vector<Chosen> bundle(Level, unsigned, std::uint64_t size) {
+  return {{"type" + std::to_string(size / 4), Written::bytes, 8, 3 + 2 * (size & 3)}};
+}
+std::vector<Chosen> two_bundles(Level, unsigned, std::uint64_t size) {
+  return {{"type" + std::to_string(size / 4), Written::bytes, 8, 2 * (3 + 2 * (size & 3))}};
+}
+
+std::vector<Chosen> code_and_bytes_before(Level, unsigned, std::uint64_t size) {
+  return {{"code", Written::bytes, 8, size}, {"before", Written::number, 8, 1}};
 }
 
 // ---- domains
@@ -205,8 +223,8 @@ void add_vq_laws(std::vector<CodecLaw>& all) {
                    none,
                    every_block,
                    vq.random,
-                   {{"vq.c", "whole_map", {vq.decode}, 0, none, no_size, block, "block"},
-                    {"vq.c", "any_region", {vq.region}, 0, none, no_size, block_and_region, "block"}}});
+                   {{"vq.c", "any_region", {vq.region}, 0, none, no_size, block_and_region, "block"},
+                    {"vq.c", "whole_map", {vq.decode}, 0, none, no_size, block, "block"}}});
     all.push_back({vq.conservative,
                    level,
                    level,
@@ -242,6 +260,41 @@ void add_array_laws(std::vector<CodecLaw>& all) {
   all.push_back(on_maps("array.emulates", 1, "array.emulates_on_samples", {emulates}));
 }
 
+void add_bundle_laws(std::vector<CodecLaw>& all) {
+  const auto add = [&](const char* id, const char* sampled, Harness harness) {
+    all.push_back({id,
+                   {0, 0},
+                   {0, 0},
+                   true,
+                   none,
+                   [](Level, unsigned) {
+                     return std::string("arrays of 1 to 3 records of a byte, 2 triangles, any indices");
+                   },
+                   sampled,
+                   {std::move(harness)}});
+  };
+  constexpr const char* changes = "array.changes_on_samples";
+  add("array.compact", changes,
+      {"bundle.c", "compact", {Call::array_compact}, 0, none, bundles, bundle, "bundle"});
+  add("array.reorder", changes,
+      {"bundle.c", "reorder", {Call::array_reorder}, 0, none, bundles, bundle, "bundle"});
+  add("array.concatenate", changes,
+      {"bundle.c", "concatenate", {Call::array_concatenate}, 0, none, bundles, two_bundles, "bundles"});
+  add("array.files", "array.files_on_samples",
+      {"bundle.c", "files", {Call::array_save, Call::array_load}, 0, none, bundles, bundle, "bundle"});
+}
+
+void add_dag_laws(std::vector<CodecLaw>& all) {
+  all.push_back({"dag.malformed",
+                 {0, 0},
+                 {0, 0},
+                 true,
+                 both,
+                 [](Level, unsigned) { return std::string("any bytes, 0 to 12 of them"); },
+                 "dag.malformed_on_samples",
+                 {{"dag.c", "malformed", {Call::dag_decode}, 0, both, short_codes, code_and_bytes_before}}});
+}
+
 bool is_about(const Harness& h, const Facts& facts, unsigned format) {
   return std::find(h.formats.begin(), h.formats.end(), format) != h.formats.end() &&
          (facts.flags & h.flag) == h.flag && std::all_of(h.needs.begin(), h.needs.end(), facts.offers);
@@ -265,6 +318,8 @@ const std::vector<CodecLaw>& laws() {
     add_lossy_laws(made);
     add_vq_laws(made);
     add_array_laws(made);
+    add_bundle_laws(made);
+    add_dag_laws(made);
     return made;
   }();
   return all;

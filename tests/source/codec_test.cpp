@@ -159,19 +159,21 @@ TEST_P(RightCodec, IsProvedAndEnumerated) {
   Made made(source_text(GetParam()));
   constexpr unsigned bits = 20;
   for (const CodecLaw& law : codecs::laws()) {
-    // The encoder of VQ2, and VQ4 with its four times as many regions, take the prover more than minutes.
-    const std::string id = law.id;
-    if (id == "vq2.conservative" || id.starts_with("vq4.")) continue;
     const Level last = law.fixed ? law.fast.last : std::min<Level>(law.fast.last, 1);
     for (Level n = law.fast.first; n <= last; ++n)
-      for (const Question& q : asked(law, made.facts, n))
+      for (const Question& q : asked(law, made.facts, n)) {
+        // The prover takes more than minutes for the 1024 regions of VQ4's whole map, and for its encoder.
+        if (std::string(law.id).starts_with("vq4.") && q.function != "any_region") continue;
         EXPECT_TRUE(proved(made, law, q, bits)) << name_of(law, q);
+      }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(OfExamples, RightCodec,
                          testing::Values("examples/subject_tree/subject_tree.c",
-                                         "tests/subjects/codecs/maps.c", "examples/subject_vq/subject_vq.c"));
+                                         "tests/subjects/codecs/maps.c", "examples/subject_vq/subject_vq.c",
+                                         "examples/subject_array/subject_array_changes.c",
+                                         "examples/subject_dag/subject_dag.c"));
 
 class WrongCodec : public testing::TestWithParam<Fault> {};
 
@@ -186,7 +188,8 @@ TEST_P(WrongCodec, IsRefutedByItsLaw) {
   bool all_hold = true;
   for (const CodecLaw& law : codecs::laws())
     if (std::string(law.id) == fault.law)
-      for (const Question& q : asked(law, made.facts, fault.level)) all_hold &= proved(made, law, q, bits);
+      for (const Question& q : asked(law, made.facts, fault.level))
+        if (all_hold) all_hold = proved(made, law, q, bits);
   EXPECT_FALSE(all_hold) << fault.says;
 }
 

@@ -190,10 +190,27 @@ TEST_F(Executor, ProvesWhatIsDefined) {
         "free(p);",
         "uint64_t n = any(6), s = 0; for (uint64_t k = 0; k < n; ++k) s += k; check(2 * s + n == n * n);",
         "uint64_t x = any(16); assume(x % 3 == 0); check(x != 65534 && x != 65533);",
+        "uint64_t n = any(40); if (n < 9) { uint8_t* p = malloc(n + 1); p[n] = 1; check(p[n] == 1); free(p); "
+        "}",
         "struct { uint8_t tag; uint32_t x; } a, b; a.x = (uint32_t)any(32); b = a; check(b.x == a.x);"}) {
     const std::string said = answer(fmt::format("{}void law(void) {{ {} }}\n", declarations, body));
     EXPECT_NE(said.find("proved "), std::string::npos) << body << "\n" << said;
   }
+}
+
+TEST_F(Executor, FollowsStructsInRegisters) {
+  const std::string fours =
+      std::string(declarations) +
+      "typedef struct { uint32_t a, b, c, d; } four;\n"
+      "static four made(uint32_t x) { four f = {1, x, x + 1, 0}; if (x == 9) f.d = 7; return f; }\n"
+      "static int is(four f, uint32_t b, uint32_t c) { return f.b == b && f.c == c; }\n";
+  const auto law = [&](const char* c) {
+    return fours +
+           "void law(void) { uint32_t x = (uint32_t)any(32); four f = made(x), g = f; check(is(g, x, " + c +
+           ")); }\n";
+  };
+  EXPECT_NE(answer(law("x + 1")).find("proved "), std::string::npos);
+  EXPECT_NE(answer(law("x + 2")).find("the check fails"), std::string::npos);
 }
 
 TEST_F(Executor, NamesWhatItCannotFollow) {

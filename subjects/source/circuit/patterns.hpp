@@ -10,7 +10,7 @@
 namespace mmverify::source::circuit {
 
 /// Words of 64 values that are simulated at once.
-inline constexpr std::size_t pattern_words = 16;
+inline constexpr std::size_t pattern_words = 32;
 inline constexpr std::size_t pattern_count = 64 * pattern_words;
 
 /// The values of one literal in all patterns.

@@ -140,7 +140,7 @@ class Executor {
   ValuePtr rotated(const llvm::CallBase& i, const Word& high, const Word& low, const Word& by);
   ValuePtr counted(State& s, const llvm::CallBase& i);
   ValuePtr with_overflow(State& s, const llvm::CallBase& i);
-  ValuePtr allocated(State& s, const Word& size, bool zero, const llvm::Instruction& at);
+  ValuePtr allocated(State& s, Word size, bool zero, const llvm::Instruction& at);
   void release(State& s, const ValuePtr& p, const llvm::Instruction& at);
   void copy(State& s, const ValuePtr& to, const ValuePtr& from, const Word& size, bool may_overlap,
             const llvm::Instruction& at);

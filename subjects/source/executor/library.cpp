@@ -6,6 +6,8 @@ namespace {
 
 /// An allocation whose size the inputs decide is at most that large.
 constexpr std::uint64_t largest_allocation = 1 << 16;
+/// Conflicts for the question whether a bit of a size may be set.
+constexpr int size_effort = 1000;
 
 bool is_allocation(const std::string& name) {
   return name == "malloc" || name == "calloc" || name == "_Znwm" || name == "_Znam";
@@ -98,7 +100,11 @@ bool Executor::call_library(State& s, const llvm::CallBase& i, const std::string
   return true;
 }
 
-ValuePtr Executor::allocated(State& s, const Word& size, bool zero, const llvm::Instruction& at) {
+ValuePtr Executor::allocated(State& s, Word size, bool zero, const llvm::Instruction& at) {
+  // A bit of the size that is never set where the program gets here makes no room.
+  for (Literal& bit : size)
+    if (bit > always && sweeper_.both_possible(running_, bit, size_effort) == circuit::Answer::impossible)
+      bit = never;
   const std::uint64_t most = circuit::at_most(size);
   if (most > largest_allocation)
     throw Unreadable(at, "an allocation of a size that the inputs decide, perhaps beyond " +
