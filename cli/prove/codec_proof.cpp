@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 
 #include "cli/arguments/arguments.hpp"
 #include "cli/output/exit_code.hpp"
+#include "proofs/certificate/checker.hpp"
 #include "proofs/codecs/case_text.hpp"
 #include "proofs/engine/bytes.hpp"
 #include "proofs/engine/interrupt.hpp"
@@ -38,11 +40,22 @@ std::string no_room(const Question& question) {
 
 std::uint64_t& statements(Result& r) { return r.by_kind[kinds - 1].cases; }
 
-/// The file that a question's proof leaves in a folder.
-std::string certificate(const std::string& folder, const Result& r, const Question& q) {
-  if (folder.empty()) return {};
-  return fmt::format("{}/{}.level_{}.{}.{}.{}.certificate", folder, r.law, q.level,
-                     codecs::format_name(q.format), q.function, q.size);
+/// Levels whose certificates are written and checked without being asked for.
+constexpr Level certified_to = 2;
+
+std::string with_certificate(const std::string& method) {
+  constexpr std::string_view checked = ", certificate checked";
+  return method.ends_with(checked) ? method : method + std::string(checked);
+}
+
+/// Throws NotValid if a step of the certificate does not follow.
+void check_certificate(const std::string& file, const std::function<void()>& stop) {
+  std::ifstream in(file);
+  if (!in) throw certificate::NotValid("it was not written");
+  std::uint64_t line = 0;
+  certificate::check(in, [&] {
+    if (stop && ++line % 1024 == 0) stop();
+  });
 }
 
 }  // namespace
@@ -113,6 +126,12 @@ void CodecProof::refute(Result& r, const Question& question, const source::Codec
   }
 }
 
+std::string CodecProof::certificate_of(const Result& r, const Question& q, const CodecBudget& budget) const {
+  if (budget.certificates.empty()) return q.level <= certified_to ? codec_->files()->file("certificate") : "";
+  return fmt::format("{}/{}.level_{}.{}.{}.{}.certificate", budget.certificates, r.law, q.level,
+                     codecs::format_name(q.format), q.function, q.size);
+}
+
 Result CodecProof::judge(const CodecLaw& law, Level level, unsigned format, const CodecBudget& budget) {
   Result r = named(law, level, format);
   const std::vector<Question> all = codecs::questions(law, facts_, level, format);
@@ -126,9 +145,9 @@ Result CodecProof::judge(const CodecLaw& law, Level level, unsigned format, cons
     for (const Question& question : all) {
       const double left = budget.seconds - seconds();
       source::CodecAnswer answer;
+      const std::string certificate = certificate_of(r, question, budget);
       if (left > 0)
-        answer = codec_->prove(call_of(question), {left, budget.stop, budget.progress,
-                                                   certificate(budget.certificates, r, question)});
+        answer = codec_->prove(call_of(question), {left, budget.stop, budget.progress, certificate});
       if (answer.kind == source::CodecAnswer::Kind::refuted) {
         ++statements(r);
         refute(r, question, answer, budget);
@@ -140,8 +159,16 @@ Result CodecProof::judge(const CodecLaw& law, Level level, unsigned format, cons
                                statements(r), all.size(), answer.text.empty() ? "" : "; ", answer.text);
         break;
       }
+      if (!certificate.empty()) {
+        check_certificate(certificate, budget.stop);
+        r.method = with_certificate(r.method);
+      }
       ++statements(r);
     }
+  } catch (const certificate::NotValid& why) {
+    r.verdict = Verdict::incomplete;
+    r.reason = fmt::format(
+        "mmverify's own mistake, please report it: the solver's certificate is not valid: {}", why.what());
   } catch (const Interrupted&) {
     r.verdict = Verdict::incomplete;
     r.reason = "interrupted";

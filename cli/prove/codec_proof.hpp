@@ -54,6 +54,9 @@ class CodecProof {
   proofs::Result named(const proofs::codecs::CodecLaw& law, proofs::Level level, unsigned format) const;
 
  private:
+  /// The file that a question's proof leaves; empty: none.
+  std::string certificate_of(const proofs::Result& r, const proofs::codecs::Question& q,
+                             const CodecBudget& budget) const;
   void refute(proofs::Result& result, const proofs::codecs::Question& question,
               const source::CodecAnswer& answer, const CodecBudget& budget);
 

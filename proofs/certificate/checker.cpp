@@ -156,10 +156,11 @@ class Clauses {
 
 class Reader {
  public:
-  Proved read(std::istream& in) {
+  Proved read(std::istream& in, const std::function<void()>& each_line) {
     std::string line;
     while (std::getline(in, line)) {
       ++number_;
+      if (each_line) each_line();
       if (!line.empty()) step(line);
     }
     if (in.bad()) refuse("it cannot be read further");
@@ -253,6 +254,8 @@ class Reader {
 
 }  // namespace
 
-Proved check(std::istream& certificate) { return Reader().read(certificate); }
+Proved check(std::istream& certificate, const std::function<void()>& each_line) {
+  return Reader().read(certificate, each_line);
+}
 
 }  // namespace mmverify::proofs::certificate

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <istream>
 #include <stdexcept>
 
@@ -31,8 +32,9 @@ struct NotValid : std::runtime_error {
 ///   o L M      the claim: one of L and M is true for all inputs that count
 /// A variable has one line i, f or n, before its first use: so the lines define a circuit, and any values of its inputs
 /// satisfy them. A clause follows if its negation leads to a contradiction by unit propagation.
+/// `each_line` is called for each line; it may throw.
 /// Errors: NotValid. Source: E. Goldberg, Y. Novikov: Verification of Proofs of Unsatisfiability for CNF Formulas, 2003.
 /// Test: certificate_test.
-Proved check(std::istream& certificate);
+Proved check(std::istream& certificate, const std::function<void()>& each_line = {});
 
 }  // namespace mmverify::proofs::certificate

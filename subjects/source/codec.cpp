@@ -122,9 +122,15 @@ Codec::Codec(const std::string& file, const std::vector<std::string>& flags,
     fs::copy_file(file, bitcode_);
   } else {
     bitcode_ = folder_->file("codec.bc");
-    std::vector<std::string> words{
-        "-O1", "-g", "-Xclang", "-disable-llvm-passes", "-emit-llvm", "-ffp-contract=off"};
-    if (is_cpp(file)) words.insert(words.end(), {"-fno-exceptions", "-fno-rtti"});
+    // Messages name variables, which clang drops by itself.
+    std::vector<std::string> words{"-O1",
+                                   "-g",
+                                   "-fno-discard-value-names",
+                                   "-Xclang",
+                                   "-disable-llvm-passes",
+                                   "-emit-llvm",
+                                   "-ffp-contract=off"};
+    if (is_cpp(file)) words.push_back("-std=c++20");
     words.insert(words.end(), flags.begin(), flags.end());
     compile_file(file, words, bitcode_, *folder_);
   }
@@ -142,7 +148,7 @@ const std::string& Codec::object(std::size_t kind) {
   if (!made.empty()) return made;
   std::vector<std::string> words{"-O2", "-fPIC", "-ffp-contract=off", "-Wno-override-module"};
   words.insert(words.end(), of.flags.begin(), of.flags.end());
-  if (is_cpp(file_)) words.insert(words.end(), {"-fno-exceptions", "-fno-rtti"});
+  if (is_cpp(file_)) words.push_back("-std=c++20");
   words.insert(words.end(), flags_.begin(), flags_.end());
   const std::string out = folder_->file(std::string("codec.") + of.name + ".o");
   compile_file(is_bitcode(file_) ? bitcode_ : file_, words, out, *folder_);

@@ -141,9 +141,32 @@ ValuePtr Executor::load_from(const Object& object, const Target& t, std::size_t 
   return number(std::move(bits), std::move(unset));
 }
 
+std::vector<Executor::Part> Executor::parts_of(const llvm::Type& type) const {
+  std::vector<Part> all;
+  auto* record = const_cast<llvm::Type*>(&type);
+  if (auto* fields = llvm::dyn_cast<llvm::StructType>(record))
+    for (unsigned k = 0; k < fields->getNumElements(); ++k)
+      all.push_back({layout_.getStructLayout(fields)->getElementOffset(k), fields->getElementType(k)});
+  else
+    for (std::uint64_t k = 0; k < record->getArrayNumElements(); ++k)
+      all.push_back(
+          {k * layout_.getTypeAllocSize(record->getArrayElementType()), record->getArrayElementType()});
+  return all;
+}
+
+ValuePtr Executor::load_parts(State& s, const ValuePtr& p, const llvm::Type& type,
+                              const llvm::Instruction& at) {
+  std::vector<ValuePtr> all;
+  for (const Part& part : parts_of(type))
+    all.push_back(load(s, moved_by(p, circuit::constant(part.offset, pointer_bits)),
+                       layout_.getTypeStoreSize(part.type), *part.type, at));
+  return parts(std::move(all));
+}
+
 ValuePtr Executor::load(State& s, const ValuePtr& p, std::size_t bytes, const llvm::Type& type,
                         const llvm::Instruction& at) {
   if (!is_pointer(p)) throw Unreadable(at, "a number taken for a pointer");
+  if (type.isAggregateType()) return load_parts(s, p, type, at);
   ValuePtr all;
   for (const Target& t : p->targets) {
     const Object* object = object_at(s, t, t.when, at, "read");
@@ -169,10 +192,18 @@ ValuePtr Executor::pointer_of(const ValuePtr& v) const {
   return pointer(!unset.empty() && unset.front() == always ? unset_object : number_object);
 }
 
+void Executor::store_typed(State& s, const ValuePtr& p, const ValuePtr& v, const llvm::Type& type,
+                           const llvm::Instruction& at) {
+  if (v->kind != Value::Kind::parts) return store(s, p, v, always, at);
+  const std::vector<Part> all = parts_of(type);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    store_typed(s, moved_by(p, circuit::constant(all[k].offset, pointer_bits)), v->parts[k], *all[k].type,
+                at);
+}
+
 void Executor::store(State& s, const ValuePtr& p, const ValuePtr& v, Literal when,
                      const llvm::Instruction& at) {
   if (!is_pointer(p)) throw Unreadable(at, "a number taken for a pointer");
-  if (v->kind == Value::Kind::parts) throw Unreadable(at, "a struct in a register is written");
   ValuePtr whole = v;
   if (v->kind == Value::Kind::number && v->bits.size() % 8 != 0)
     whole = number(circuit::resized(v->bits, 8 * bytes_of(*v), false),

@@ -109,6 +109,15 @@ class Executor {
   ValuePtr moved_by(const ValuePtr& p, const Word& by) const;
   ValuePtr load(State& s, const ValuePtr& p, std::size_t bytes, const llvm::Type& type,
                 const llvm::Instruction& at);
+  /// A part of a struct or an array that is read or written whole.
+  struct Part {
+    std::uint64_t offset;
+    llvm::Type* type;
+  };
+  std::vector<Part> parts_of(const llvm::Type& type) const;
+  ValuePtr load_parts(State& s, const ValuePtr& p, const llvm::Type& type, const llvm::Instruction& at);
+  void store_typed(State& s, const ValuePtr& p, const ValuePtr& v, const llvm::Type& type,
+                   const llvm::Instruction& at);
   void store(State& s, const ValuePtr& p, const ValuePtr& v, Literal when, const llvm::Instruction& at);
   /// Each offset within the object with its condition; outside is an obligation.
   std::vector<std::pair<Literal, std::size_t>> offsets(const Object& object, const Word& offset,
@@ -121,10 +130,14 @@ class Executor {
                      Literal condition, const llvm::Instruction& at);
 
   // library.cpp, intrinsics.cpp: functions without a body.
-  bool call_instruction(Call& c, State& s, const llvm::CallBase& i);
+  bool call_instruction(State& s, const llvm::CallBase& i);
   bool call_library(State& s, const llvm::CallBase& i, const std::string& name);
   bool call_law(State& s, const llvm::CallBase& i, const std::string& name);
-  bool call_intrinsic(Call& c, State& s, const llvm::CallBase& i);
+  bool call_intrinsic(State& s, const llvm::CallBase& i);
+  /// A variable's bytes are nobody's from now on.
+  void begin_or_end_life(State& s, const ValuePtr& p);
+  ValuePtr computed(State& s, const llvm::CallBase& i);
+  ValuePtr rotated(const llvm::CallBase& i, const Word& high, const Word& low, const Word& by);
   ValuePtr counted(State& s, const llvm::CallBase& i);
   ValuePtr with_overflow(State& s, const llvm::CallBase& i);
   ValuePtr allocated(State& s, const Word& size, bool zero, const llvm::Instruction& at);

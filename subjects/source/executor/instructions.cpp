@@ -117,11 +117,12 @@ bool Executor::step(Call& c, State& s, const llvm::Instruction& i) {
         load(s, value(s, l->getPointerOperand(), i), layout_.getTypeStoreSize(i.getType()), type, i);
   } else if (const auto* t = llvm::dyn_cast<llvm::StoreInst>(&i)) {
     if (t->isAtomic()) throw Unreadable(i, "an atomic write");
-    store(s, value(s, t->getPointerOperand(), i), value(s, t->getValueOperand(), i), always, i);
+    store_typed(s, value(s, t->getPointerOperand(), i), value(s, t->getValueOperand(), i),
+                *t->getValueOperand()->getType(), i);
   } else if (const auto* gep = llvm::dyn_cast<llvm::GetElementPtrInst>(&i)) {
     s.values[&i] = moved(s, *llvm::cast<llvm::GEPOperator>(gep), i);
   } else if (const auto* call = llvm::dyn_cast<llvm::CallBase>(&i)) {
-    return call_instruction(c, s, *call);
+    return call_instruction(s, *call);
   } else {
     return step_on_numbers(s, i);
   }

@@ -64,37 +64,96 @@ ValuePtr Executor::with_overflow(State& s, const llvm::CallBase& i) {
   return parts({number(kept), number({over})});
 }
 
-bool Executor::call_intrinsic(Call&, State& s, const llvm::CallBase& i) {
-  const auto argument = [&](unsigned k) { return value(s, i.getArgOperand(k), i); };
+ValuePtr Executor::rotated(const llvm::CallBase& i, const Word& high, const Word& low, const Word& by) {
+  const std::size_t width = low.size();
+  Word both = low;
+  both.insert(both.end(), high.begin(), high.end());
+  const Word amount = circuit::resized(
+      circuit::divided(graph_, by, circuit::constant(width, width)).remainder, 2 * width, false);
+  if (i.getIntrinsicID() == Intrinsic::fshr) {
+    const Word moved = circuit::shifted(graph_, circuit::Shift::right, both, amount);
+    return number(Word(moved.begin(), moved.begin() + static_cast<long>(width)));
+  }
+  const Word moved = circuit::shifted(graph_, circuit::Shift::left, both, amount);
+  return number(Word(moved.begin() + static_cast<long>(width), moved.end()));
+}
+
+ValuePtr Executor::computed(State& s, const llvm::CallBase& i) {
   const auto bits = [&](unsigned k) {
     const ValuePtr v = numeric(s, i.getArgOperand(k), i);
     require_set(v, i, "arithmetic on a value that was never set");
     return v->bits;
   };
   Graph& g = graph_;
+  const auto smaller = [&](Literal first_is, bool take_smaller) {
+    return number(circuit::chosen(g, first_is, bits(take_smaller ? 0 : 1), bits(take_smaller ? 1 : 0)));
+  };
+  switch (i.getIntrinsicID()) {
+    case Intrinsic::ctpop:
+    case Intrinsic::ctlz:
+    case Intrinsic::cttz:
+    case Intrinsic::bswap:
+    case Intrinsic::bitreverse:
+      return counted(s, i);
+    case Intrinsic::umin:
+      return smaller(circuit::less(g, bits(0), bits(1)), true);
+    case Intrinsic::umax:
+      return smaller(circuit::less(g, bits(0), bits(1)), false);
+    case Intrinsic::smin:
+      return smaller(circuit::less_signed(g, bits(0), bits(1)), true);
+    case Intrinsic::smax:
+      return smaller(circuit::less_signed(g, bits(0), bits(1)), false);
+    case Intrinsic::fshl:
+    case Intrinsic::fshr:
+      return rotated(i, bits(0), bits(1), bits(2));
+    case Intrinsic::uadd_with_overflow:
+    case Intrinsic::sadd_with_overflow:
+    case Intrinsic::usub_with_overflow:
+    case Intrinsic::ssub_with_overflow:
+    case Intrinsic::umul_with_overflow:
+    case Intrinsic::smul_with_overflow:
+      return with_overflow(s, i);
+    case Intrinsic::abs: {
+      const Word a = bits(0), minus = circuit::difference(g, circuit::constant(0, a.size()), a);
+      return number(circuit::chosen(g, a.back(), minus, a));
+    }
+    default:
+      throw Unreadable(i, "a call of " + i.getCalledFunction()->getName().str());
+  }
+}
+
+void Executor::begin_or_end_life(State& s, const ValuePtr& p) {
+  if (!is_pointer(p) || p->targets.size() != 1) return;
+  const int object = p->targets.front().object;
+  if (const Object* o = s.memory.find(object); o != nullptr && o->call != 0)
+    forget(s.memory.writable(object), 0, o->cells.size());
+}
+
+bool Executor::call_intrinsic(State& s, const llvm::CallBase& i) {
+  const auto argument = [&](unsigned k) { return value(s, i.getArgOperand(k), i); };
+  const auto size = [&] {
+    const ValuePtr v = numeric(s, i.getArgOperand(2), i);
+    require_set(v, i, "a size that was never set");
+    return v->bits;
+  };
   switch (i.getIntrinsicID()) {
     case Intrinsic::lifetime_start:
-    case Intrinsic::lifetime_end: {
-      const ValuePtr p = argument(1);
-      if (!is_pointer(p) || p->targets.size() != 1) return true;
-      const int object = p->targets.front().object;
-      if (const Object* o = s.memory.find(object); o != nullptr && o->call != 0)
-        forget(s.memory.writable(object), 0, o->cells.size());
-      return true;
-    }
+    case Intrinsic::lifetime_end:
+      begin_or_end_life(s, argument(1));
+      break;
     case Intrinsic::stacksave:
       s.values[&i] = pointer(null_object);
-      return true;
+      break;
     case Intrinsic::stackrestore:
     case Intrinsic::experimental_noalias_scope_decl:
     case Intrinsic::prefetch:
-      return true;
+      break;
     case Intrinsic::assume: {
       const ValuePtr v = numeric(s, i.getArgOperand(0), i);
       require_set(v, i, "a promise about a value that was never set");
       require_never(Duty::promises, negated(v->bits[0]), i,
                     "the code's own promise (__builtin_assume) does not hold");
-      return true;
+      break;
     }
     case Intrinsic::trap:
     case Intrinsic::ubsantrap:
@@ -102,68 +161,21 @@ bool Executor::call_intrinsic(Call&, State& s, const llvm::CallBase& i) {
       return false;
     case Intrinsic::expect:
       s.values[&i] = argument(0);
-      return true;
+      break;
     case Intrinsic::memset:
-      fill(s, argument(0), argument(1), bits(2), i);
-      return true;
+      fill(s, argument(0), argument(1), size(), i);
+      break;
     case Intrinsic::memcpy:
     case Intrinsic::memcpy_inline:
-      copy(s, argument(0), argument(1), bits(2), false, i);
-      return true;
+      copy(s, argument(0), argument(1), size(), false, i);
+      break;
     case Intrinsic::memmove:
-      copy(s, argument(0), argument(1), bits(2), true, i);
-      return true;
-    case Intrinsic::ctpop:
-    case Intrinsic::ctlz:
-    case Intrinsic::cttz:
-    case Intrinsic::bswap:
-    case Intrinsic::bitreverse:
-      s.values[&i] = counted(s, i);
-      return true;
-    case Intrinsic::umin:
-      s.values[&i] = number(circuit::chosen(g, circuit::less(g, bits(0), bits(1)), bits(0), bits(1)));
-      return true;
-    case Intrinsic::umax:
-      s.values[&i] = number(circuit::chosen(g, circuit::less(g, bits(0), bits(1)), bits(1), bits(0)));
-      return true;
-    case Intrinsic::smin:
-      s.values[&i] = number(circuit::chosen(g, circuit::less_signed(g, bits(0), bits(1)), bits(0), bits(1)));
-      return true;
-    case Intrinsic::smax:
-      s.values[&i] = number(circuit::chosen(g, circuit::less_signed(g, bits(0), bits(1)), bits(1), bits(0)));
-      return true;
-    case Intrinsic::fshl:
-    case Intrinsic::fshr: {
-      const Word low = i.getIntrinsicID() == Intrinsic::fshl ? bits(1) : bits(1), high = bits(0);
-      Word both = low;
-      both.insert(both.end(), high.begin(), high.end());
-      const std::size_t width = low.size();
-      const Word amount = circuit::resized(
-          circuit::divided(g, bits(2), circuit::constant(width, width)).remainder, 2 * width, false);
-      const bool left = i.getIntrinsicID() == Intrinsic::fshl;
-      const Word moved =
-          circuit::shifted(g, left ? circuit::Shift::left : circuit::Shift::right, both, amount);
-      s.values[&i] = number(left ? Word(moved.begin() + static_cast<long>(width), moved.end())
-                                 : Word(moved.begin(), moved.begin() + static_cast<long>(width)));
-      return true;
-    }
-    case Intrinsic::uadd_with_overflow:
-    case Intrinsic::sadd_with_overflow:
-    case Intrinsic::usub_with_overflow:
-    case Intrinsic::ssub_with_overflow:
-    case Intrinsic::umul_with_overflow:
-    case Intrinsic::smul_with_overflow:
-      s.values[&i] = with_overflow(s, i);
-      return true;
-    case Intrinsic::abs: {
-      const Word a = bits(0);
-      s.values[&i] =
-          number(circuit::chosen(g, a.back(), circuit::difference(g, circuit::constant(0, a.size()), a), a));
-      return true;
-    }
+      copy(s, argument(0), argument(1), size(), true, i);
+      break;
     default:
-      throw Unreadable(i, "a call of " + i.getCalledFunction()->getName().str());
+      s.values[&i] = computed(s, i);
   }
+  return true;
 }
 
 }  // namespace mmverify::source::executor

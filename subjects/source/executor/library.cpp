@@ -16,7 +16,7 @@ bool is_release(const std::string& name) {
 
 }  // namespace
 
-bool Executor::call_instruction(Call& c, State& s, const llvm::CallBase& i) {
+bool Executor::call_instruction(State& s, const llvm::CallBase& i) {
   if (i.isInlineAsm()) throw Unreadable(i, "assembly");
   llvm::Function* f = i.getCalledFunction();
   if (f == nullptr) {
@@ -29,7 +29,7 @@ bool Executor::call_instruction(Call& c, State& s, const llvm::CallBase& i) {
     }
     f = found->second;
   }
-  if (f->isIntrinsic()) return call_intrinsic(c, s, i);
+  if (f->isIntrinsic()) return call_intrinsic(s, i);
   const std::string name = f->getName().str();
   if (call_law(s, i, name)) return s.when != never;
   if (f->isDeclaration()) return call_library(s, i, name);

@@ -1,4 +1,4 @@
-// What must hold on every input: each obligation is settled when it comes up, or at the end.
+// Obligations: each must hold on every input, and is settled when it comes up or at the end.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What a run has to keep, by kind; and deliberate mistakes of the executor, which its tests must notice.
+// Kinds of obligations, and deliberate mistakes of the executor, which its tests must notice.
 #pragma once
 
 #include <array>

@@ -1,0 +1,69 @@
+// The library's own codec of the paper's two sequences as a subject: its sources, word for word, in one file.
+#define HWY_COMPILE_ONLY_SCALAR
+#include "impl/tree/pyramid.cpp"
+#include "impl/tree/stream.cpp"
+
+#include <algorithm>
+
+#include "mmverify_subject.h"
+
+namespace {
+
+using namespace mmverify::impl::tree;
+
+std::size_t bytes_of(std::uint64_t bits) { return static_cast<std::size_t>((bits + 7) / 8); }
+std::span<const std::uint8_t> map_of(uint32_t level, uint32_t format, const uint8_t* map) {
+  return {map, bytes_of(std::uint64_t{format} << 2 * level)};
+}
+
+/// The stream whose sequences follow each other in a code; no nodes if its tree does not end.
+Stream stream_of(uint32_t format, const uint8_t* code, size_t size) {
+  Stream s;
+  std::uint64_t owed = 1;
+  while (owed > 0) {
+    if (s.nodes == 8 * size) return {};
+    owed += (code[s.nodes / 8] >> s.nodes % 8 & 1) != 0 ? 3 : ~std::uint64_t{0};
+    ++s.nodes;
+  }
+  s.leaves = s.nodes - s.nodes / 4;
+  const std::size_t tree = bytes_of(s.nodes);
+  if (size != tree + bytes_of(s.leaves * format)) return {};
+  s.tree.assign(code, code + tree);
+  s.data.assign(code + tree, code + size);
+  return s;
+}
+
+size_t encode(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* code, size_t capacity) {
+  const Stream s = encode_stream(level, static_cast<Format>(format), map_of(level, format, map));
+  const size_t size = s.tree.size() + s.data.size();
+  if (capacity < size) return size;
+  std::copy(s.data.begin(), s.data.end(), std::copy(s.tree.begin(), s.tree.end(), code));
+  return size;
+}
+
+int decode(uint32_t level, uint32_t format, const uint8_t* code, size_t size, uint8_t* map) {
+  const Stream s = stream_of(format, code, size);
+  if (s.nodes == 0) return 0;
+  return decode_stream(level, static_cast<Format>(format), s, {map, map_of(level, format, map).size()}) ? 1 : 0;
+}
+
+void lookup(uint32_t level, uint32_t format, const uint8_t* code, size_t size, const uint32_t* index, uint8_t* state,
+            size_t count) {
+  const Stream s = stream_of(format, code, size);
+  for (size_t k = 0; k < count; ++k) state[k] = lookup_stream(level, static_cast<Format>(format), s, index[k]);
+}
+
+}  // namespace
+
+extern "C" const mmverify_subject_t* mmverify_subject_v1(void) {
+  static mmverify_subject_t subject;
+  subject.abi = MMVERIFY_SUBJECT_ABI;
+  subject.size = sizeof subject;
+  subject.name = "mmverify's own streams";
+  subject.max_level = 12;
+  subject.flags = MMVERIFY_TREE_STREAM;
+  subject.tree_encode = encode;
+  subject.tree_decode = decode;
+  subject.tree_lookup = lookup;
+  return &subject;
+}
