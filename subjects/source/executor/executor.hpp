@@ -119,6 +119,8 @@ class Executor {
   void store_typed(State& s, const ValuePtr& p, const ValuePtr& v, const llvm::Type& type,
                    const llvm::Instruction& at);
   void store(State& s, const ValuePtr& p, const ValuePtr& v, Literal when, const llvm::Instruction& at);
+  /// Throws Unreadable where a program keeps something for its next call.
+  static void require_no_state(const Object& object, const llvm::Instruction& at);
   /// Each offset within the object with its condition; outside is an obligation.
   std::vector<std::pair<Literal, std::size_t>> offsets(const Object& object, const Word& offset,
                                                        std::size_t bytes, Literal condition,
