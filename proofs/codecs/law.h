@@ -54,11 +54,11 @@ static inline int equal(const uint8_t* a, const uint8_t* b, size_t count) {
 }
 
 /* A call that gets the first `count` of `most` bytes to read; they are the same after it. */
-#define READS_SOME(input, most, count, ...)                                        \
-  do {                                                                             \
-    uint8_t before_[(most) + 1];                                                   \
-    memcpy(before_, input, most);                                                  \
-    __VA_ARGS__;                                                                   \
+#define READS_SOME(input, most, count, ...)                                                    \
+  do {                                                                                         \
+    uint8_t before_[(most) + 1];                                                               \
+    memcpy(before_, input, most);                                                              \
+    __VA_ARGS__;                                                                               \
     for (size_t k_ = 0; k_ < (most); ++k_) check(k_ >= (count) || (input)[k_] == before_[k_]); \
   } while (0)
 #define READS(input, count, ...) READS_SOME(input, count, count, __VA_ARGS__)

@@ -3,6 +3,8 @@
 
 /* Nodes of the largest tree, and bytes of its code in the paper's form. */
 enum { NODES = (4 * STATES - 1) / 3, LONGEST = (NODES + 7) / 8 + MAP_BYTES };
+/* Bits of a number up to SIZE. */
+enum { CAPACITY_BITS = SIZE == 0 ? 1 : 32 - __builtin_clz(SIZE + (SIZE == 0)) };
 
 /* tree.round_trip */
 void round_trip(void) {
@@ -22,7 +24,7 @@ void exact_size(void) {
   uint8_t map[MAP_BYTES], code[SIZE], whole[SIZE];
   any_map(LEVEL, FORMAT, map);
   const uint8_t before = (uint8_t)any(8);
-  const size_t capacity = any(16);
+  const size_t capacity = any(CAPACITY_BITS);
   assume(capacity <= SIZE);
   for (size_t k = 0; k < SIZE; ++k) code[k] = before;
   const size_t size = codec()->tree_encode(LEVEL, FORMAT, map, whole, SIZE);

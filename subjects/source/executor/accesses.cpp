@@ -201,10 +201,11 @@ void Executor::store_typed(State& s, const ValuePtr& p, const ValuePtr& v, const
                 at);
 }
 
-void Executor::require_no_state(const Object& object, const llvm::Instruction& at) {
-  if (object.lasting && !object.constant)
-    throw Unreadable(at, "a write to " + object.name +
-                             ", which outlives the call: a proof of the first calls says nothing of later ones");
+void Executor::require_no_state(const Object& object, const llvm::Instruction& at) const {
+  if (object.lasting && !object.constant && !describes_)
+    throw Unreadable(at,
+                     "a write to " + object.name +
+                         ", which outlives the call: a proof of the first calls says nothing of later ones");
 }
 
 void Executor::store(State& s, const ValuePtr& p, const ValuePtr& v, Literal when,

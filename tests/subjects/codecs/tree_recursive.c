@@ -30,14 +30,16 @@ static unsigned merged(States map, unsigned level, size_t first) {
   if (level == 0) return state(map, first);
   const size_t step = quarter(level);
   const unsigned one = merged(map, level - 1, first), two = merged(map, level - 1, first + step),
-                 three = merged(map, level - 1, first + 2 * step), four = merged(map, level - 1, first + 3 * step);
+                 three = merged(map, level - 1, first + 2 * step),
+                 four = merged(map, level - 1, first + 3 * step);
   return one == two && two == three && three == four ? one : INNER;
 }
 
 static size_t inner_nodes(States map, unsigned level, size_t first) {
   size_t sum = 1;
   if (merged(map, level, first) != INNER) return 0;
-  for (size_t child = 0; child < 4; ++child) sum += inner_nodes(map, level - 1, first + child * quarter(level));
+  for (size_t child = 0; child < 4; ++child)
+    sum += inner_nodes(map, level - 1, first + child * quarter(level));
   return sum;
 }
 
@@ -59,7 +61,8 @@ static Place emit(States map, unsigned level, size_t first, uint8_t* tree, uint8
   return at;
 }
 
-static size_t tree_encode(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* code, size_t capacity) {
+static size_t tree_encode(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* code,
+                          size_t capacity) {
   const States states = {map, format};
   const size_t inner = inner_nodes(states, level, 0);
   const size_t tree = bytes_of(4 * inner + 1, 1), size = tree + bytes_of(3 * inner + 1, format);
@@ -98,7 +101,9 @@ static unsigned grow(States tree, States data, unsigned level, size_t first, Pla
 }
 
 /* Whether the bits after the last one of a sequence are zero. */
-static int ends(const uint8_t* bytes, size_t bits) { return bits % 8 == 0 || bytes[bits / 8] >> bits % 8 == 0; }
+static int ends(const uint8_t* bytes, size_t bits) {
+  return bits % 8 == 0 || bytes[bits / 8] >> bits % 8 == 0;
+}
 
 static int tree_decode(uint32_t level, uint32_t format, const uint8_t* code, size_t code_size, uint8_t* map) {
   const States tree = {code, 1};

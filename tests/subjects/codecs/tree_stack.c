@@ -59,7 +59,8 @@ static void flatten(const uint8_t* node, uint32_t format, uint8_t* tree, uint8_t
   }
 }
 
-static size_t tree_encode(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* code, size_t capacity) {
+static size_t tree_encode(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* code,
+                          size_t capacity) {
   uint8_t* node = malloc(level_start(level + 1));
   if (node == NULL) return 0;
   const size_t internal = build(node, level, format, map);
@@ -146,8 +147,8 @@ static int tree_decode(uint32_t level, uint32_t format, const uint8_t* code, siz
 }
 
 /* Algorithm 3 and its bitscan. */
-static unsigned look_up(uint32_t level, uint32_t format, const uint8_t* tree, size_t length, const uint8_t* data,
-                        uint32_t index) {
+static unsigned look_up(uint32_t level, uint32_t format, const uint8_t* tree, size_t length,
+                        const uint8_t* data, uint32_t index) {
   size_t t = 0, d = 0;
   while (read_bits(tree, 1, t)) {
     uint32_t child = index >> 2 * --level & 3u;
