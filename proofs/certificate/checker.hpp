@@ -8,7 +8,7 @@
 
 namespace mmverify::proofs::certificate {
 
-/// What a certificate proves.
+/// The contents of a certificate that follows.
 struct Proved {
   std::uint64_t inputs = 0, nodes = 0;
   std::uint64_t steps = 0;        ///< clauses that the solver derived, and merges

@@ -53,6 +53,16 @@ static inline int equal(const uint8_t* a, const uint8_t* b, size_t count) {
   return same;
 }
 
+/* A call that gets the first `count` of `most` bytes to read; they are the same after it. */
+#define READS_SOME(input, most, count, ...)                                                    \
+  do {                                                                                         \
+    uint8_t before_[(most) + 1];                                                               \
+    memcpy(before_, input, most);                                                              \
+    __VA_ARGS__;                                                                               \
+    for (size_t k_ = 0; k_ < (most); ++k_) check(k_ >= (count) || (input)[k_] == before_[k_]); \
+  } while (0)
+#define READS(input, count, ...) READS_SOME(input, count, count, __VA_ARGS__)
+
 /* Any map, packed; the bits after the last state are zero. */
 static inline void any_map(uint32_t level, uint32_t format, uint8_t* map) {
   const size_t states = (size_t)1 << 2 * level, each = 8 / format;

@@ -1,6 +1,7 @@
 #include "proofs/codecs/laws.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace mmverify::proofs::codecs {
 namespace {
@@ -58,8 +59,10 @@ std::vector<Chosen> padded_map(Level n, unsigned format, std::uint64_t) {
   return padded(n, format, states(n));
 }
 
-std::vector<Chosen> map_and_bytes_before(Level n, unsigned format, std::uint64_t) {
-  return {{"", Written::digits, format, states(n)}, {"before", Written::number, 8, 1}};
+std::vector<Chosen> map_and_buffer(Level n, unsigned format, std::uint64_t size) {
+  return {{"", Written::digits, format, states(n)},
+          {"before", Written::number, 8, 1},
+          {"capacity", Written::number, static_cast<unsigned>(std::bit_width(size)), 1}};
 }
 
 std::vector<Chosen> map_and_index(Level n, unsigned format, std::uint64_t) {
@@ -146,7 +149,7 @@ void add_tree_laws(std::vector<CodecLaw>& all) {
   };
   add("tree.round_trip", 2, every_map, "tree.on_samples",
       {{"tree.c", "round_trip", {Call::tree_encode, Call::tree_decode}, 0, both, room, map},
-       {"tree.c", "exact_size", {Call::tree_encode}, 0, both, room, map_and_bytes_before}});
+       {"tree.c", "exact_size", {Call::tree_encode}, 0, both, room, map_and_buffer}});
   add("tree.lookup_is_decode", 2, every_map, "tree.on_samples",
       {{"tree.c", "lookup", {Call::tree_encode, Call::tree_lookup}, 0, both, room, map_and_index}});
   add("tree.equals_spec", 2, every_map, "tree.on_samples",
@@ -167,14 +170,15 @@ void add_micromap_laws(std::vector<CodecLaw>& all) {
   constexpr const char* samples = "micromap.on_samples";
   const std::vector<Call> packing{Call::micromap_pack, Call::micromap_unpack};
   all.push_back(on_maps("micromap.packing", 0, samples, {of_maps("micromap.c", "packing", packing)}));
-  all.push_back({"micromap.packing_any_count",
-                 {0, 0},
-                 {0, 0},
-                 true,
-                 both,
-                 [](Level, unsigned) { return std::string("any states, 1 to 33 of them"); },
-                 "micromap.packing_any_count_on_samples",
-                 {{"micromap.c", "packing_any_count", packing, 0, both, counts, padded}}});
+  all.push_back(
+      {"micromap.packing_any_count",
+       {0, 0},
+       {0, 0},
+       true,
+       both,
+       [](Level, unsigned) { return std::string("any states, 1 to 5, 7 to 9, 15 to 17, 31 or 33 of them"); },
+       "micromap.packing_any_count_on_samples",
+       {{"micromap.c", "packing_any_count", packing, 0, both, counts, padded}}});
   all.push_back(
       on_maps("micromap.force2", 0, samples,
               {of_maps("micromap.c", "force2", {Call::micromap_force2}, four),

@@ -5,7 +5,7 @@
 static void substituted(uint8_t* map, uint8_t* out) {
   uint8_t other[MAP_BYTES];
   any_map(LEVEL, FORMAT, map);
-  codec()->micromap_substitute(LEVEL, map, out);
+  READS(map, MAP_BYTES, codec()->micromap_substitute(LEVEL, map, out));
   check(padded(out, FORMAT, STATES));
   if (STATES * FORMAT % 8 == 0) return;
   any_padding(map, FORMAT, STATES);

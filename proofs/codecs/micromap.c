@@ -12,11 +12,11 @@ enum {
 void packing(void) {
   uint8_t states[STATES], map[MAP_BYTES], back[STATES];
   for (size_t k = 0; k < STATES; ++k) states[k] = (uint8_t)any_state(FORMAT);
-  codec()->micromap_pack(FORMAT, states, STATES, map);
+  READS(states, STATES, codec()->micromap_pack(FORMAT, states, STATES, map));
   for (size_t k = 0; k < STATES; ++k) check(state_of(map, FORMAT, k) == states[k]);
   check(padded(map, FORMAT, STATES));
   any_padding(map, FORMAT, STATES);
-  codec()->micromap_unpack(FORMAT, map, STATES, back);
+  READS(map, MAP_BYTES, codec()->micromap_unpack(FORMAT, map, STATES, back));
   check(equal(back, states, STATES));
 }
 
@@ -24,11 +24,11 @@ void packing(void) {
 void packing_any_count(void) {
   uint8_t states[SIZE], map[(SIZE * FORMAT + 7) / 8], back[SIZE];
   for (size_t k = 0; k < SIZE; ++k) states[k] = (uint8_t)any(FORMAT);
-  codec()->micromap_pack(FORMAT, states, SIZE, map);
+  READS(states, SIZE, codec()->micromap_pack(FORMAT, states, SIZE, map));
   for (size_t k = 0; k < SIZE; ++k) check(state_of(map, FORMAT, k) == states[k]);
   check(padded(map, FORMAT, SIZE));
   any_padding(map, FORMAT, SIZE);
-  codec()->micromap_unpack(FORMAT, map, SIZE, back);
+  READS(map, sizeof map, codec()->micromap_unpack(FORMAT, map, SIZE, back));
   check(equal(back, states, SIZE));
 }
 
@@ -37,7 +37,7 @@ void force2(void) {
   uint8_t map[MAP_BYTES], forced[TWO_STATE_BYTES];
   any_map(LEVEL, FORMAT, map);
   any_padding(map, FORMAT, STATES);
-  codec()->micromap_force2(LEVEL, map, forced);
+  READS(map, MAP_BYTES, codec()->micromap_force2(LEVEL, map, forced));
   for (size_t k = 0; k < STATES; ++k) check(state_of(forced, 1, k) == (state_of(map, 2, k) & 1));
   check(padded(forced, 1, STATES));
 }
@@ -45,7 +45,7 @@ void widen(void) {
   uint8_t map[MAP_BYTES], wide[FOUR_STATE_BYTES], forced[TWO_STATE_BYTES];
   any_map(LEVEL, FORMAT, map);
   any_padding(map, FORMAT, STATES);
-  codec()->micromap_widen(LEVEL, map, wide);
+  READS(map, MAP_BYTES, codec()->micromap_widen(LEVEL, map, wide));
   for (size_t k = 0; k < STATES; ++k) check(state_of(wide, 2, k) == state_of(map, 1, k));
   check(padded(wide, 2, STATES));
   codec()->micromap_force2(LEVEL, wide, forced);
@@ -57,7 +57,7 @@ void up(void) {
   uint8_t map[MAP_BYTES], above[ABOVE_BYTES];
   any_map(LEVEL, FORMAT, map);
   any_padding(map, FORMAT, STATES);
-  codec()->micromap_up(LEVEL, FORMAT, map, above);
+  READS(map, MAP_BYTES, codec()->micromap_up(LEVEL, FORMAT, map, above));
   for (size_t k = 0; k < 4 * STATES; ++k) check(state_of(above, FORMAT, k) == state_of(map, FORMAT, k / 4));
   check(padded(above, FORMAT, 4 * STATES));
 }
@@ -87,7 +87,7 @@ void down(void) {
   uint8_t map[MAP_BYTES], below[BELOW_BYTES];
   any_map(LEVEL, FORMAT, map);
   any_padding(map, FORMAT, STATES);
-  codec()->micromap_down(LEVEL, FORMAT, map, below);
+  READS(map, MAP_BYTES, codec()->micromap_down(LEVEL, FORMAT, map, below));
   for (size_t k = 0; k < BELOW; ++k) check(state_of(below, FORMAT, k) == parent(map, FORMAT, k));
   check(padded(below, FORMAT, BELOW));
 }
@@ -111,7 +111,7 @@ void modes(void) {
   any_padding(map, FORMAT, STATES);
   for (uint32_t mode = 0; mode < 3; ++mode) {
     uint8_t out[MAP_BYTES];
-    codec()->micromap_through(LEVEL, mode, map, out);
+    READS(map, MAP_BYTES, codec()->micromap_through(LEVEL, mode, map, out));
     unsigned rest = 0;
     for (size_t k = 0; k < STATES; ++k) {
       const unsigned was = state_of(map, FORMAT, k), is = state_of(out, FORMAT, k);

@@ -3,33 +3,38 @@
 
 /* Nodes of the largest tree, and bytes of its code in the paper's form. */
 enum { NODES = (4 * STATES - 1) / 3, LONGEST = (NODES + 7) / 8 + MAP_BYTES };
+/* Bits of a number up to SIZE. */
+enum { CAPACITY_BITS = SIZE == 0 ? 1 : 32 - __builtin_clz(SIZE + (SIZE == 0)) };
 
 /* tree.round_trip */
 void round_trip(void) {
   uint8_t map[MAP_BYTES], code[SIZE], back[MAP_BYTES];
+  size_t size;
   any_map(LEVEL, FORMAT, map);
-  const size_t size = codec()->tree_encode(LEVEL, FORMAT, map, code, SIZE);
+  READS(map, MAP_BYTES, size = codec()->tree_encode(LEVEL, FORMAT, map, code, SIZE));
   check(size > 0);
   room(size <= SIZE);
-  check(codec()->tree_decode(LEVEL, FORMAT, code, size, back));
+  READS_SOME(code, SIZE, size, check(codec()->tree_decode(LEVEL, FORMAT, code, size, back)));
   check(equal(back, map, MAP_BYTES));
 }
 
-/* tree.round_trip, of the encoder alone: the size without room is the size with just enough, and no byte behind it
- * changes. */
+/* tree.round_trip, of the encoder alone, for any capacity: the size is the same, no byte behind the capacity changes, and
+ * the code is the same wherever it fits. */
 void exact_size(void) {
-  uint8_t map[MAP_BYTES], code[SIZE];
+  uint8_t map[MAP_BYTES], code[SIZE], whole[SIZE];
   any_map(LEVEL, FORMAT, map);
   const uint8_t before = (uint8_t)any(8);
+  const size_t capacity = any(CAPACITY_BITS);
+  assume(capacity <= SIZE);
   for (size_t k = 0; k < SIZE; ++k) code[k] = before;
-  const size_t size = codec()->tree_encode(LEVEL, FORMAT, map, code, 0);
-  for (size_t k = 0; k < SIZE; ++k) check(code[k] == before);
+  const size_t size = codec()->tree_encode(LEVEL, FORMAT, map, whole, SIZE);
+  check(codec()->tree_encode(LEVEL, FORMAT, map, code, capacity) == size);
   room(size <= SIZE);
-  check(codec()->tree_encode(LEVEL, FORMAT, map, code, size) == size);
-  for (size_t k = 0; k < SIZE; ++k) check(k < size || code[k] == before);
+  for (size_t k = 0; k < SIZE; ++k) check(k < capacity || code[k] == before);
+  for (size_t k = 0; k < SIZE; ++k) check(capacity < size || k >= size || code[k] == whole[k]);
 }
 
-/* tree.lookup_is_decode: any index, at each place of a batch of three. */
+/* tree.lookup_is_decode: any index, at each place of a batch of three, and alone. */
 void lookup(void) {
   uint8_t map[MAP_BYTES], code[SIZE];
   any_map(LEVEL, FORMAT, map);
@@ -42,14 +47,20 @@ void lookup(void) {
     batch[place] = index;
     codec()->tree_lookup(LEVEL, FORMAT, code, size, batch, state, 3);
     for (size_t k = 0; k < 3; ++k) check(state[k] == state_of(map, FORMAT, batch[k]));
+    check(batch[place] == index);
   }
+  uint8_t alone;
+  READS_SOME(code, SIZE, size, codec()->tree_lookup(LEVEL, FORMAT, code, size, &index, &alone, 1));
+  check(alone == state_of(map, FORMAT, index));
 }
 
 /* tree.malformed: any SIZE bytes are refused, or are a map with zeros after its last state. */
 void malformed(void) {
   uint8_t code[SIZE + (SIZE == 0)], map[MAP_BYTES];
   any_bytes(code, SIZE);
-  if (codec()->tree_decode(LEVEL, FORMAT, code + (SIZE == 0), SIZE, map)) check(padded(map, FORMAT, STATES));
+  int taken;
+  READS(code, SIZE, taken = codec()->tree_decode(LEVEL, FORMAT, code + (SIZE == 0), SIZE, map));
+  if (taken) check(padded(map, FORMAT, STATES));
 }
 
 /* tree.canonical: any SIZE bytes that are decoded are what the encoder makes of their map. */

@@ -58,7 +58,7 @@ static unsigned region(const uint8_t* block, unsigned x, unsigned y) {
 void whole_map(void) {
   uint8_t block[BLOCK_BYTES], map[STATES];
   any_bytes(block, BLOCK_BYTES);
-  codec()->DECODE(block, map);
+  READS(block, BLOCK_BYTES, codec()->DECODE(block, map));
   for (unsigned y = 0; y < WIDTH; ++y)
     for (unsigned x = 0; x < WIDTH; ++x) check(map[x + WIDTH * y] == region(block, x, y));
 }
@@ -67,7 +67,7 @@ void any_region(void) {
   any_bytes(block, BLOCK_BYTES);
   const uint32_t a = (uint32_t)any(LEVEL), b = (uint32_t)any(LEVEL);
   const uint32_t x[2] = {a, 0}, y[2] = {b, WIDTH - 1}, last_x[2] = {0, a}, last_y[2] = {WIDTH - 1, b};
-  codec()->REGION(block, x, y, state, 2);
+  READS(block, BLOCK_BYTES, codec()->REGION(block, x, y, state, 2));
   check(state[0] == region(block, a, b));
   check(state[1] == region(block, 0, WIDTH - 1));
   codec()->REGION(block, last_x, last_y, state, 2);
@@ -97,7 +97,7 @@ static void any_regions(uint8_t* map) {
 void conservative(void) {
   uint8_t map[STATES], block[BLOCK_BYTES];
   any_regions(map);
-  codec()->ENCODE(map, block);
+  READS(map, STATES, codec()->ENCODE(map, block));
   for (unsigned k = 0; k < STATES; ++k) {
     const unsigned is = region(block, k % WIDTH, k / WIDTH);
     check(is == map[k] || is == C);

@@ -1,4 +1,4 @@
-// [release] What mmverify-codec says of C programs: random ones beside their compiled selves, and each undefined thing.
+// [release] Verdicts of mmverify-codec on C programs: random ones beside their compiled selves, each undefined thing.
 // MMVERIFY_FUZZ_SEEDS=N runs so many seeds in the place of six.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ class Executor : public testing::Test {
       GTEST_SKIP() << "no llvm-14-dev or no libcadical-dev: nothing to test";
   }
 
-  /// What a shell command prints.
+  /// The output of a shell command.
   std::string printed(const std::string& command) const {
     const auto out = folder_ / "out";
     EXPECT_EQ(std::system(fmt::format("( {} ) > {} 2>&1", command, out.string()).c_str()), 0)
@@ -152,6 +152,7 @@ const std::array undefined{
     Undefined{"life", "uint8_t* p = malloc(2); p[1] = 1; if (any(1)) free(p); check(p[1] == 1);",
               "after it was freed"},
     Undefined{"life", "uint8_t* p = malloc(2); if (any(1)) free(p); free(p);", "is freed after it was freed"},
+    Undefined{"life", "static uint8_t b; free(any(1) ? &b : 0);", "is freed, which malloc did not return"},
     Undefined{
         "unset",
         "const uint8_t* p; { uint8_t b[3] = {1}; p = b; } { uint8_t c = 2; check(c == 2); } check(*p == 1);",
@@ -217,6 +218,9 @@ TEST_F(Executor, NamesWhatItCannotFollow) {
   for (const auto& [body, says] :
        {std::pair{"volatile float x = (float)any(3); check(x >= 0);", "law.c:7: the conversion uitofp"},
         std::pair{"check(atoi(\"7\") == 7);", "a call of strtol"},
+        std::pair{"static int calls; check(++calls == 1);", "calls, which outlives the call"},
+        std::pair{"static uint8_t b[2]; uint8_t c[2] = {1, 2}; memcpy(b, c, 2); check(b[0] == 1);",
+                  "b, which outlives the call"},
         std::pair{"uint8_t b; check((uintptr_t)&b % 2 == 0);", "arithmetic on a pointer's bits"}})
     EXPECT_NE(
         answer(fmt::format("{}void law(void) {{ {} }}\n", declarations, body), "; test $? = 3").find(says),

@@ -201,6 +201,13 @@ void Executor::store_typed(State& s, const ValuePtr& p, const ValuePtr& v, const
                 at);
 }
 
+void Executor::require_no_state(const Object& object, const llvm::Instruction& at) const {
+  if (object.lasting && !object.constant && !describes_)
+    throw Unreadable(at,
+                     "a write to " + object.name +
+                         ", which outlives the call: a proof of the first calls says nothing of later ones");
+}
+
 void Executor::store(State& s, const ValuePtr& p, const ValuePtr& v, Literal when,
                      const llvm::Instruction& at) {
   if (!is_pointer(p)) throw Unreadable(at, "a number taken for a pointer");
@@ -218,6 +225,7 @@ void Executor::store(State& s, const ValuePtr& p, const ValuePtr& v, Literal whe
       require_never(Duty::constants, here, at, "the constant " + object->name + " is written");
     const auto places = offsets(*object, t.offset, bytes, here, at, "written");
     if (places.empty()) continue;
+    require_no_state(*object, at);
     Object& own = s.memory.writable(t.object);
     for (const auto& [equal, place] : places)
       mmverify::source::executor::store(

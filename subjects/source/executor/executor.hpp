@@ -119,6 +119,8 @@ class Executor {
   void store_typed(State& s, const ValuePtr& p, const ValuePtr& v, const llvm::Type& type,
                    const llvm::Instruction& at);
   void store(State& s, const ValuePtr& p, const ValuePtr& v, Literal when, const llvm::Instruction& at);
+  /// Throws Unreadable where an entry point keeps something for its next call.
+  void require_no_state(const Object& object, const llvm::Instruction& at) const;
   /// Each offset within the object with its condition; outside is an obligation.
   std::vector<std::pair<Literal, std::size_t>> offsets(const Object& object, const Word& offset,
                                                        std::size_t bytes, Literal condition,
@@ -173,6 +175,7 @@ class Executor {
   Literal outer_ = always;    ///< the calls around are made
   Literal running_ = always;  ///< the condition of the step that runs
   int objects_ = 0, calls_ = 0, depth_ = 0;
+  bool describes_ = false;  ///< mmverify_subject_v1 runs, which may fill the entry points in
 };
 
 }  // namespace mmverify::source::executor

@@ -143,11 +143,15 @@ bool Executor::step_on_numbers(State& s, const llvm::Instruction& i) {
     made = chosen(graph_, when->bits[0], value(s, i.getOperand(1), i), value(s, i.getOperand(2), i));
   } else if (const auto* e = llvm::dyn_cast<llvm::ExtractValueInst>(&i)) {
     ValuePtr v = value(s, e->getAggregateOperand(), i);
-    for (const unsigned k : e->indices()) v = v->parts[k];
+    for (const unsigned k : e->indices()) {
+      if (v->kind != Value::Kind::parts) throw Unreadable(i, "a part of a value that is no struct");
+      v = v->parts[k];
+    }
     made = v;
   } else if (const auto* n = llvm::dyn_cast<llvm::InsertValueInst>(&i)) {
     if (n->getNumIndices() != 1) throw Unreadable(i, "a struct within a struct in a register");
     auto v = std::make_shared<Value>(*value(s, n->getAggregateOperand(), i));
+    if (v->kind != Value::Kind::parts) throw Unreadable(i, "a part of a value that is no struct");
     v->parts[n->getIndices()[0]] = value(s, n->getInsertedValueOperand(), i);
     made = v;
   } else if (llvm::isa<llvm::FreezeInst>(i)) {

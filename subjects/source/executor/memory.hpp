@@ -24,6 +24,7 @@ struct Object {
   Literal gone = never;   ///< it is freed
   int call = 0;           ///< the call whose variable it is; 0: of none
   bool constant = false;  ///< no program may write it
+  bool lasting = false;   ///< it is a global variable
 };
 
 /// The bytes of a value, as memory has it.

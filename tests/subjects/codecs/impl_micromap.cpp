@@ -3,7 +3,7 @@
 
 #include "impl/micromap/level.cpp"
 #include "impl/micromap/micromap.cpp"
-#include "mmverify_subject.h"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace {
 
@@ -37,7 +37,8 @@ void widen(uint32_t level, const uint8_t* two_state, uint8_t* four_state) {
 }
 void up(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* above) {
   const std::uint64_t count = micro_triangles(level);
-  mmverify::impl::micromap::up(map_of(map, format, count), format_of(format), count, map_of(above, format, 4 * count));
+  mmverify::impl::micromap::up(map_of(map, format, count), format_of(format), count,
+                               map_of(above, format, 4 * count));
 }
 void down(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* below) {
   const std::uint64_t count = micro_triangles(level) / 4;

@@ -1,11 +1,10 @@
 // The library's own codec of the paper's two sequences as a subject: its sources, word for word, in one file.
 #define HWY_COMPILE_ONLY_SCALAR
-#include "impl/tree/pyramid.cpp"
-#include "impl/tree/stream.cpp"
-
 #include <algorithm>
 
-#include "mmverify_subject.h"
+#include "impl/tree/pyramid.cpp"
+#include "impl/tree/stream.cpp"
+#include "subjects/sdk/mmverify_subject.h"
 
 namespace {
 
@@ -44,13 +43,15 @@ size_t encode(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* code
 int decode(uint32_t level, uint32_t format, const uint8_t* code, size_t size, uint8_t* map) {
   const Stream s = stream_of(format, code, size);
   if (s.nodes == 0) return 0;
-  return decode_stream(level, static_cast<Format>(format), s, {map, map_of(level, format, map).size()}) ? 1 : 0;
+  return decode_stream(level, static_cast<Format>(format), s, {map, map_of(level, format, map).size()}) ? 1
+                                                                                                        : 0;
 }
 
-void lookup(uint32_t level, uint32_t format, const uint8_t* code, size_t size, const uint32_t* index, uint8_t* state,
-            size_t count) {
+void lookup(uint32_t level, uint32_t format, const uint8_t* code, size_t size, const uint32_t* index,
+            uint8_t* state, size_t count) {
   const Stream s = stream_of(format, code, size);
-  for (size_t k = 0; k < count; ++k) state[k] = lookup_stream(level, static_cast<Format>(format), s, index[k]);
+  for (size_t k = 0; k < count; ++k)
+    state[k] = lookup_stream(level, static_cast<Format>(format), s, index[k]);
 }
 
 }  // namespace
