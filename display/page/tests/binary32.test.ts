@@ -100,7 +100,7 @@ test("formulas that only rounding makes wrong are wrong in binary32, and right i
   assert.deepEqual(judged("right: Vulkan's reference, exact on floats"), [0, 0]);
   const byW = judged("wrong on floats: by w = 1 - u - v");
   assert.ok(byW[0] > 500 && byW[1] === 0, byW.join());
-  const published = judged("wrong on floats: Vulkan's reference as published");
+  const published = judged("as published: Vulkan's reference, which rounds");
   assert.ok(published[0] > 20 && published[1] === 0, published.join());
   // The same w, by assignments.
   const assigned = examples.find((e) => e.words.includes("by w"))!.code.replace("const w = 1 - u - v;", "let w = 1; w -= u; w -= v;");

@@ -66,7 +66,7 @@ export interface Example {
 
 export const examples: Example[] = [
   { words: "right: Vulkan's reference, exact on floats", language: "JavaScript", code: script("Vulkan's reference code, with no sum that floats would round.", down, exactly) },
-  { words: "wrong on floats: Vulkan's reference as published", language: "JavaScript", code: script("Vulkan's reference code: in binary32 uf + vf may round up to 1.", down, "uf + vf >= 1 && sum < low") },
+  { words: "as published: Vulkan's reference, which rounds", language: "JavaScript", code: script("Vulkan's reference code: in binary32 uf + vf may round up to 1.", down, "uf + vf >= 1 && sum < low") },
   { words: "wrong on floats: by w = 1 - u - v", language: "JavaScript", code: script("The upper half by w, which binary32 rounds.", `  const w = 1 - u - v;\n${down}`, "sum + Math.ceil(w * N) < N && sum < low") },
   { words: "wrong: breaks ties otherwise", language: "JavaScript", code: script("As the reference, but a point on an edge goes to the other side.", up, exactly) },
   { words: "wrong: mirrored", language: "JavaScript", code: `${script("As the reference, but somebody swapped u and v.", down, exactly).replace("index(level, u, v)", "index(level, v, u)")}` },
