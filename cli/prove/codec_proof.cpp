@@ -168,7 +168,8 @@ Result CodecProof::judge(const CodecLaw& law, Level level, unsigned format, cons
   } catch (const certificate::NotValid& why) {
     r.verdict = Verdict::incomplete;
     r.reason = fmt::format(
-        "mmverify's own mistake, please report it: the solver's certificate is not valid: {}", why.what());
+        "the certificate of the solver is not valid: {}; the mistake is mmverify's, please report it",
+        why.what());
   } catch (const Interrupted&) {
     r.verdict = Verdict::incomplete;
     r.reason = "interrupted";

@@ -76,9 +76,15 @@ void print_law(const Law& law) {
 
 /// The laws of these names, or all of them.
 std::vector<const Law*> laws_called(const std::vector<std::string>& names) {
-  if (!names.empty()) return parse_laws(names, Tier::long_run);
   std::vector<const Law*> all;
-  for (const Law& law : laws()) all.push_back(&law);
+  if (names.empty())
+    for (const Law& law : laws()) all.push_back(&law);
+  else
+    parse_laws(names, Tier::long_run);  // refuses unknown ones
+  // A topic's list has the laws that run by their id alone, too.
+  for (const std::string& name : names)
+    for (const Law* law : laws_named(name))
+      if (std::find(all.begin(), all.end(), law) == all.end()) all.push_back(law);
   return all;
 }
 

@@ -30,7 +30,9 @@ struct RunKind {
 const std::array<RunKind, 3>& run_kinds() {
   static const std::array<RunKind, 3> kinds{
       RunKind{"plain", {}},
-      RunKind{"address", {"-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"}},
+      RunKind{
+          "address",
+          {"-g", "-fsanitize=address,undefined", "-fno-sanitize=function,vptr", "-fno-sanitize-recover=all"}},
       RunKind{"memory", {"-g", "-fsanitize=memory"}}};
   return kinds;
 }

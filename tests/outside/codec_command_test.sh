@@ -16,9 +16,9 @@ tree=$root/examples/subject_tree/subject_tree.c
 cp "$tree" right.c
 sed 's/owed + 3/owed + 2/' "$tree" >wrong.c
 
-# prover LINE...: a prover that runs these lines of a shell.
+# prover LINE...: a prover that runs these lines of a shell, and leaves a certificate without a step.
 prover() {
-  printf '%s\n' '#!/usr/bin/env bash' "$@" >prover
+  printf '%s\n' '#!/usr/bin/env bash' 'for ((k = 1; k < $#; ++k)); do next=$((k + 1)); [[ ${!k} != --certificate ]] || : >"${!next}"; done' "$@" >prover
   chmod +x prover
 }
 export MMVERIFY_CODEC_PROVER=$folder/prover
@@ -43,6 +43,12 @@ judged 4 'no such file' --source missing.c
 printf 'int x' >broken.c
 judged 2 'broken.c: clang does not compile it' --source broken.c
 judged 2 'leave them out' --source right.c --shard 1/2
+
+# A proof counts only if its certificate does.
+printf '%s\n' '#!/usr/bin/env bash' 'echo "proved 10 2 3"' >prover
+judged 3 'the certificate of the solver is not valid: it was not written' tree.round_trip --source right.c --levels 1 --format 2-state
+prover 'while [[ $1 != --certificate ]]; do shift; done; printf "i 1 0\ni 2 0\no 1 2 0\n" >"$2"; echo "proved 10 2 3"'
+judged 3 'not valid: line 3: the clause does not follow by unit propagation' tree.round_trip --source right.c --levels 1 --format 2-state
 
 # The folder of certificates and the budget reach the prover.
 prover 'echo "$*" >>"$(dirname "$0")/words"; echo "proved 10 2 3"'
