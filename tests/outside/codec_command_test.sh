@@ -83,7 +83,7 @@ judged 1 '^refuted +tree.on_samples wrong.c level 3' tree.round_trip --source wr
 again=$(sed -n 's/^  replay: mmverify prove //p' said | head -1)
 eval "judged 1 '^refuted tree.on_samples level 3' $again"
 
-# What the prover cannot read, and a prover that fails.
+# Code that the prover cannot read, and a prover that fails.
 prover 'echo "right.c:12: call: setjmp" >&2; exit 3'
 judged 2 '^n/a +tree.round_trip right.c level 1 2-state every map, 2\^4: right.c:12: call: setjmp' tree.round_trip --source right.c --levels 1
 prover 'echo "no bitcode" >&2; exit 2'

@@ -115,7 +115,7 @@ TEST_F(RandomPrograms, GiveWhatTheirCompiledSelvesGive) {
 TEST_F(RandomPrograms, NoticeEachMistakeOfTheExecutor) {
   for (const char* mistake :
        {"signed-compare", "sign-lost", "shift-without-sign", "other-branch", "other-side", "bytes-reversed",
-        "write-anywhere", "borrow-lost", "remainder-for-quotient", "copy-short"}) {
+        "write-anywhere", "borrow-lost", "remainder-for-quotient", "copy-short", "shared-by-value"}) {
     bool noticed = false;
     for (std::uint64_t seed = 0; seed < 20 && !noticed; ++seed) {
       const std::string program = tests::RandomBuffers(seed).text();
@@ -154,9 +154,11 @@ const std::array undefined{
     Undefined{"life", "uint8_t* p = malloc(2); if (any(1)) free(p); free(p);", "is freed after it was freed"},
     Undefined{"life", "static uint8_t b; free(any(1) ? &b : 0);", "is freed, which malloc did not return"},
     Undefined{
-        "unset",
+        "life",
         "const uint8_t* p; { uint8_t b[3] = {1}; p = b; } { uint8_t c = 2; check(c == 2); } check(*p == 1);",
-        "never set"},
+        "b is read after its life"},
+    Undefined{"life", "uint8_t* p; { uint8_t x = 1; p = &x; check(*p == 1); } *p = 2;",
+              "x is written after its life"},
     Undefined{"unset", "uint8_t b[3]; b[0] = b[1] = 1; check(b[any(2) % 3] == 1);", "never set"},
     Undefined{"unset", "uint32_t n; if (any(4) != 9) n = 2; for (uint32_t k = 0; k < n; ++k) check(1);",
               "a branch on a value that was never set"},
@@ -212,6 +214,13 @@ TEST_F(Executor, FollowsStructsInRegisters) {
   };
   EXPECT_NE(answer(law("x + 1")).find("proved "), std::string::npos);
   EXPECT_NE(answer(law("x + 2")).find("the check fails"), std::string::npos);
+}
+
+TEST_F(Executor, RefusesALawThatSaysNothing) {
+  const char* body = "uint64_t x = any(8); assume(x < 4); assume(x > 9); check(x == 77);";
+  const std::string said =
+      answer(fmt::format("{}void law(void) {{ {} }}\n", declarations, body), "|| test $? = 4");
+  EXPECT_NE(said.find("the law's assumptions leave no input"), std::string::npos) << said;
 }
 
 TEST_F(Executor, NamesWhatItCannotFollow) {

@@ -41,6 +41,7 @@ static void walk(const uint8_t* from, uint8_t* to, unsigned n) {
     *to++ = (uint8_t)(*from++ + n);
   }
 }
+static uint64_t by_value(struct all t) { t.bytes[1] ^= 7; t.small = 3; return t.bytes[1] + t.longs[0]; }
 static uint64_t some(uint64_t n, uint64_t v) {
   uint8_t* p = malloc(n & 7);
   uint64_t sum = 0;
@@ -105,7 +106,7 @@ static uint64_t some(uint64_t n, uint64_t v) {
   }
   bool has_further() const override { return true; }
   std::string further() override {
-    switch (random_.below(12)) {
+    switch (random_.below(13)) {
       case 0:
         return fmt::format("s.bytes[{} & 15] = (uint8_t)({});\n", a(), word());
       case 1:
@@ -131,6 +132,8 @@ static uint64_t some(uint64_t n, uint64_t v) {
       case 10:
         return fmt::format("{{ struct all t = s; t.small = (int8_t){}; if ({}) s = t; }}\n", a(),
                            condition());
+      case 11:
+        return fmt::format("{} += by_value(s) * 5 + s.bytes[1];\n", x());
       default:
         return fmt::format("memcpy(&{}, s.bytes + ({} & 7), 8);\n", x(), a());
     }

@@ -1,4 +1,4 @@
-// What a person gives the page: texts in any language, files, links.
+// Tests of a person's input: texts in any language, files, links.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 

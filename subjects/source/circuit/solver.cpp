@@ -1,5 +1,6 @@
 #include "subjects/source/circuit/solver.hpp"
 
+#include <array>
 #include <cadical.hpp>
 
 namespace mmverify::source::circuit {
@@ -43,7 +44,7 @@ void Solver::write_certificate(std::FILE* file) {
   solver_->trace_proof(file, "certificate");
 }
 
-void Solver::write(char kind, std::initializer_list<int> numbers) {
+void Solver::write(char kind, std::span<const int> numbers) {
   if (certificate_ == nullptr) return;
   std::fputc(kind, certificate_);
   for (const int n : numbers) std::fprintf(certificate_, " %d", n);
@@ -53,12 +54,12 @@ void Solver::write(char kind, std::initializer_list<int> numbers) {
 void Solver::define(Node n) {
   const int v = variable_[n] = ++variables_;
   if (n == 0) {
-    write('f', {v});
+    write('f', std::array{v});
     return clause({-v});
   }
-  if (!graph_.is_conjunction(n)) return write('i', {v});
+  if (!graph_.is_conjunction(n)) return write('i', std::array{v});
   const int a = number(graph_.first(n)), b = number(graph_.second(n));
-  write('n', {v, a, b});
+  write('n', std::array{v, a, b});
   clause({-v, a});
   clause({-v, b});
   clause({v, -a, -b});
@@ -106,25 +107,21 @@ Answer Solver::ask(std::initializer_list<Literal> all, int conflicts) {
 void Solver::learn(std::initializer_list<Literal> some) {
   std::vector<int> numbers;
   for (const Literal l : some) numbers.push_back(number(l));
-  if (certificate_ != nullptr) {
-    std::fputc('m', certificate_);
-    for (const int n : numbers) std::fprintf(certificate_, " %d", n);
-    std::fputs(" 0\n", certificate_);
-  }
+  write('m', numbers);
   for (const int n : numbers) solver_->add(n);
   solver_->add(0);
 }
 
 void Solver::assume(Literal holds) {
   const int n = number(holds);
-  write('a', {n});
+  write('a', std::array{n});
   clause({n});
 }
 
 void Solver::claim_never(Literal a, Literal b) {
   if (a == never || b == never || a == negated(b)) return;
   const int x = number(a), y = number(b);
-  write('o', {-x, -y});
+  write('o', std::array{-x, -y});
 }
 
 bool Solver::value(Node input) const { return needed(input) && solver_->val(variable_[input]) > 0; }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "subjects/source/circuit/graph.hpp"
@@ -63,7 +64,7 @@ class Solver {
   void define(Node n);
   void clause(std::initializer_list<int> numbers);
   /// Writes a line of the certificate, if there is one.
-  void write(char kind, std::initializer_list<int> numbers);
+  void write(char kind, std::span<const int> numbers);
 
   const Graph& graph_;
   std::unique_ptr<CaDiCaL::Solver> solver_;

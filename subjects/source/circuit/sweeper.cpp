@@ -169,6 +169,13 @@ Answer Sweeper::both_possible(Literal a, Literal b, int conflicts) {
   return got;
 }
 
+Answer Sweeper::assumptions_possible() {
+  for (const std::uint64_t word : counts_.words)
+    if (word != 0) return Answer::possible;
+  // The assumptions are clauses: the solver has to keep them.
+  return solver_.ask({always}, all_conflicts);
+}
+
 void Sweeper::assume(Literal holds) {
   assumed_.push_back(holds);
   solver_.assume(holds);

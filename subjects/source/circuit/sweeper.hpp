@@ -34,6 +34,8 @@ class Sweeper : public Watcher {
   void claim_never(Literal a, Literal b) { solver_.claim_never(a, b); }
   /// Inputs that count make this literal true. Values that break it are no examples from now on.
   void assume(Literal holds);
+  /// Whether some inputs make all assumptions true; `possible` without one.
+  Answer assumptions_possible();
   /// The inputs of the last `possible` of both_possible().
   const Inputs& example() const { return example_; }
 

@@ -78,8 +78,9 @@ const Object* Executor::object_at(const State& s, const Target& t, Literal condi
   const Object* object = s.memory.find(t.object);
   if (object == nullptr) return refuse(Duty::life, "a variable is " + what + " after its life");
   if (object->gone != never)
-    require_never(Duty::life, graph_.both(condition, object->gone), at,
-                  object->name + " is " + what + " after it was freed");
+    require_never(
+        Duty::life, graph_.both(condition, object->gone), at,
+        object->name + " is " + what + (object->call != 0 ? " after its life" : " after it was freed"));
   return object;
 }
 
@@ -97,7 +98,7 @@ std::vector<std::pair<Literal, std::size_t>> Executor::offsets(const Object& obj
       circuit::less(graph_, circuit::resized(size_of(object), pointer_bits + 1, false), end);
   require_never(Duty::bounds, graph_.both(condition, outside), at, what);
   if (const auto place = circuit::value_of(offset)) {
-    if (*place + bytes > size) return {};
+    if (*place > size || bytes > size - *place) return {};
     return {{always, *place}};
   }
   std::vector<std::pair<Literal, std::size_t>> places;

@@ -134,10 +134,12 @@ class Executor {
   // library.cpp, intrinsics.cpp: functions without a body.
   bool call_instruction(State& s, const llvm::CallBase& i);
   bool call_library(State& s, const llvm::CallBase& i, const std::string& name);
+  /// The next call's own copy of the variable.
+  ValuePtr copied(State& s, const ValuePtr& p, llvm::Type& type, const llvm::Instruction& at);
   bool call_law(State& s, const llvm::CallBase& i, const std::string& name);
   bool call_intrinsic(State& s, const llvm::CallBase& i);
-  /// A variable's bytes are nobody's from now on.
-  void begin_or_end_life(State& s, const ValuePtr& p);
+  /// A variable has no value, and while it does not live, none may be read or written.
+  void set_life(State& s, const ValuePtr& p, bool lives);
   ValuePtr computed(State& s, const llvm::CallBase& i);
   ValuePtr rotated(const llvm::CallBase& i, const Word& high, const Word& low, const Word& by);
   ValuePtr counted(State& s, const llvm::CallBase& i);

@@ -176,12 +176,14 @@ void Executor::require_no_overflow(const llvm::BinaryOperator& i, const ValuePtr
     return negated(circuit::equal(graph_, whole, kept));
   };
   if (i.getOpcode() == I::Shl) {
-    const Word back =
-        circuit::shifted(graph_, circuit::Shift::right_with_sign,
-                         circuit::shifted(graph_, circuit::Shift::left, a->bits, b->bits), b->bits);
+    const Word moved = circuit::shifted(graph_, circuit::Shift::left, a->bits, b->bits);
+    const auto lost = [&](circuit::Shift back) {
+      return negated(circuit::equal(graph_, circuit::shifted(graph_, back, moved, b->bits), a->bits));
+    };
     if (i.hasNoSignedWrap())
-      require_never(Duty::overflow, negated(circuit::equal(graph_, back, a->bits)), i,
-                    "a signed shift overflows");
+      require_never(Duty::overflow, lost(circuit::Shift::right_with_sign), i, "a signed shift overflows");
+    if (i.hasNoUnsignedWrap())
+      require_never(Duty::overflow, lost(circuit::Shift::right), i, "a shift overflows");
     return;
   }
   if (i.hasNoSignedWrap()) require_never(Duty::overflow, beyond(true), i, "signed arithmetic overflows");

@@ -114,6 +114,12 @@ ValuePtr Executor::computed(State& s, const llvm::CallBase& i) {
     case Intrinsic::smul_with_overflow:
       return with_overflow(s, i);
     case Intrinsic::abs: {
+      if (const auto strict = known(numeric(s, i.getArgOperand(1), i)); strict && *strict != 0)
+        require_never(
+            Duty::overflow,
+            circuit::equal(g, bits(0),
+                           circuit::constant(std::uint64_t{1} << (bits(0).size() - 1), bits(0).size())),
+            i, "the magnitude of the least number overflows");
       const Word a = bits(0), minus = circuit::difference(g, circuit::constant(0, a.size()), a);
       return number(circuit::chosen(g, a.back(), minus, a));
     }
@@ -122,11 +128,14 @@ ValuePtr Executor::computed(State& s, const llvm::CallBase& i) {
   }
 }
 
-void Executor::begin_or_end_life(State& s, const ValuePtr& p) {
+void Executor::set_life(State& s, const ValuePtr& p, bool lives) {
   if (!is_pointer(p) || p->targets.size() != 1) return;
   const int object = p->targets.front().object;
-  if (const Object* o = s.memory.find(object); o != nullptr && o->call != 0)
-    forget(s.memory.writable(object), 0, o->cells.size());
+  const Object* found = s.memory.find(object);
+  if (found == nullptr || found->call == 0) return;
+  Object& own = s.memory.writable(object);
+  forget(own, 0, own.cells.size());
+  own.gone = lives ? never : always;
 }
 
 bool Executor::call_intrinsic(State& s, const llvm::CallBase& i) {
@@ -139,7 +148,7 @@ bool Executor::call_intrinsic(State& s, const llvm::CallBase& i) {
   switch (i.getIntrinsicID()) {
     case Intrinsic::lifetime_start:
     case Intrinsic::lifetime_end:
-      begin_or_end_life(s, argument(1));
+      set_life(s, argument(1), i.getIntrinsicID() == Intrinsic::lifetime_start);
       break;
     case Intrinsic::stacksave:
       s.values[&i] = pointer(null_object);

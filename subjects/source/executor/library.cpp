@@ -38,7 +38,12 @@ bool Executor::call_instruction(State& s, const llvm::CallBase& i) {
   if (f->isDeclaration()) return call_library(s, i, name);
   if (f->isVarArg()) throw Unreadable(i, name + " takes any number of arguments");
   std::vector<ValuePtr> arguments;
-  for (const llvm::Use& argument : i.args()) arguments.push_back(value(s, argument.get(), i));
+  for (unsigned k = 0; k < i.arg_size(); ++k) {
+    const ValuePtr given = value(s, i.getArgOperand(k), i);
+    arguments.push_back(i.isByValArgument(k) && planted != Mistake::shared_by_value
+                            ? copied(s, given, *i.getParamByValType(k), i)
+                            : given);
+  }
   if (name == "any_map" && arguments.size() == 3)
     if (const auto level = known(arguments[0]), bits = known(arguments[1]); level && bits && *level <= 8)
       sweeper_.map(static_cast<unsigned>(*level), static_cast<unsigned>(*bits));
@@ -46,6 +51,22 @@ bool Executor::call_instruction(State& s, const llvm::CallBase& i) {
   if (s.when == never) return false;
   if (result != nullptr) s.values[&i] = result;
   return true;
+}
+
+ValuePtr Executor::copied(State& s, const ValuePtr& p, llvm::Type& type, const llvm::Instruction& at) {
+  if (!is_pointer(p) || p->targets.size() != 1 || !circuit::value_of(p->targets.front().offset))
+    throw Unreadable(at, "a struct of one variable or another is passed by value");
+  const Target& t = p->targets.front();
+  const Object* object = object_at(s, t, always, at, "read");
+  const std::size_t bytes = layout_.getTypeAllocSize(&type);
+  if (object == nullptr || offsets(*object, t.offset, bytes, always, at, "read").empty()) return p;
+  Object copy;
+  copy.name = object->name + ", passed by value,";
+  const auto first = object->cells.begin() + static_cast<long>(*circuit::value_of(t.offset));
+  copy.cells.assign(first, first + static_cast<long>(bytes));
+  copy.call = calls_ + 1;
+  s.memory.add(++objects_, std::move(copy));
+  return pointer(objects_);
 }
 
 bool Executor::call_law(State& s, const llvm::CallBase& i, const std::string& name) {

@@ -21,7 +21,7 @@ struct Object {
   std::string name;
   std::vector<Cell> cells;
   Word size;              ///< where the size depends on the inputs: it, of 64 bits; else empty
-  Literal gone = never;   ///< it is freed
+  Literal gone = never;   ///< it is freed, or its block has ended
   int call = 0;           ///< the call whose variable it is; 0: of none
   bool constant = false;  ///< no program may write it
   bool lasting = false;   ///< it is a global variable

@@ -33,6 +33,9 @@ void Obligations::settle() {
     sweeper_.claim_never(one.condition, one.broken);
     open_.pop_back();
   }
+  const Answer some = sweeper_.assumptions_possible();
+  if (some == Answer::unknown) throw Undecided("whether any input keeps the law's assumptions");
+  if (some == Answer::impossible) throw Vacuous("the law's assumptions leave no input, so it says nothing");
 }
 
 }  // namespace mmverify::source::executor

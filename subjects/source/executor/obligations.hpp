@@ -22,7 +22,7 @@ class Obligations {
   /// No input reaches `at` under `condition` with `broken`. Throws Refuted.
   void require_never(Duty duty, Literal condition, Literal broken, const llvm::Instruction& at,
                      const std::string& what);
-  /// Settles what is open. Throws Refuted, Undecided.
+  /// Settles the open ones. Throws Refuted, Undecided; Vacuous if the law's assumptions leave no input.
   void settle();
 
   std::uint64_t made() const { return made_; }

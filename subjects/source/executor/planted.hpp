@@ -37,12 +37,14 @@ enum class Mistake {
   write_anywhere,  ///< a write at a place that the inputs choose goes to all places
   borrow_lost,     ///< a - b without the last carry
   remainder_for_quotient,
-  copy_short  ///< memcpy leaves out the last byte
+  copy_short,      ///< memcpy leaves out the last byte
+  shared_by_value  ///< a struct that is passed by value is the caller's own
 };
 
-inline constexpr std::array<std::string_view, 11> mistakes{
-    "none",           "signed-compare", "sign-lost",   "shift-without-sign",     "other-branch", "other-side",
-    "bytes-reversed", "write-anywhere", "borrow-lost", "remainder-for-quotient", "copy-short"};
+inline constexpr std::array<std::string_view, 12> mistakes{
+    "none",       "signed-compare", "sign-lost",      "shift-without-sign", "other-branch",
+    "other-side", "bytes-reversed", "write-anywhere", "borrow-lost",        "remainder-for-quotient",
+    "copy-short", "shared-by-value"};
 
 /// The mistake that this process makes.
 inline Mistake planted = Mistake::none;

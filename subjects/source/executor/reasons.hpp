@@ -25,6 +25,11 @@ struct Undecided : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// No input keeps the law's assumptions.
+struct Vacuous : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// An obligation is broken; what() begins with file and line.
 struct Refuted : std::runtime_error {
   Refuted(const std::string& what, circuit::Inputs inputs)

@@ -1,4 +1,4 @@
-// Which section a dropped file goes to, by its name.
+// A dropped file's name decides its section.
 
 export type Kind = "scene" | "function" | "result";
 

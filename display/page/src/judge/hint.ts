@@ -1,4 +1,4 @@
-// What a pasted text is written in, where it is not what the page runs, and which command judges it.
+// Hints for pasted texts that the page cannot run: their language, and the command that judges them.
 import { inBinary32 } from "../../../../delivery/wasm/package/rewrite.mjs";
 import type { Language } from "./examples";
 
