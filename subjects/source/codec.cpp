@@ -153,7 +153,14 @@ const std::string& Codec::object(std::size_t kind) {
   if (is_cpp(file_)) words.push_back("-std=c++20");
   words.insert(words.end(), flags_.begin(), flags_.end());
   const std::string out = folder_->file(std::string("codec.") + of.name + ".o");
-  compile_file(is_bitcode(file_) ? bitcode_ : file_, words, out, *folder_);
+  try {
+    compile_file(is_bitcode(file_) ? bitcode_ : file_, words, out, *folder_);
+  } catch (const BadSource& why) {
+    // A copy of bitcode is read; the message names the file that was given.
+    std::string text = why.what();
+    if (const std::size_t at = text.find(bitcode_); at == 0) text.replace(at, bitcode_.size(), file_);
+    throw BadSource(text);
+  }
   return made = out;
 }
 

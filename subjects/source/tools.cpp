@@ -115,7 +115,7 @@ void compile_file(const std::string& file, const std::vector<std::string>& optio
                     ": its name tells no language; .c, .cpp, .glsl, .comp, .hlsl, .spv, .bc and .ll do");
   ProgramEnd end;
   for (const std::string& language : languages_of(file)) {
-    std::vector<std::string> words{"-I" + header_folder()};
+    std::vector<std::string> words{"-I" + header_folder(), "-Wno-unused-command-line-argument"};
     words.insert(words.end(), options.begin(), options.end());
     words.insert(words.end(), {"-fno-caret-diagnostics", "-c", "-o", out});
     if (!language.empty()) words.insert(words.end(), {"-x", language});

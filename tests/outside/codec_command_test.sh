@@ -43,6 +43,8 @@ judged 4 'no such file' --source missing.c
 printf 'int x' >broken.c
 judged 2 'broken.c: clang does not compile it' --source broken.c
 judged 2 'leave them out' --source right.c --shard 1/2
+printf 'BC' >cut.bc
+judged 2 '^mmverify: cut.bc: clang does not compile it' --source cut.bc
 
 # A proof counts only if its certificate does.
 printf '%s\n' '#!/usr/bin/env bash' 'echo "proved 10 2 3"' >prover
@@ -112,6 +114,12 @@ unset MMVERIFY_CODEC_PROVER
 if [[ -x $(dirname "$mmverify")/mmverify-codec ]]; then
   judged 0 '^6 results: 6 proved' tree.round_trip --source right.c --levels 0..2
   judged 1 '^refuted +tree.round_trip wrong.c level 1' tree.round_trip --source wrong.c --levels 1
+  # A prover that merges what simulation cannot tell apart, unproved: its certificate does not follow.
+  real=$(readlink -f "$(dirname "$mmverify")/mmverify-codec")
+  printf '#!/usr/bin/env bash\nexec %q "$@" --plant unproved-merges\n' "$real" >prover
+  sed 's/put(data, bits, at->leaves++, get(map, bits, first));/put(data, bits, at->leaves++, map[0] == 0xb1 \&\& map[1] == 0x4e \&\& map[2] == 0x27 \&\& map[3] == 0xd8 ? 0 : get(map, bits, first));/' right.c >needle.c
+  judged 1 'case 4-state:1032230131200213' tree.round_trip --source needle.c --levels 2 --format 4-state
+  MMVERIFY_CODEC_PROVER=$folder/prover judged 3 'does not follow by unit propagation' tree.round_trip --source needle.c --levels 2 --format 4-state
 else
   echo 'no mmverify-codec in this build: its part is left out'
 fi

@@ -66,7 +66,7 @@ Answer Sweeper::equals(Literal a, Literal b, Literal l) {
   for (const auto& all :
        {std::array{a, b, negated(l)}, std::array{l, negated(a), always}, std::array{l, negated(b), always}}) {
     const Answer got = solver_.ask({all[0], all[1], all[2]}, merge_conflicts_);
-    if (got != Answer::impossible) return got;
+    if (got != Answer::impossible && !believes_) return got;
   }
   solver_.learn({negated(a), negated(b), l});
   solver_.learn({negated(l), a});

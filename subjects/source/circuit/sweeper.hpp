@@ -28,6 +28,9 @@ class Sweeper : public Watcher {
   /// The next inputs are the states of a map.
   void map(unsigned level, unsigned bits) { patterns_.map(level, bits); }
 
+  /// Merges nodes that simulation cannot tell apart, unproved: a deliberate mistake, for a test.
+  void believe_simulation() { believes_ = true; }
+
   /// Whether some inputs make both literals true. `impossible` becomes a clause.
   Answer both_possible(Literal a, Literal b, int conflicts);
   /// Notes in the certificate that no inputs make both true.
@@ -60,6 +63,7 @@ class Sweeper : public Watcher {
   Solver& solver_;
   const int merge_conflicts_;
   const bool merging_;
+  bool believes_ = false;
   Patterns patterns_;
   std::vector<Values> values_;  ///< by node
   Values counts_;               ///< patterns that keep all assumptions

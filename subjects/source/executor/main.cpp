@@ -137,7 +137,8 @@ class Run {
     solver_.each_moment([this] { tell_progress(); });
   }
 
-  /// Makes a deliberate mistake: a kind of obligations is dropped, or an instruction has another meaning.
+  /// Makes a deliberate mistake: a kind of obligations is dropped, an instruction has another meaning, or merges are
+  /// not proved.
   void plant(const std::string& name) {
     const auto duty = std::find(executor::duties.begin(), executor::duties.end(), name);
     const auto mistake = std::find(executor::mistakes.begin(), executor::mistakes.end(), name);
@@ -145,6 +146,8 @@ class Run {
       obligations_.drop(static_cast<executor::Duty>(duty - executor::duties.begin()));
     else if (mistake != executor::mistakes.end())
       executor::planted = static_cast<executor::Mistake>(mistake - executor::mistakes.begin());
+    else if (name == "unproved-merges")
+      sweeper_.believe_simulation();
     else
       throw BadFile("no mistake is called " + name);
   }
