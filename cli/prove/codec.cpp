@@ -15,6 +15,7 @@
 #include "cli/output/streams.hpp"
 #include "cli/output/text.hpp"
 #include "cli/prove/codec_proof.hpp"
+#include "cli/prove/short/codec_answer.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/engine/standard_error.hpp"
@@ -113,8 +114,7 @@ void print(std::FILE* out, const Result& r) {
                               r.reason)));
     return;
   }
-  const bool unknown = r.verdict == Verdict::incomplete && r.reason != "interrupted";
-  const std::string verdict = unknown ? "unknown" : to_string(r.verdict);
+  const std::string verdict = codec_verdict(r.verdict, r.reason);
   const std::string by =
       r.proof.empty() ? fmt::format("{} cases", grouped(r.cases_run())) : "(" + r.proof + ")";
   say(out, "{}\n",
@@ -145,7 +145,9 @@ class CodecProofs {
     report_.interrupted = proofs::interrupted();
     report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     progress_.clear();
-    say(out_, "{}\n", sum_line(report_));
+    const std::vector<std::string> end =
+        options_.details ? std::vector{sum_line(report_)} : codec_answer(report_);
+    for (const std::string& line : end) say(out_, "{}\n", printable(line));
     return report_;
   }
 
@@ -203,8 +205,10 @@ class CodecProofs {
   }
 
   void add(const Result& r) {
-    progress_.clear();
-    print(out_, r);
+    if (options_.details) {
+      progress_.clear();
+      print(out_, r);
+    }
     report_.results.push_back(r);
   }
 
