@@ -137,6 +137,7 @@ class CodecProofs {
         proof_(options.file, options.flags, options.timeout),
         progress_(!options.quiet) {
     report_.threads = 1;
+    if (!options.second_solver.empty()) second_solver_.emplace(options.second_solver);
   }
 
   Report run() {
@@ -145,8 +146,12 @@ class CodecProofs {
     report_.interrupted = proofs::interrupted();
     report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     progress_.clear();
-    const std::vector<std::string> end =
-        options_.details ? std::vector{sum_line(report_)} : codec_answer(report_);
+    std::vector<std::string> end;
+    if (second_solver_) end.push_back(second_solver_->sum());
+    if (options_.details)
+      end.push_back(sum_line(report_));
+    else
+      end = codec_answer(report_, end);
     for (const std::string& line : end) say(out_, "{}\n", printable(line));
     return report_;
   }
@@ -178,7 +183,7 @@ class CodecProofs {
                          if (proofs::interrupted()) throw Interrupted();
                        },
                        [this](std::uint64_t lemmas, std::uint64_t open) { progress_.add(lemmas, open); },
-                       options_.certificates};
+                       options_.certificates, second_solver_ ? &*second_solver_ : nullptr};
     const Result r = proof_.judge(law, n, format, budget);
     add(r);
     if (r.verdict == Verdict::incomplete && r.reason != "interrupted") sample(law, n);
@@ -215,6 +220,7 @@ class CodecProofs {
   const CodecOptions& options_;
   std::FILE* out_;
   CodecProof proof_;
+  std::optional<SecondSolver> second_solver_;
   ProofProgress progress_;
   Report report_;
 };

@@ -64,6 +64,19 @@ mkdir kept
 judged 0 . tree.lookup_is_decode --source right.c --levels 1 --format 2-state --budget 7 --certificates kept
 grep -qE 'lookup --budget (7|6\.[0-9]+) --certificate kept/tree.lookup_is_decode.level_1.2-state.lookup.2.certificate$' words || { cat words; fail 'the words of the prover'; }
 
+# A second solver: one that agrees, one that has values, one without an answer, and none.
+second() { printf '#!/usr/bin/env bash\n[[ $(head -c 5 "$1") == "p cnf" ]] || exit 1\nexit %s\n' "$1" >second; chmod +x second; }
+prover 'while [[ $1 != --certificate ]]; do shift; done; printf "i 1 0\ni 2 0\no 1 -1 0\n" >"$2"; echo "proved 10 2 3"'
+second 20
+judged 0 '^./second agrees: 2 statements, all of a proof at once; 2 of 2 statements, one by one$' tree.round_trip --source right.c --levels 2..3 --format 2-state --second-solver ./second
+second 10
+judged 3 'second was asked about tree.round_trip.level_1.2-state.round_trip.2.cnf: it finds values' tree.round_trip --source right.c --levels 1 --format 2-state --second-solver ./second
+[[ $(head -c 5 tree.round_trip.level_1.2-state.round_trip.2.cnf) == 'p cnf' ]] || fail 'the statement is not kept'
+second 7
+judged 3 'second was asked about kept/tree.round_trip.level_1.*: it gives no answer \(exit code 7\)' tree.round_trip --source right.c --levels 1 --format 2-state --second-solver ./second --certificates kept
+judged 4 'second-solver ./third: there is no program' tree.round_trip --source right.c --levels 1 --format 2-state --second-solver ./third
+judged 2 'requires --source' index --second-solver minisat
+
 # A counterexample counts only if a run of the compiled codec fails on it.
 prover 'case $3 in round_trip) echo "refuted tree.c:14: a check"; for state in 0 0 0 1; do echo "choice 1 $state"; done;; *) echo "proved 1 1 1";; esac'
 judged 3 'case 2-state:0001: by the formula tree.c:14: a check, and the compiled codec keeps the law there' tree.round_trip --source right.c --levels 1 --format 2-state --json right.json
@@ -132,6 +145,9 @@ unset MMVERIFY_CODEC_PROVER
 if [[ -x $(dirname "$mmverify")/mmverify-codec ]]; then
   judged 0 '^6 results: 6 proved' tree.round_trip --source right.c --levels 0..2
   judged 1 '^refuted +tree.round_trip wrong.c level 1' tree.round_trip --source wrong.c --levels 1
+  if command -v minisat >/dev/null; then
+    judged 0 '^minisat agrees: [0-9,]+ statements, all of a proof at once$' tree.round_trip --source right.c --levels 0..2 --second-solver minisat
+  fi
   # A prover that merges what simulation cannot tell apart, unproved: its certificate does not follow.
   real=$(readlink -f "$(dirname "$mmverify")/mmverify-codec")
   printf '#!/usr/bin/env bash\nexec %q "$@" --plant unproved-merges\n' "$real" >prover

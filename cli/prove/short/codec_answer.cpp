@@ -119,7 +119,7 @@ std::string codec_verdict(Verdict verdict, const std::string& reason) {
   return verdict == Verdict::incomplete && reason != "interrupted" ? "unknown" : to_string(verdict);
 }
 
-std::vector<std::string> codec_answer(const Report& report) {
+std::vector<std::string> codec_answer(const Report& report, const Lines& last) {
   const std::vector<Row> rows = rows_of(report);
   std::vector<Lines> faults, others;
   for (const Row& row : rows) {
@@ -129,6 +129,7 @@ std::vector<std::string> codec_answer(const Report& report) {
     (row.is_fault() ? faults : others).push_back(std::move(block));
   }
   Lines end = not_judged(report, rows);
+  end.insert(end.end(), last.begin(), last.end());
   end.push_back(sum_line(report));
   const std::size_t room = most_lines - end.size();
   if (count(faults) + count(others) > room) {

@@ -13,8 +13,8 @@ std::string codec_verdict(proofs::Verdict verdict, const std::string& reason);
 
 /// At most `most_lines` lines: each law's verdict, levels, formats, domain and seconds; under a refuted one its first case
 /// and the command that runs it again, under an unsettled one the reason. If they do not fit, laws without a fault are
-/// counted by topic, and faults lose their cases.
+/// counted by topic, and faults lose their cases.  last: lines before the sum.
 /// Test: codec_command_test.
-std::vector<std::string> codec_answer(const proofs::Report& report);
+std::vector<std::string> codec_answer(const proofs::Report& report, const std::vector<std::string>& last);
 
 }  // namespace mmverify::cli
