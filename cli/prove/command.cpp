@@ -329,9 +329,9 @@ void add_source(CLI::App& command, ProveOptions& options) {
       command
           .add_option(
               "--source", options.source,
-              "a codec in C, C++ or LLVM's bitcode: prove its laws for every map; or, with "
+              "a codec in C, C++, Rust or LLVM's bitcode: prove its laws for every map; or, with "
               "index.floats, a function in these or in GLSL, HLSL or SPIR-V, for every pair of floats")
-          ->type_name("FILE.c|.cpp|.bc|.ll|.glsl|.comp|.hlsl|.spv");
+          ->type_name("FILE.c|.cpp|.rs|.bc|.ll|.glsl|.comp|.hlsl|.spv");
   command.add_option("--function", options.function, "its name in the source; index_of where not given")
       ->type_name("NAME")
       ->needs(source);
