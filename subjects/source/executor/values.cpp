@@ -87,6 +87,7 @@ void Executor::make_globals(State& s, const llvm::Instruction& at) {
     object.cells.resize(layout_.getTypeAllocSize(global.getValueType()));
     object.constant = global.isConstant();
     object.lasting = true;
+    object.align = layout_.getValueOrABITypeAlignment(global.getAlign(), global.getValueType()).value();
     try {
       initialize(s, object, 0, *global.getInitializer(), at);
       s.memory.add(number->second, std::move(object));
