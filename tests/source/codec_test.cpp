@@ -174,7 +174,7 @@ TEST_P(RightCodec, IsProvedAndEnumerated) {
       for (const Question& q : asked(law, made.facts, n)) {
         // The prover takes more than minutes for the 1024 regions of VQ4's whole map, and for its encoder.
         if (std::string(law.id).starts_with("vq4.") && q.function != "any_region") continue;
-        // Of level 2 what all of its choices are run for, too.
+        // At level 2 each question is enumerated, too.
         if (!law.fixed && n == 2 && bits_of(q) > few_bits) continue;
         EXPECT_TRUE(proved(made, law, q, bits)) << name_of(law, q);
       }
@@ -302,7 +302,8 @@ TEST(EachLawOnEachFault, AgreesWithRuns) {
   const auto begun = Clock::now();
   const auto day = std::chrono::duration_cast<std::chrono::hours>(begun.time_since_epoch()).count() / 24;
   const char* seed = std::getenv("MMVERIFY_FUZZ_SEEDS");
-  const std::uint64_t drawn = seed != nullptr ? std::strtoull(seed, nullptr, 10) : static_cast<std::uint64_t>(day);
+  const std::uint64_t drawn =
+      seed != nullptr ? std::strtoull(seed, nullptr, 10) : static_cast<std::uint64_t>(day);
   Random random(drawn, 52, 0);
   struct Item {
     const Fault* fault;
