@@ -25,6 +25,8 @@ struct Object {
   int call = 0;           ///< the call whose variable it is; 0: of none
   bool constant = false;  ///< no program may write it
   bool lasting = false;   ///< it is a global variable
+  /// Where the content of most bytes is any at each read: the places of the others, one for each cell; else empty.
+  std::vector<Word> watched;
 };
 
 /// The bytes of a value, as memory has it.
