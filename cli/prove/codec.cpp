@@ -15,6 +15,7 @@
 #include "cli/output/streams.hpp"
 #include "cli/output/text.hpp"
 #include "cli/prove/codec_proof.hpp"
+#include "cli/prove/short/codec_answer.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/engine/standard_error.hpp"
@@ -113,8 +114,7 @@ void print(std::FILE* out, const Result& r) {
                               r.reason)));
     return;
   }
-  const bool unknown = r.verdict == Verdict::incomplete && r.reason != "interrupted";
-  const std::string verdict = unknown ? "unknown" : to_string(r.verdict);
+  const std::string verdict = codec_verdict(r.verdict, r.reason);
   const std::string by =
       r.proof.empty() ? fmt::format("{} cases", grouped(r.cases_run())) : "(" + r.proof + ")";
   say(out, "{}\n",
@@ -137,6 +137,7 @@ class CodecProofs {
         proof_(options.file, options.flags, options.timeout),
         progress_(!options.quiet) {
     report_.threads = 1;
+    if (!options.second_solver.empty()) second_solver_.emplace(options.second_solver);
   }
 
   Report run() {
@@ -145,7 +146,13 @@ class CodecProofs {
     report_.interrupted = proofs::interrupted();
     report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     progress_.clear();
-    say(out_, "{}\n", sum_line(report_));
+    std::vector<std::string> end;
+    if (second_solver_) end.push_back(second_solver_->sum());
+    if (options_.details)
+      end.push_back(sum_line(report_));
+    else
+      end = codec_answer(report_, end);
+    for (const std::string& line : end) say(out_, "{}\n", printable(line));
     return report_;
   }
 
@@ -176,7 +183,7 @@ class CodecProofs {
                          if (proofs::interrupted()) throw Interrupted();
                        },
                        [this](std::uint64_t lemmas, std::uint64_t open) { progress_.add(lemmas, open); },
-                       options_.certificates};
+                       options_.certificates, second_solver_ ? &*second_solver_ : nullptr};
     const Result r = proof_.judge(law, n, format, budget);
     add(r);
     if (r.verdict == Verdict::incomplete && r.reason != "interrupted") sample(law, n);
@@ -203,14 +210,17 @@ class CodecProofs {
   }
 
   void add(const Result& r) {
-    progress_.clear();
-    print(out_, r);
+    if (options_.details) {
+      progress_.clear();
+      print(out_, r);
+    }
     report_.results.push_back(r);
   }
 
   const CodecOptions& options_;
   std::FILE* out_;
   CodecProof proof_;
+  std::optional<SecondSolver> second_solver_;
   ProofProgress progress_;
   Report report_;
 };

@@ -16,7 +16,8 @@ struct CodecOptions {
   std::optional<proofs::Levels> levels;
   std::optional<std::string> format;  ///< "2-state", "4-state"
   std::optional<std::string> one_case;
-  std::string certificates;  ///< a folder
+  std::string certificates;   ///< a folder
+  std::string second_solver;  ///< a program; empty: none
   proofs::Tier tier = proofs::Tier::fast;
   double budget = 60, timeout = 10;
   std::uint64_t seed = 1;

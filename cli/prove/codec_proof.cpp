@@ -43,9 +43,17 @@ std::uint64_t& statements(Result& r) { return r.by_kind[kinds - 1].cases; }
 /// Levels whose certificates are written and checked without being asked for.
 constexpr Level certified_to = 2;
 
-std::string with_certificate(const std::string& method) {
-  constexpr std::string_view checked = ", certificate checked";
-  return method.ends_with(checked) ? method : method + std::string(checked);
+/// Levels whose proofs a second solver is asked about whole; of higher ones it is asked about a sample.
+constexpr Level asked_whole_to = 2;
+
+std::string with_words(const std::string& method, const std::string& words) {
+  return method.find(words) != std::string::npos ? method : method + words;
+}
+
+/// The name of what a proof leaves, without the end.
+std::string proof_name(const Result& r, const Question& q) {
+  return fmt::format("{}.level_{}.{}.{}.{}", r.law, q.level, codecs::format_name(q.format), q.function,
+                     q.size);
 }
 
 /// Throws NotValid if a step of the certificate does not follow.
@@ -127,9 +135,23 @@ void CodecProof::refute(Result& r, const Question& question, const source::Codec
 }
 
 std::string CodecProof::certificate_of(const Result& r, const Question& q, const CodecBudget& budget) const {
-  if (budget.certificates.empty()) return q.level <= certified_to ? codec_->files()->file("certificate") : "";
-  return fmt::format("{}/{}.level_{}.{}.{}.{}.certificate", budget.certificates, r.law, q.level,
-                     codecs::format_name(q.format), q.function, q.size);
+  if (!budget.certificates.empty()) return budget.certificates + "/" + proof_name(r, q) + ".certificate";
+  const bool wanted = q.level <= certified_to || budget.second_solver != nullptr;
+  return wanted ? codec_->files()->file("certificate") : "";
+}
+
+std::optional<std::string> CodecProof::doubt(Result& r, const Question& q, const std::string& certificate,
+                                             const CodecBudget& budget) const {
+  if (certificate.empty()) return std::nullopt;
+  check_certificate(certificate, budget.stop);
+  r.method = with_words(r.method, ", certificate checked");
+  if (budget.second_solver == nullptr) return std::nullopt;
+  const std::string kept =
+      (budget.certificates.empty() ? "" : budget.certificates + "/") + proof_name(r, q) + ".cnf";
+  const auto why = budget.second_solver->disagrees(certificate, q.level <= asked_whole_to, kept,
+                                                   budget.seconds, budget.stop);
+  if (!why) r.method = with_words(r.method, ", " + budget.second_solver->program() + " agrees");
+  return why;
 }
 
 Result CodecProof::judge(const CodecLaw& law, Level level, unsigned format, const CodecBudget& budget) {
@@ -159,9 +181,10 @@ Result CodecProof::judge(const CodecLaw& law, Level level, unsigned format, cons
                                statements(r), all.size(), answer.text.empty() ? "" : "; ", answer.text);
         break;
       }
-      if (!certificate.empty()) {
-        check_certificate(certificate, budget.stop);
-        r.method = with_certificate(r.method);
+      if (const auto why = doubt(r, question, certificate, budget)) {
+        r.verdict = Verdict::incomplete;
+        r.reason = *why;
+        break;
       }
       ++statements(r);
     }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/prove/second_solver.hpp"
 #include "proofs/codecs/laws.hpp"
 #include "proofs/engine/result.hpp"
 #include "subjects/dock/library.hpp"
@@ -19,7 +20,8 @@ struct CodecBudget {
   double seconds = 60;  ///< for one law at one level in one format
   std::function<void()> stop;
   std::function<void(std::uint64_t lemmas, std::uint64_t open)> progress;
-  std::string certificates;  ///< the folder where proofs leave theirs; empty: none
+  std::string certificates;               ///< the folder where proofs leave theirs; empty: none
+  SecondSolver* second_solver = nullptr;  ///< asked about each proof; null: none
 };
 
 /// The outcome of a case that is run on the compiled codec again.
@@ -38,7 +40,7 @@ class CodecProof {
   const dock::LibraryPtr& library() const { return library_; }
 
   /// proved: the prover discharged each of the law's questions.  refuted: a run of the compiled codec fails on the
-  /// prover's case.  incomplete: the budget is spent, or no run fails.  not_applicable: the prover cannot read the codec,
+  /// prover's case.  incomplete: the budget is spent, no run fails, or a second solver disagrees.  not_applicable: the prover cannot read the codec,
   /// or a harness has too little room.
   proofs::Result judge(const proofs::codecs::CodecLaw& law, proofs::Level level, unsigned format,
                        const CodecBudget& budget);
@@ -57,6 +59,10 @@ class CodecProof {
   /// The file that a question's proof leaves; empty: none.
   std::string certificate_of(const proofs::Result& r, const proofs::codecs::Question& q,
                              const CodecBudget& budget) const;
+  /// Checks the certificate, and asks the second solver.  The reason why the proof does not count, if any.
+  /// Errors: certificate::NotValid; what budget.stop throws.
+  std::optional<std::string> doubt(proofs::Result& r, const proofs::codecs::Question& q,
+                                   const std::string& certificate, const CodecBudget& budget) const;
   void refute(proofs::Result& result, const proofs::codecs::Question& question,
               const source::CodecAnswer& answer, const CodecBudget& budget);
 

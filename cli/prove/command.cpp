@@ -48,7 +48,7 @@ struct ProveOptions {
   std::optional<std::string> source, function, one_case, format;
   std::vector<std::string> flags;
   std::optional<double> budget;
-  std::string certificates;
+  std::string certificates, second_solver;
 };
 
 Request request(const ProveOptions& options, std::vector<RunsOn>& runs_on) {
@@ -153,6 +153,7 @@ int prove_codec_of(const ProveOptions& options) {
   codec.format = options.format;
   codec.one_case = options.one_case;
   codec.certificates = options.certificates;
+  codec.second_solver = options.second_solver;
   codec.tier = options.tier == "long" ? Tier::long_run : Tier::fast;
   if (options.budget) codec.budget = *options.budget;
   codec.timeout = timeout_of("", options.timeout);
@@ -170,8 +171,9 @@ Job job_of_source(const ProveOptions& options) {
     throw UsageError(
         "--source: index.floats is proved of a function, and nothing else; write mmverify prove "
         "index.floats");
-  if (options.format || options.budget || !options.certificates.empty())
-    throw UsageError("--format, --budget, --certificates: they are for a codec's laws; leave them out");
+  if (options.format || options.budget || !options.certificates.empty() || !options.second_solver.empty())
+    throw UsageError(
+        "--format, --budget, --certificates, --second-solver: they are for a codec's laws; leave them out");
   if (!options.subjects.empty())
     throw UsageError("--source and --subject: give one of them; the source is the subject that is judged");
   SourceOptions of{*options.source, "index_of", options.flags, options.dialect == "published"};
@@ -327,9 +329,9 @@ void add_source(CLI::App& command, ProveOptions& options) {
       command
           .add_option(
               "--source", options.source,
-              "a codec in C, C++ or LLVM's bitcode: prove its laws for every map; or, with "
+              "a codec in C, C++, Rust or LLVM's bitcode: prove its laws for every map; or, with "
               "index.floats, a function in these or in GLSL, HLSL or SPIR-V, for every pair of floats")
-          ->type_name("FILE.c|.cpp|.bc|.ll|.glsl|.comp|.hlsl|.spv");
+          ->type_name("FILE.c|.cpp|.rs|.bc|.ll|.glsl|.comp|.hlsl|.spv");
   command.add_option("--function", options.function, "its name in the source; index_of where not given")
       ->type_name("NAME")
       ->needs(source);
@@ -352,6 +354,13 @@ void add_source(CLI::App& command, ProveOptions& options) {
                   "an existing folder: each proof of a codec leaves its steps there")
       ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory)
+      ->needs(source);
+  command
+      .add_option(
+          "--second-solver", options.second_solver,
+          "a SAT solver, as minisat: a program that takes DIMACS and exits with 10 or 20; it is asked again "
+          "what a codec's proofs rest on")
+      ->type_name("PROGRAM")
       ->needs(source);
   command.add_option("--case", options.one_case, "run the source on one counterexample again")
       ->type_name("LEVEL@CASE")

@@ -119,7 +119,11 @@ Codec::Codec(const std::string& file, const std::vector<std::string>& flags,
   for (const auto& [name, text] : texts) std::ofstream(folder_->file(name)) << text;
   folder_->check_room();
   // The rest is told by clang; a read of the file as it is follows the same words.
-  if (is_bitcode(file)) {
+  if (is_rust(file)) {
+    bitcode_ = folder_->file("codec.bc");
+    compiler_ = compile_rust(file, flags, bitcode_, *folder_);
+    flags_.clear();
+  } else if (is_bitcode(file)) {
     bitcode_ = folder_->file("codec" + fs::path(file).extension().string());
     fs::copy_file(file, bitcode_);
   } else {
@@ -154,7 +158,7 @@ const std::string& Codec::object(std::size_t kind) {
   words.insert(words.end(), flags_.begin(), flags_.end());
   const std::string out = folder_->file(std::string("codec.") + of.name + ".o");
   try {
-    compile_file(is_bitcode(file_) ? bitcode_ : file_, words, out, *folder_);
+    compile_file(is_bitcode(file_) || is_rust(file_) ? bitcode_ : file_, words, out, *folder_);
   } catch (const BadSource& why) {
     // A copy of bitcode is read; the message names the file that was given.
     std::string text = why.what();

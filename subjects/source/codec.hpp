@@ -50,7 +50,7 @@ struct CodecRun {
   std::string how;       ///< "the compiled codec gives another answer (tree.c:17)", "AddressSanitizer: ..."
 };
 
-/// A codec in C, in C++ without exceptions, or in LLVM bitcode.
+/// A codec in C, in C++ without exceptions, in Rust that aborts where it panics, or in LLVM bitcode.
 class Codec {
  public:
   /// Compiles the codec. `texts`: files that harnesses include, and the harnesses, by name.

@@ -98,6 +98,8 @@ bool is_bitcode(const std::string& file) {
   return ends_in_one_of(file, extensions);
 }
 
+bool is_rust(const std::string& file) { return fs::path(file).extension() == ".rs"; }
+
 void refuse_unfit(const std::string& file, const std::vector<std::string>& flags) {
   std::error_code error;
   if (!fs::exists(file, error)) throw NoSource(file + ": no such file");
@@ -112,7 +114,8 @@ void compile_file(const std::string& file, const std::vector<std::string>& optio
   static constexpr std::array in_c{".c", ".h", ".i"};
   if (!is_cpp(file) && !is_bitcode(file) && !ends_in_one_of(file, in_c))
     throw BadSource(file +
-                    ": its name tells no language; .c, .cpp, .glsl, .comp, .hlsl, .spv, .bc and .ll do");
+                    ": its name tells no language; .c, .cpp, .glsl, .comp, .hlsl, .spv, .bc and .ll do, and "
+                    ".rs of a codec");
   ProgramEnd end;
   for (const std::string& language : languages_of(file)) {
     std::vector<std::string> words{"-I" + header_folder(), "-Wno-unused-command-line-argument"};

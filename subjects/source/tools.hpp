@@ -35,6 +35,9 @@ bool is_cpp(const std::string& file);
 /// Whether the file's name is that of bitcode, binary or as text.
 bool is_bitcode(const std::string& file);
 
+/// Whether the file's name is that of a source in Rust.
+bool is_rust(const std::string& file);
+
 /// Throws NoSource or BadSource if the file is none that can be read, and UnknownInstruction for a flag that changes what
 /// the code means.
 void refuse_unfit(const std::string& file, const std::vector<std::string>& flags);
@@ -43,5 +46,11 @@ void refuse_unfit(const std::string& file, const std::vector<std::string>& flags
 /// Errors: BadSource with the compiler's message; NotAvailable.
 void compile_file(const std::string& file, const std::vector<std::string>& options, const std::string& out,
                   const program::Folder& folder);
+
+/// Compiles a file of Rust with these flags of rustc to bitcode with all that it calls, by rustc or the compiler that
+/// MMVERIFY_RUSTC names.  Returns "rustc 1.63.0".
+/// Errors: BadSource with the compiler's message; NotAvailable if there is none, or clang reads no bitcode of its LLVM.
+std::string compile_rust(const std::string& file, const std::vector<std::string>& flags,
+                         const std::string& out, const program::Folder& folder);
 
 }  // namespace mmverify::source

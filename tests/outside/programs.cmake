@@ -90,6 +90,12 @@ if(NOT MMVERIFY_SANITIZE)
     COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/codec_command_test.sh $<TARGET_FILE:mmverify-prove> ${PROJECT_SOURCE_DIR})
   add_test(NAME own_codecs_test
     COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/own_codecs_test.sh $<TARGET_FILE:mmverify-prove>)
+  # A codec in Rust; without a rustc of clang's LLVM or an older one skipped, and so said.
+  if(NOT MMVERIFY_BRIEF)
+    add_test(NAME rust_codec_test
+      COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/rust_codec_test.sh $<TARGET_FILE:mmverify-prove> ${PROJECT_SOURCE_DIR})
+    set_tests_properties(rust_codec_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 900)
+  endif()
   set_tests_properties(codec_command_test own_codecs_test source_test source_promises_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 900 COST 1000)
 endif()
 

@@ -1,11 +1,13 @@
 // Certificates of proofs: a right one is accepted, and each damage of it is found.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "proofs/certificate/checker.hpp"
+#include "proofs/certificate/statements.hpp"
 
 namespace mmverify {
 namespace {
@@ -98,6 +100,70 @@ TEST(Certificate, AcceptsWhatHoldsAndNothingElse) {
       }
       EXPECT_TRUE(holds || !accepted) << a << " " << b;
     }
+}
+
+/// Whether some values satisfy a DIMACS text, by trying all.
+bool satisfiable(const std::string& dimacs) {
+  std::istringstream in(dimacs);
+  std::string p, cnf;
+  unsigned variables = 0, count = 0;
+  in >> p >> cnf >> variables >> count;
+  std::vector<std::vector<int>> clauses(count);
+  for (std::vector<int>& clause : clauses)
+    for (int l = 0; in >> l && l != 0;) clause.push_back(l);
+  EXPECT_LT(variables, 20u);
+  for (unsigned values = 0; values < 1u << variables; ++values)
+    if (std::all_of(clauses.begin(), clauses.end(), [&](const std::vector<int>& clause) {
+          return std::any_of(clause.begin(), clause.end(),
+                             [&](int l) { return ((values >> (std::abs(l) - 1) & 1) != 0) == (l > 0); });
+        }))
+      return true;
+  return false;
+}
+
+/// The questions about all statements, and about each one.
+std::vector<bool> questions_satisfiable(const std::vector<std::string>& lines) {
+  std::istringstream in(text_of(lines));
+  const proofs::certificate::Statements statements(in);
+  std::vector<bool> all;
+  std::ostringstream whole;
+  statements.write_all(whole);
+  all.push_back(satisfiable(whole.str()));
+  for (std::size_t k = 0; k < statements.size(); ++k) {
+    std::ostringstream one;
+    statements.write_one(one, k);
+    all.push_back(satisfiable(one.str()));
+  }
+  return all;
+}
+
+TEST(SecondQuestion, HasNoValuesIfTheStatementHolds) {
+  EXPECT_EQ(questions_satisfiable(same_twice), std::vector<bool>(4, false));
+  // The solver's own steps and what it deletes are no part of it.
+  std::vector<std::string> more = same_twice;
+  more.insert(more.begin() + 6, {"3 0", "d 3 0"});
+  EXPECT_EQ(questions_satisfiable(more), std::vector<bool>(4, false));
+}
+
+TEST(SecondQuestion, HasValuesIfAStatementIsWrong) {
+  std::vector<std::string> wrong = same_twice;
+  wrong[7] = "m 6 3 0";
+  EXPECT_EQ(questions_satisfiable(wrong), (std::vector<bool>{true, false, true, false}));
+  wrong = same_twice;
+  wrong[9] = "o 7 7 0";
+  EXPECT_EQ(questions_satisfiable(wrong), (std::vector<bool>{true, false, false, true}));
+  // Under the assumption that y is false, x AND y never holds.
+  EXPECT_EQ(questions_satisfiable({"i 1 0", "i 2 0", "n 3 1 2 0", "o -3 -3 0"}),
+            (std::vector<bool>{true, true}));
+  EXPECT_EQ(questions_satisfiable({"i 1 0", "i 2 0", "n 3 1 2 0", "a -2 0", "o -3 -3 0"}),
+            (std::vector<bool>{false, false}));
+}
+
+TEST(SecondQuestion, RefusesWhatIsNoStep) {
+  for (const char* text : {"n 3 1 0\n", "m 3\n", "i x 0\n", "o 0\n"}) {
+    std::istringstream in(text);
+    EXPECT_THROW(proofs::certificate::Statements{in}, NotValid) << text;
+  }
 }
 
 }  // namespace

@@ -15,17 +15,6 @@ using namespace proofs;
 
 namespace {
 
-std::string levels_of(const Row& row) {
-  if (!row.first->at_once.empty()) return row.first->at_once;
-  std::vector<Level> all, named;
-  for (const Result* r : row.judged) {
-    all.push_back(r->level);
-    if (!row.is_fault() || r->verdict == row.verdict) named.push_back(r->level);
-  }
-  const std::string word = named.size() == 1 ? "level" : "levels";
-  return fmt::format("{} {}{}", word, level_ranges(named), named == all ? "" : " of " + level_ranges(all));
-}
-
 /// The sum of a count over the row's results.
 std::uint64_t sum(const Row& row, std::uint64_t (Result::*count)() const) {
   std::uint64_t all = 0;
@@ -55,6 +44,18 @@ std::string cases_text(const Row& row) {
 
 bool Row::is_fault() const {
   return verdict == Verdict::broken || verdict == Verdict::refuted || verdict == Verdict::incomplete;
+}
+
+std::string levels_of(const Row& row) {
+  if (!row.first->at_once.empty()) return row.first->at_once;
+  std::set<Level> all, named;
+  for (const Result* r : row.judged) {
+    all.insert(r->level);
+    if (!row.is_fault() || r->verdict == row.verdict) named.insert(r->level);
+  }
+  const std::string word = named.size() == 1 ? "level" : "levels";
+  const auto ranges = [](const std::set<Level>& some) { return level_ranges({some.begin(), some.end()}); };
+  return fmt::format("{} {}{}", word, ranges(named), named == all ? "" : " of " + ranges(all));
 }
 
 std::vector<Row> rows_of(const Report& report) {
@@ -105,16 +106,18 @@ std::vector<std::string> topic_lines(const std::vector<Row>& rows) {
     std::vector<Row> of_topic;
     std::set<std::string> subjects;
     std::uint64_t cases = 0;
+    bool are_statements = false;
     for (const Row& row : rows) {
       if (row.first->topic != topic || row.is_fault() || row.judged.empty()) continue;
       of_topic.push_back(row);
       subjects.insert(row.first->subject);
       cases += sum(row, &Result::cases_run);
+      are_statements = are_statements || row.first->proof == "SAT";
     }
     if (of_topic.empty()) continue;
-    lines.push_back(fmt::format("{:<10} {:<32} {:<22} {} cases", topic, count_of_laws(of_topic),
+    lines.push_back(fmt::format("{:<10} {:<32} {:<22} {} {}", topic, count_of_laws(of_topic),
                                 fmt::format("{} subject{}", subjects.size(), subjects.size() == 1 ? "" : "s"),
-                                grouped(cases)));
+                                grouped(cases), are_statements ? "statements" : "cases"));
   }
   return lines;
 }

@@ -22,6 +22,9 @@ struct Row {
 /// The rows of a report, in the order of its results. They point into the report.
 std::vector<Row> rows_of(const proofs::Report& report);
 
+/// "levels 0..2": the levels with the row's verdict, and of which ones: "level 2 of 0..2".
+std::string levels_of(const Row& row);
+
 /// The row as a line: verdict, law, subject if `name_subject`, levels, cases.
 std::string row_line(const Row& row, bool name_subject);
 

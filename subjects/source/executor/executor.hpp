@@ -137,6 +137,8 @@ class Executor {
   // library.cpp, intrinsics.cpp: functions without a body.
   bool call_instruction(State& s, const llvm::CallBase& i);
   bool call_library(State& s, const llvm::CallBase& i, const std::string& name);
+  /// A call of a function that does not return is an obligation. Returns false.
+  bool never_called(State& s, const std::string& symbol, const llvm::Instruction& i);
   /// The next call's own copy of the variable.
   ValuePtr copied(State& s, const ValuePtr& p, llvm::Type& type, const llvm::Instruction& at);
   bool call_law(State& s, const llvm::CallBase& i, const std::string& name);

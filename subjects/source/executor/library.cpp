@@ -1,4 +1,6 @@
 // Calls: functions with a body, the laws' own functions, and those of C's library that codecs use.
+#include <llvm/Demangle/Demangle.h>
+
 #include "subjects/source/executor/executor.hpp"
 
 namespace mmverify::source::executor {
@@ -36,6 +38,7 @@ bool Executor::call_instruction(State& s, const llvm::CallBase& i) {
   // A function of the codec's own may have the name of one of the law's, which have no body.
   if (f->isDeclaration() && call_law(s, i, name)) return s.when != never;
   if (f->isDeclaration()) return call_library(s, i, name);
+  if (f->doesNotReturn()) return never_called(s, name, i);
   if (f->isVarArg()) throw Unreadable(i, name + " takes any number of arguments");
   std::vector<ValuePtr> arguments;
   for (unsigned k = 0; k < i.arg_size(); ++k) {
@@ -67,6 +70,16 @@ ValuePtr Executor::copied(State& s, const ValuePtr& p, llvm::Type& type, const l
   copy.call = calls_ + 1;
   s.memory.add(++objects_, std::move(copy));
   return pointer(objects_);
+}
+
+bool Executor::never_called(State& s, const std::string& symbol, const llvm::Instruction& i) {
+  // Rust's names end in a hash.
+  std::string name = llvm::demangle(symbol);
+  if (const std::size_t hash = name.rfind("::h"); hash != std::string::npos && name.size() == hash + 19)
+    name.resize(hash);
+  require_never(Duty::ends, always, i, name + " is called, which does not return");
+  s.when = never;
+  return false;
 }
 
 bool Executor::call_law(State& s, const llvm::CallBase& i, const std::string& name) {
@@ -121,9 +134,7 @@ bool Executor::call_library(State& s, const llvm::CallBase& i, const std::string
   } else if (name == "memcmp" || name == "bcmp") {
     s.values[&i] = compared_bytes(s, argument(0), argument(1), size(2), i);
   } else if (i.doesNotReturn()) {
-    require_never(Duty::ends, always, i, name + " is called, which does not return");
-    s.when = never;
-    return false;
+    return never_called(s, name, i);
   } else {
     throw Unreadable(i, "a call of " + name + ", which has no body here");
   }
