@@ -56,6 +56,15 @@ std::string proof_name(const Result& r, const Question& q) {
                      q.size);
 }
 
+/// The question is about a codec's contract; no case of the law breaks it.
+bool is_about_contract(const Question& q) { return q.file.starts_with("contract"); }
+
+/// The name of a step of a contract, which several laws and levels need; empty for other questions.
+std::string step_name(const Question& q) {
+  if (!is_about_contract(q) || !q.function.starts_with("step_")) return {};
+  return fmt::format("{} {} {}", q.function, q.format, q.size);
+}
+
 /// Throws NotValid if a step of the certificate does not follow.
 void check_certificate(const std::string& file, const std::function<void()>& stop) {
   std::ifstream in(file);
@@ -89,7 +98,8 @@ CodecProof::CodecProof(const std::string& file, const std::vector<std::string>& 
     throw EnvironmentError(fmt::format("{}: {}", file, why.what()));
   }
   facts_ = {[library = library_](dock::Call call) { return library->offers(call); },
-            library_->description().flags, library_->description().max_level};
+            library_->description().flags, library_->description().max_level,
+            codec_->bitcode().find("mmverify_contract_v1") != std::string::npos};
 }
 
 std::string CodecProof::replayed_by(const std::string& law) const {
@@ -115,6 +125,12 @@ Result CodecProof::named(const CodecLaw& law, Level level, unsigned format) cons
 
 void CodecProof::refute(Result& r, const Question& question, const source::CodecAnswer& answer,
                         const CodecBudget& budget) {
+  if (is_about_contract(question)) {
+    r.verdict = Verdict::incomplete;
+    r.reason = fmt::format("the codec's contract is not kept, {} at level {}: {}", question.function,
+                           question.level, answer.text);
+    return;
+  }
   const std::vector<std::uint64_t> numbers = numbers_of(question, answer.choices);
   const std::string at = codecs::text_of(question, numbers);
   const source::CodecRun run = codec_->run(call_of(question), answer.choices, budget.stop);
@@ -154,40 +170,46 @@ std::optional<std::string> CodecProof::doubt(Result& r, const Question& q, const
   return why;
 }
 
-Result CodecProof::judge(const CodecLaw& law, Level level, unsigned format, const CodecBudget& budget) {
-  Result r = named(law, level, format);
-  const std::vector<Question> all = codecs::questions(law, facts_, level, format);
-  r.cases_expected = all.size();
+void CodecProof::settle(Result& r, const Questions& questions, const CodecBudget& budget) {
   const auto begun = std::chrono::steady_clock::now();
-  const auto seconds = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  const auto left = [&] {
+    return budget.seconds - std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   };
+  r.cases_expected = questions.size();
   r.verdict = Verdict::proved;
-  try {
-    for (const Question& question : all) {
-      const double left = budget.seconds - seconds();
-      source::CodecAnswer answer;
-      const std::string certificate = certificate_of(r, question, budget);
-      if (left > 0)
-        answer = codec_->prove(call_of(question), {left, budget.stop, budget.progress, certificate});
-      if (answer.kind == source::CodecAnswer::Kind::refuted) {
-        ++statements(r);
-        refute(r, question, answer, budget);
-        break;
-      }
-      if (answer.kind == source::CodecAnswer::Kind::unknown) {
-        r.verdict = Verdict::incomplete;
-        r.reason = fmt::format("not settled within {:g} s; {} of {} statements proved{}{}", budget.seconds,
-                               statements(r), all.size(), answer.text.empty() ? "" : "; ", answer.text);
-        break;
-      }
-      if (const auto why = doubt(r, question, certificate, budget)) {
-        r.verdict = Verdict::incomplete;
-        r.reason = *why;
-        break;
-      }
+  for (const Question& question : questions) {
+    const std::string name = step_name(question);
+    if (steps_.contains(name)) {
       ++statements(r);
+      continue;
     }
+    source::CodecAnswer answer;
+    const std::string certificate = certificate_of(r, question, budget);
+    if (left() > 0)
+      answer = codec_->prove(call_of(question), {left(), budget.stop, budget.progress, certificate});
+    if (answer.kind == source::CodecAnswer::Kind::refuted) {
+      ++statements(r);
+      return refute(r, question, answer, budget);
+    }
+    r.verdict = Verdict::incomplete;
+    if (answer.kind == source::CodecAnswer::Kind::unknown) {
+      r.reason = fmt::format("not settled within {:g} s; {} of {} statements proved{}{}", budget.seconds,
+                             statements(r), questions.size(), answer.text.empty() ? "" : "; ", answer.text);
+      return;
+    }
+    if (const auto why = doubt(r, question, certificate, budget)) {
+      r.reason = *why;
+      return;
+    }
+    r.verdict = Verdict::proved;
+    if (!name.empty()) steps_.insert(name);
+    ++statements(r);
+  }
+}
+
+void CodecProof::ask(Result& r, const Questions& questions, const CodecBudget& budget) {
+  try {
+    settle(r, questions, budget);
   } catch (const certificate::NotValid& why) {
     r.verdict = Verdict::incomplete;
     r.reason = fmt::format(
@@ -200,7 +222,25 @@ Result CodecProof::judge(const CodecLaw& law, Level level, unsigned format, cons
     r.verdict = Verdict::not_applicable;
     r.reason = why.what();
   }
-  r.seconds = seconds();
+}
+
+Result CodecProof::judge(const CodecLaw& law, Level level, unsigned format, const CodecBudget& budget) {
+  Result r = named(law, level, format);
+  const auto begun = std::chrono::steady_clock::now();
+  const Questions by_contract = codecs::questions_by_contract(law, facts_, level, format);
+  if (!by_contract.empty()) {
+    r.proof = "SAT, by contract";
+    r.method =
+        "SAT from level to level, by the codec's contract" + r.method.substr(std::string("SAT").size());
+    ask(r, by_contract, budget);
+  }
+  // A level that one formula may settle is settled, whatever the contract says.
+  const bool within = level <= law.long_run.last || law.fixed;
+  if (by_contract.empty() || (r.verdict != Verdict::proved && r.reason != "interrupted" && within)) {
+    r = named(law, level, format);
+    ask(r, codecs::questions(law, facts_, level, format), budget);
+  }
+  r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   return r;
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,10 @@ class CodecProof {
   /// Errors: certificate::NotValid; what budget.stop throws.
   std::optional<std::string> doubt(proofs::Result& r, const proofs::codecs::Question& q,
                                    const std::string& certificate, const CodecBudget& budget) const;
+  using Questions = std::vector<proofs::codecs::Question>;
+  /// Asks them one after another, until one is not proved.
+  void ask(proofs::Result& r, const Questions& questions, const CodecBudget& budget);
+  void settle(proofs::Result& r, const Questions& questions, const CodecBudget& budget);
   void refute(proofs::Result& result, const proofs::codecs::Question& question,
               const source::CodecAnswer& answer, const CodecBudget& budget);
 
@@ -70,6 +75,7 @@ class CodecProof {
   std::shared_ptr<source::Codec> codec_;
   dock::LibraryPtr library_;
   proofs::codecs::Facts facts_;
+  std::set<std::string> steps_;  ///< of contracts, proved
 };
 
 }  // namespace mmverify::cli

@@ -24,22 +24,18 @@ static int uniform(const uint8_t* map, uint32_t bits, uint32_t level, size_t fir
   return 1;
 }
 
-typedef struct {
-  size_t nodes, leaves;
-} Size;
-
-static void measure(const uint8_t* map, uint32_t bits, uint32_t level, size_t first, Size* size) {
-  ++size->nodes;
+static void measure(uint32_t level, uint32_t bits, const uint8_t* map, size_t first, mmverify_place_t* at) {
+  ++at->nodes;
   if (uniform(map, bits, level, first)) {
-    ++size->leaves;
+    ++at->leaves;
     return;
   }
   for (size_t child = 0; child < 4; ++child)
-    measure(map, bits, level - 1, first + (child << 2 * (level - 1)), size);
+    measure(level - 1, bits, map, first + (child << 2 * (level - 1)), at);
 }
 
-static void write(const uint8_t* map, uint32_t bits, uint32_t level, size_t first, uint8_t* tree,
-                  uint8_t* data, Size* at) {
+static void write(uint32_t level, uint32_t bits, const uint8_t* map, size_t first, uint8_t* tree,
+                  uint8_t* data, mmverify_place_t* at) {
   const int leaf = uniform(map, bits, level, first);
   put(tree, 1, at->nodes++, !leaf);
   if (leaf) {
@@ -47,37 +43,39 @@ static void write(const uint8_t* map, uint32_t bits, uint32_t level, size_t firs
     return;
   }
   for (size_t child = 0; child < 4; ++child)
-    write(map, bits, level - 1, first + (child << 2 * (level - 1)), tree, data, at);
+    write(level - 1, bits, map, first + (child << 2 * (level - 1)), tree, data, at);
 }
 
 static size_t tree_encode(uint32_t level, uint32_t bits, const uint8_t* map, uint8_t* code, size_t capacity) {
-  Size size = {0, 0}, at = {0, 0};
-  measure(map, bits, level, 0, &size);
+  mmverify_place_t size = {0, 0}, at = {0, 0};
+  measure(level, bits, map, 0, &size);
   const size_t tree_bytes = bytes_of(1, size.nodes), all = tree_bytes + bytes_of(bits, size.leaves);
   if (capacity < all) return all;
   memset(code, 0, all);
-  write(map, bits, level, 0, code, code + tree_bytes, &at);
+  write(level, bits, map, 0, code, code + tree_bytes, &at);
   return all;
 }
 
 /* ---- decoding ---- */
 
-/* Nodes of a tree of at most `most` bits; 0 if it does not end there. */
-static size_t tree_length(const uint8_t* tree, size_t most) {
-  size_t owed = 1, t = 0;
-  for (; owed > 0; ++t) {
-    if (t == most) return 0;
-    owed = get(tree, 1, t) ? owed + 3 : owed - 1;
+/* Passes over a subtree; 0 if it does not end within `most` bits or has nodes below the last level. */
+static int skip(uint32_t level, const uint8_t* tree, size_t most, mmverify_place_t* at) {
+  if (at->nodes >= most) return 0;
+  if (!get(tree, 1, at->nodes++)) {
+    ++at->leaves;
+    return 1;
   }
-  return t;
+  if (level == 0) return 0;
+  for (size_t child = 0; child < 4; ++child)
+    if (!skip(level - 1, tree, most, at)) return 0;
+  return 1;
 }
 
-static int read_subtree(const uint8_t* tree, const uint8_t* data, uint32_t bits, uint32_t level, size_t first,
-                        Size* at, uint8_t* map) {
+static int read(uint32_t level, uint32_t bits, const uint8_t* tree, const uint8_t* data, size_t first,
+                mmverify_place_t* at, uint8_t* map) {
   if (get(tree, 1, at->nodes++)) {
-    if (level == 0) return 0;
     for (size_t child = 0; child < 4; ++child)
-      if (!read_subtree(tree, data, bits, level - 1, first + (child << 2 * (level - 1)), at, map)) return 0;
+      if (!read(level - 1, bits, tree, data, first + (child << 2 * (level - 1)), at, map)) return 0;
     return !uniform(map, bits, level, first); /* or it would have been a leaf */
   }
   const unsigned state = get(data, bits, at->leaves++);
@@ -86,45 +84,43 @@ static int read_subtree(const uint8_t* tree, const uint8_t* data, uint32_t bits,
 }
 
 static int tree_decode(uint32_t level, uint32_t bits, const uint8_t* code, size_t code_size, uint8_t* map) {
-  const size_t nodes = tree_length(code, 8 * code_size), leaves = nodes - nodes / 4;
-  const size_t tree_bytes = bytes_of(1, nodes);
-  if (nodes == 0 || code_size != tree_bytes + bytes_of(bits, leaves)) return 0;
+  mmverify_place_t end = {0, 0}, at = {0, 0};
+  if (!skip(level, code, 8 * code_size, &end)) return 0;
+  const size_t tree_bytes = bytes_of(1, end.nodes);
+  if (code_size != tree_bytes + bytes_of(bits, end.leaves)) return 0;
   /* the bits after the last */
-  for (size_t t = nodes; t < 8 * tree_bytes; ++t)
+  for (size_t t = end.nodes; t < 8 * tree_bytes; ++t)
     if (get(code, 1, t)) return 0;
-  for (size_t t = bits * leaves; t < 8 * (code_size - tree_bytes); ++t)
+  for (size_t t = bits * end.leaves; t < 8 * (code_size - tree_bytes); ++t)
     if (get(code + tree_bytes, 1, t)) return 0;
-  Size at = {0, 0};
   memset(map, 0, bytes_of(bits, (size_t)1 << 2 * level));
-  return read_subtree(code, code + tree_bytes, bits, level, 0, &at, map);
+  return read(level, bits, code, code + tree_bytes, 0, &at, map);
 }
 
 /* ---- Algorithm 3 ---- */
 
-/* Passes over `child` subtrees. */
-static void bitscan(const uint8_t* tree, size_t child, Size* at) {
-  for (; child > 0; --child, ++at->nodes) {
-    if (get(tree, 1, at->nodes))
-      child += 4;
-    else
-      ++at->leaves;
-  }
+static unsigned find(uint32_t level, uint32_t bits, const uint8_t* tree, const uint8_t* data, size_t most,
+                     size_t index, mmverify_place_t* at) {
+  if (!get(tree, 1, at->nodes++)) return get(data, bits, at->leaves);
+  for (size_t child = index >> 2 * (level - 1) & 3; child > 0; --child) skip(level - 1, tree, most, at);
+  return find(level - 1, bits, tree, data, most, index, at);
 }
 
-static unsigned state_at(uint32_t level, uint32_t bits, const uint8_t* tree, const uint8_t* data,
-                         size_t index) {
-  Size at = {0, 0};
-  while (get(tree, 1, at.nodes)) {
-    ++at.nodes;
-    bitscan(tree, index >> 2 * --level & 3, &at);
-  }
-  return get(data, bits, at.leaves);
+static unsigned state_at(uint32_t level, uint32_t bits, const uint8_t* tree, size_t nodes, size_t index) {
+  mmverify_place_t at = {0, 0};
+  return find(level, bits, tree, tree + bytes_of(1, nodes), nodes, index, &at);
+}
+
+static size_t nodes_of(uint32_t level, const uint8_t* code, size_t code_size) {
+  mmverify_place_t end = {0, 0};
+  skip(level, code, 8 * code_size, &end);
+  return end.nodes;
 }
 
 static void tree_lookup(uint32_t level, uint32_t bits, const uint8_t* code, size_t code_size,
                         const uint32_t* index, uint8_t* state, size_t count) {
-  const uint8_t* data = code + bytes_of(1, tree_length(code, 8 * code_size));
-  for (size_t k = 0; k < count; ++k) state[k] = (uint8_t)state_at(level, bits, code, data, index[k]);
+  const size_t nodes = nodes_of(level, code, code_size);
+  for (size_t k = 0; k < count; ++k) state[k] = (uint8_t)state_at(level, bits, code, nodes, index[k]);
 }
 
 /* ---- points: the bit formula of VK_EXT_opacity_micromap. Algorithm 4 and the formula's own sum of
@@ -156,9 +152,15 @@ static size_t index_of(uint32_t level, float u, float v) {
 
 static void tree_lookup_f32(uint32_t level, uint32_t bits, const uint8_t* code, size_t code_size,
                             const float* u, const float* v, uint8_t* state, size_t count) {
-  const uint8_t* data = code + bytes_of(1, tree_length(code, 8 * code_size));
+  const size_t nodes = nodes_of(level, code, code_size);
   for (size_t k = 0; k < count; ++k)
-    state[k] = (uint8_t)state_at(level, bits, code, data, index_of(level, u[k], v[k]));
+    state[k] = (uint8_t)state_at(level, bits, code, nodes, index_of(level, u[k], v[k]));
+}
+
+/* Not needed by a subject: the recursion, for a proof at each level. */
+const mmverify_contract_t* mmverify_contract_v1(void) {
+  static const mmverify_contract_t contract = {sizeof contract, measure, write, skip, read, find};
+  return &contract;
 }
 
 const mmverify_subject_t* mmverify_subject_v1(void) {

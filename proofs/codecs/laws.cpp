@@ -193,6 +193,11 @@ void add_tree_laws(std::vector<CodecLaw>& all) {
         both,
         hostile,
         code}});
+  all[0].by_contract = {
+      "contract.c", {"step_of_skip", "step_of_read"}, {"encode_by_contract", "decode_by_contract"}};
+  all[1].by_contract = {"contract.c", {"step_of_skip", "step_of_find"}, {"lookup_by_contract"}};
+  all[2].by_contract = {"contract.c", {"step_of_spec"}, {"spec_by_contract"}};
+  all[3].by_contract = all[4].by_contract = {"contract_any.c", {"step_of_any_bits"}, {"decode_any_bytes"}};
 }
 
 void add_micromap_laws(std::vector<CodecLaw>& all) {
@@ -378,6 +383,19 @@ std::vector<Question> questions(const CodecLaw& law, const Facts& facts, Level l
       all.push_back({h.file, h.function, level, bits, size,
                      h.begins != nullptr ? h.begins : format_name(bits), h.chosen(level, bits, size)});
   }
+  return all;
+}
+
+std::vector<Question> questions_by_contract(const CodecLaw& law, const Facts& facts, Level level,
+                                            unsigned format) {
+  std::vector<Question> all;
+  if (!facts.has_contract || law.by_contract.wholes.empty() || level < by_contract_from) return all;
+  const auto ask = [&](const char* function, Level n) {
+    all.push_back({law.by_contract.file, function, n, format, n, format_name(format), {}});
+  };
+  for (Level n = 0; n <= level; ++n)
+    for (const char* step : law.by_contract.steps) ask(step, n);
+  for (const char* whole : law.by_contract.wholes) ask(whole, level);
   return all;
 }
 

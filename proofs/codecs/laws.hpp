@@ -39,6 +39,7 @@ struct Facts {
   std::function<bool(dock::Call)> offers;
   std::uint32_t flags = 0;
   Level max_level = 0;
+  bool has_contract = false;  ///< it names its recursion: mmverify_contract_v1
 };
 
 /// A harness's function as part of a law: it is asked where the codec has the entry points and the flag.
@@ -52,6 +53,12 @@ struct Harness {
   const char* begins = nullptr;  ///< null: the format
 };
 
+/// How a law is proved from level to level: functions of a file, for the subtrees of each level and for the entry points.
+struct ByContract {
+  const char* file = "";
+  std::vector<const char*> steps, wholes;
+};
+
 struct CodecLaw {
   const char* id;  ///< of the law of the registry that it proves
   Levels fast, long_run;
@@ -60,6 +67,7 @@ struct CodecLaw {
   std::function<std::string(Level, unsigned format)> domain;
   const char* sampled;  ///< the law that runs on the compiled codec if the budget is spent
   std::vector<Harness> harnesses;
+  ByContract by_contract = {};
 };
 
 const std::vector<CodecLaw>& laws();
@@ -69,6 +77,14 @@ std::optional<std::string> unfit(const CodecLaw& law, const Facts& facts, Level 
 
 /// The questions that a law is proved by.  Domain: unfit() gives no reason.
 std::vector<Question> questions(const CodecLaw& law, const Facts& facts, Level level, unsigned format);
+
+/// The questions that a law is proved by from level to level; none below `by_contract_from`, or if the law or the codec
+/// has no contract. No case breaks one of them: a step takes codes that no map has.
+std::vector<Question> questions_by_contract(const CodecLaw& law, const Facts& facts, Level level,
+                                            unsigned format);
+
+/// Up to the level below, all maps are one formula.
+inline constexpr Level by_contract_from = 3;
 
 /// "2-state", "4-state".
 std::string format_name(unsigned format);

@@ -631,6 +631,44 @@ const mmverify_subject_t* mmverify_subject_v1(void);
  * for that reason. */
 const char* mmverify_subject_v1_not_here(void);
 
+/* ---- A tree codec by recursion, for proofs at levels that have too many maps for one formula ---- */
+
+/* A place in the two sequences of a code: bits of the tree, and states of the data, before it. */
+typedef struct mmverify_place {
+  size_t nodes, leaves;
+} mmverify_place_t;
+
+/* The recursive functions of a tree codec. tree_encode, tree_decode and tree_lookup call them, and each calls itself,
+ * or skip, for the four subtrees of the level below. They keep a contract, which `mmverify prove --source` proves from
+ * level to level: a subtree of `level` is that of the states from number `first` on; it has 4 j + 1 nodes and 3 j + 1
+ * leaves for some j. Packing and order of the bits are those of a map, the lowest bits of a byte first. `tree` and
+ * `data` begin where the code's sequences do. A function that the codec does not have is null. */
+typedef struct mmverify_contract {
+  size_t size; /* sizeof(mmverify_contract_t) */
+
+  /* Moves `at` over the subtree of the map. */
+  void (*measure)(uint32_t level, uint32_t format, const uint8_t* map, size_t first, mmverify_place_t* at);
+
+  /* Writes the subtree's nodes and leaves into zeros, from `at` on, and moves `at` over them. */
+  void (*write)(uint32_t level, uint32_t format, const uint8_t* map, size_t first, uint8_t* tree,
+                uint8_t* data, mmverify_place_t* at);
+
+  /* Moves `at` over the subtree, of which no more than `most` bits of the tree may be read. */
+  int (*skip)(uint32_t level, const uint8_t* tree, size_t most, mmverify_place_t* at);
+
+  /* Writes the subtree's states into zeros of the map, and moves `at` over the subtree. */
+  int (*read)(uint32_t level, uint32_t format, const uint8_t* tree, const uint8_t* data, size_t first,
+              mmverify_place_t* at, uint8_t* map);
+
+  /* The state at index % 4^level of the subtree at `at`. */
+  unsigned (*find)(uint32_t level, uint32_t format, const uint8_t* tree, const uint8_t* data, size_t most,
+                   size_t index, mmverify_place_t* at);
+} mmverify_contract_t;
+
+/* Exported, beside mmverify_subject_v1, by codecs that are to be proved in that way. skip and read return 1 for the
+ * code of a map. */
+const mmverify_contract_t* mmverify_contract_v1(void);
+
 #ifdef __cplusplus
 }
 #endif

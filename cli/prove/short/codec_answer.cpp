@@ -53,6 +53,14 @@ std::string domain_of(const Row& row) {
   return text;
 }
 
+/// "SAT; SAT, by contract": the ways of the proofs, in their order.
+std::string proofs_of(const Row& row) {
+  std::vector<std::string> all;
+  for (const Result* r : row.judged)
+    if (std::find(all.begin(), all.end(), r->proof) == all.end()) all.push_back(r->proof);
+  return fmt::format("{}", fmt::join(all, "; "));
+}
+
 std::string law_line(const Row& row) {
   double seconds = 0;
   std::uint64_t cases = 0;
@@ -62,7 +70,7 @@ std::string law_line(const Row& row) {
   }
   const Result& last = *row.judged.back();
   const std::string what = last.proof.empty() ? fmt::format("{} cases, a sample", grouped(cases))
-                                              : fmt::format("{} ({})", domain_of(row), last.proof);
+                                              : fmt::format("{} ({})", domain_of(row), proofs_of(row));
   return fmt::format("{:<9} {} {} {}{}: {} {:.1f} s", codec_verdict(row.verdict, last.reason), last.law,
                      last.subject, levels_of(row), formats_of(row), what, seconds);
 }

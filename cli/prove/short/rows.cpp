@@ -112,7 +112,7 @@ std::vector<std::string> topic_lines(const std::vector<Row>& rows) {
       of_topic.push_back(row);
       subjects.insert(row.first->subject);
       cases += sum(row, &Result::cases_run);
-      are_statements = are_statements || row.first->proof == "SAT";
+      are_statements = are_statements || row.first->proof.starts_with("SAT");
     }
     if (of_topic.empty()) continue;
     lines.push_back(fmt::format("{:<10} {:<32} {:<22} {} {}", topic, count_of_laws(of_topic),

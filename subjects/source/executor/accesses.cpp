@@ -86,19 +86,24 @@ const Object* Executor::object_at(const State& s, const Target& t, Literal condi
   return object;
 }
 
-std::vector<std::pair<Literal, std::size_t>> Executor::offsets(const Object& object, const Word& offset,
-                                                               std::size_t bytes, Literal condition,
-                                                               const llvm::Instruction& at,
-                                                               const char* access) {
-  const std::size_t size = object.cells.size();
-  const std::string what = object.name + " is " + access + " outside of its " +
-                           (object.size.empty() ? std::to_string(size) + " bytes" : "bytes");
+void Executor::require_within(const Object& object, const Word& offset, std::size_t bytes, Literal condition,
+                              const llvm::Instruction& at, const char* access) {
   // The access ends beyond the object: size < offset + bytes, with a bit for the carry.
   const Word end = circuit::sum(graph_, circuit::resized(offset, pointer_bits + 1, false),
                                 circuit::constant(bytes, pointer_bits + 1));
   const Literal outside =
       circuit::less(graph_, circuit::resized(size_of(object), pointer_bits + 1, false), end);
-  require_never(Duty::bounds, graph_.both(condition, outside), at, what);
+  require_never(Duty::bounds, graph_.both(condition, outside), at,
+                object.name + " is " + access + " outside of its " +
+                    (object.size.empty() ? std::to_string(object.cells.size()) + " bytes" : "bytes"));
+}
+
+std::vector<std::pair<Literal, std::size_t>> Executor::offsets(const Object& object, const Word& offset,
+                                                               std::size_t bytes, Literal condition,
+                                                               const llvm::Instruction& at,
+                                                               const char* access) {
+  const std::size_t size = object.cells.size();
+  require_within(object, offset, bytes, condition, at, access);
   if (const auto place = circuit::value_of(offset)) {
     if (*place > size || bytes > size - *place) return {};
     return {{always, *place}};
@@ -114,6 +119,10 @@ std::vector<std::pair<Literal, std::size_t>> Executor::offsets(const Object& obj
 
 ValuePtr Executor::load_from(const Object& object, const Target& t, std::size_t bytes, const llvm::Type& type,
                              Literal condition, const llvm::Instruction& at) {
+  if (!object.watched.empty()) {
+    require_within(object, t.offset, bytes, condition, at, "read");
+    return load_watched(object, t.offset, bytes);
+  }
   const auto places = offsets(object, t.offset, bytes, condition, at, "read");
   if (places.size() == 1 && places.front().first == always)
     return loaded(object, places.front().second, bytes);
@@ -164,7 +173,7 @@ void Executor::require_aligned(const State& s, const ValuePtr& p, std::uint64_t 
     const Object* object = t.object > 0 ? s.memory.find(t.object) : nullptr;
     if (object == nullptr) continue;
     const Word low(t.offset.begin(), t.offset.begin() + std::countr_zero(align));
-    const bool of_law = at.getFunction()->hasFnAttribute(law_attribute);
+    const bool of_law = at.getFunction()->hasFnAttribute(law_mark);
     const std::uint64_t known = object->promised == 0 || of_law ? object->align : object->promised;
     const Literal off = known < align ? always : circuit::not_zero(graph_, low);
     require_never(
@@ -242,6 +251,11 @@ void Executor::store(State& s, const ValuePtr& p, const ValuePtr& v, Literal whe
     if (object == nullptr) continue;
     if (object->constant)
       require_never(Duty::constants, here, at, "the constant " + object->name + " is written");
+    if (!object->watched.empty()) {
+      require_within(*object, t.offset, bytes, here, at, "written");
+      store_watched(s.memory.writable(t.object), t.offset, whole, here);
+      continue;
+    }
     const auto places = offsets(*object, t.offset, bytes, here, at, "written");
     if (places.empty()) continue;
     require_no_state(*object, at);

@@ -22,8 +22,8 @@
 
 namespace mmverify::source::executor {
 
-/// The attribute of the law's own functions, whose buffers of bytes may lie at any address.
-inline constexpr const char* law_attribute = "mmverify-law";
+/// The attribute of functions and variables of the law, not of the codec. The law's buffers of bytes may lie at any address.
+inline constexpr const char* law_mark = "mmverify-law";
 
 /// A number that the law chose: what a counterexample consists of.
 struct Choice {
@@ -66,7 +66,7 @@ class Executor {
 
   // run.cpp: calls, blocks and edges.
   /// The function's result; the state goes on after its return, or has the condition `never`.
-  ValuePtr call(llvm::Function& function, const std::vector<ValuePtr>& arguments, State& state,
+  ValuePtr call(llvm::Function& called, const std::vector<ValuePtr>& arguments, State& state,
                 const llvm::Instruction* at);
   void run_block(Call& c, const llvm::BasicBlock& block, State state);
   void end_block(Call& c, const llvm::Instruction& end, State state);
@@ -166,7 +166,22 @@ class Executor {
   ValuePtr compared_bytes(State& s, const ValuePtr& a, const ValuePtr& b, const Word& size,
                           const llvm::Instruction& at);
   void require_apart(const ValuePtr& to, const ValuePtr& from, const Word& size, const llvm::Instruction& at);
-  std::size_t most_bytes(const State& s, const ValuePtr& p, const Word& size) const;
+  std::size_t most_bytes(const State& s, const ValuePtr& p, const Word& size,
+                         const llvm::Instruction& at) const;
+
+  // contracts.cpp: memory of which few bytes are watched, and functions that others stand for.
+  /// The function that runs where the codec calls this one.
+  llvm::Function& stand_in(llvm::Function& function, const llvm::Instruction* at) const;
+  void put_in_place(State& s, const llvm::CallBase& i);
+  ValuePtr watched_memory(State& s, const llvm::CallBase& i);
+  /// The bytes are within the object.
+  void require_within(const Object& object, const Word& offset, std::size_t bytes, Literal condition,
+                      const llvm::Instruction& at, const char* access);
+  ValuePtr load_watched(const Object& object, const Word& offset, std::size_t bytes);
+  void store_watched(Object& object, const Word& offset, const ValuePtr& value, Literal when);
+  /// Sets bytes of watched memory; false if the pointer leads to other memory.
+  bool fill_watched(State& s, const ValuePtr& to, const ValuePtr& byte, const Word& size,
+                    const llvm::Instruction& at);
 
   /// The path is taken, all calls around it included.
   Literal condition(const State& s) const;
@@ -183,6 +198,7 @@ class Executor {
   std::map<const llvm::GlobalVariable*, int> globals_;
   std::map<int, llvm::Function*> functions_;
   std::map<const llvm::Function*, int> function_numbers_;
+  std::map<const llvm::Function*, llvm::Function*> stand_ins_;
   std::vector<Choice> choices_;
   std::function<void()> each_step_;
   Literal outer_ = always;    ///< the calls around are made

@@ -97,6 +97,14 @@ bool Executor::call_law(State& s, const llvm::CallBase& i, const std::string& na
     s.values[&i] = number(circuit::resized(word, width, false));
     return true;
   }
+  if (name == "stands_for") {
+    put_in_place(s, i);
+    return true;
+  }
+  if (name == "watched_memory") {
+    s.values[&i] = watched_memory(s, i);
+    return true;
+  }
   if (name != "check" && name != "assume") return false;
   const ValuePtr holds = numeric(s, i.getArgOperand(0), i);
   require_set(holds, i, "the answer depends on a value that was never set");
@@ -171,11 +179,15 @@ void Executor::release(State& s, const ValuePtr& p, const llvm::Instruction& at)
   }
 }
 
-std::size_t Executor::most_bytes(const State& s, const ValuePtr& p, const Word& size) const {
+std::size_t Executor::most_bytes(const State& s, const ValuePtr& p, const Word& size,
+                                 const llvm::Instruction& at) const {
   std::size_t most = 0;
   for (const Target& t : p->targets)
-    if (const Object* object = t.object > 0 ? s.memory.find(t.object) : nullptr)
+    if (const Object* object = t.object > 0 ? s.memory.find(t.object) : nullptr) {
+      if (!object->watched.empty())
+        throw Unreadable(at, "bytes copied or compared one by one, in a proof by contract");
       most = std::max(most, object->cells.size());
+    }
   return std::min<std::uint64_t>(most, circuit::at_most(size));
 }
 
@@ -205,7 +217,7 @@ void Executor::require_apart(const ValuePtr& to, const ValuePtr& from, const Wor
 void Executor::copy(State& s, const ValuePtr& to, const ValuePtr& from, const Word& size, bool may_overlap,
                     const llvm::Instruction& at) {
   if (!is_pointer(to) || !is_pointer(from)) throw Unreadable(at, "a number taken for a pointer");
-  const std::size_t most = std::max(most_bytes(s, to, size), most_bytes(s, from, size));
+  const std::size_t most = std::max(most_bytes(s, to, size, at), most_bytes(s, from, size, at));
   require_never(Duty::bounds, circuit::less(graph_, circuit::constant(most, size.size()), size), at,
                 "a copy of more bytes than there are");
   if (!may_overlap) require_apart(to, from, size, at);
@@ -254,11 +266,12 @@ void Executor::copy_cells(State& s, const Target& to, const Target& from, std::s
 void Executor::fill(State& s, const ValuePtr& to, const ValuePtr& byte, const Word& size,
                     const llvm::Instruction& at) {
   if (!is_pointer(to)) throw Unreadable(at, "a number taken for a pointer");
-  const std::size_t most = most_bytes(s, to, size);
-  require_never(Duty::bounds, circuit::less(graph_, circuit::constant(most, size.size()), size), at,
-                "more bytes are set than there are");
   const ValuePtr one = number(circuit::resized(byte->bits, 8, false),
                               byte->unset.empty() ? Word{} : circuit::resized(byte->unset, 8, false));
+  if (fill_watched(s, to, one, size, at)) return;
+  const std::size_t most = most_bytes(s, to, size, at);
+  require_never(Duty::bounds, circuit::less(graph_, circuit::constant(most, size.size()), size), at,
+                "more bytes are set than there are");
   const Literal running = running_;
   for (std::size_t k = 0; k < most; ++k) {
     const Literal here = goes_on(graph_, size, k);
@@ -270,7 +283,7 @@ void Executor::fill(State& s, const ValuePtr& to, const ValuePtr& byte, const Wo
 
 ValuePtr Executor::compared_bytes(State& s, const ValuePtr& a, const ValuePtr& b, const Word& size,
                                   const llvm::Instruction& at) {
-  const std::size_t most = std::max(most_bytes(s, a, size), most_bytes(s, b, size));
+  const std::size_t most = std::max(most_bytes(s, a, size, at), most_bytes(s, b, size, at));
   require_never(Duty::bounds, circuit::less(graph_, circuit::constant(most, size.size()), size), at,
                 "more bytes are compared than there are");
   const llvm::Type& byte = *llvm::Type::getInt8Ty(module_.getContext());

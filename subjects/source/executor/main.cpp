@@ -113,7 +113,9 @@ void say_choices(const std::vector<executor::Choice>& choices, const circuit::Gr
 /// The law and the codec as one module.
 std::unique_ptr<llvm::Module> linked(const Options& o, llvm::LLVMContext& context) {
   std::unique_ptr<llvm::Module> module = read(o.law, context);
-  for (llvm::Function& f : *module) f.addFnAttr(executor::law_attribute);
+  for (llvm::Function& f : *module)
+    if (!f.isDeclaration()) f.addFnAttr(executor::law_mark);
+  for (llvm::GlobalVariable& g : module->globals()) g.addAttribute(executor::law_mark);
   std::unique_ptr<llvm::Module> codec = read(o.codec, context);
   if (llvm::Linker::linkModules(*module, std::move(codec)))
     throw BadFile(o.codec + ": it does not link with " + o.law);

@@ -28,6 +28,8 @@ struct Object {
       0;                  ///< a law's variable: an entry point may rely on no more than this; 0: on `align`
   bool constant = false;  ///< no program may write it
   bool lasting = false;   ///< it is a global variable
+  /// Where the content of most bytes is any at each read: the places of the others, one for each cell; else empty.
+  std::vector<Word> watched;
 };
 
 /// The bytes of a value, as memory has it.

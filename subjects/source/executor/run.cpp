@@ -57,8 +57,9 @@ std::vector<unsigned> Executor::key(const Call& c, const llvm::BasicBlock* block
   return key;
 }
 
-ValuePtr Executor::call(llvm::Function& function, const std::vector<ValuePtr>& arguments, State& state,
+ValuePtr Executor::call(llvm::Function& called, const std::vector<ValuePtr>& arguments, State& state,
                         const llvm::Instruction* at) {
+  llvm::Function& function = stand_in(called, at);
   if (depth_ >= deepest) throw Unreadable(*at, "calls more than " + std::to_string(deepest) + " deep");
   std::unique_ptr<Shape>& shape = shapes_[&function];
   if (shape == nullptr) shape = std::make_unique<Shape>(function);

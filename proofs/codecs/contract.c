@@ -1,0 +1,258 @@
+/* Laws of tree codecs by recursion, from level to level.  LEVEL: of the map.  `step` shows the contract of
+ * mmverify_contract_t for the subtrees of level SIZE, given that of the level below; `whole` shows the law for the entry
+ * points, given the contract of the map's own level.
+ *
+ * The contract of a subtree: measure and write move over the same lengths, and write changes nothing else; whatever its
+ * place, as long as the bits that it wrote stay, skip moves over them, read gives its states back, and find each one. */
+#include "proofs/codecs/contract.h"
+
+/* The number of the part whose code begins there. */
+static uint32_t part_at(const Place* at) {
+  for (uint32_t c = 0; c < parts; ++c)
+    if (part[c].written && at->nodes == part[c].at.nodes) return c;
+  check(0);
+  return 0;
+}
+
+/* Its bits are as they were written. */
+static void require_unchanged(const Subtree* p) {
+  const Place end = end_of(p);
+  check(p->written);
+  check(!in(tree.item, p->at.nodes, end.nodes) || item_of(&tree, tree.item) == p->node);
+  check(!in(data.item, p->at.leaves, end.leaves) || item_of(&data, data.item) == p->state);
+}
+
+/* ---- the contract, in place of the codec's functions */
+
+static void measure_part(uint32_t level, uint32_t format, const uint8_t* m, size_t first, Place* at) {
+  check(level == part_level && format == FORMAT && m == map);
+  move_over(at, part_of(first));
+}
+
+static void write_part(uint32_t level, uint32_t format, const uint8_t* m, size_t first, uint8_t* nodes,
+                       uint8_t* leaves, Place* at) {
+  check(level == part_level && format == FORMAT && m == map && nodes == tree.bytes && leaves == data.bytes);
+  Subtree* p = part_of(first);
+  p->at = *at;
+  const Place end = end_of(p);
+  check(end.nodes >> PLACE_BITS == 0 && end.leaves >> PLACE_BITS == 0);
+  check(!in(tree.item, at->nodes, end.nodes) || item_of(&tree, tree.item) == 0);
+  check(!in(data.item, at->leaves, end.leaves) || item_of(&data, data.item) == 0);
+  become_any(&tree, at->nodes, end.nodes);
+  become_any(&data, at->leaves, end.leaves);
+  p->node = item_of(&tree, tree.item);
+  p->state = item_of(&data, data.item);
+  p->written = 1;
+  *at = end;
+}
+
+static int skip_part(uint32_t level, const uint8_t* nodes, size_t most, Place* at) {
+  check(level == part_level && nodes == tree.bytes);
+  const Subtree* p = part + part_at(at);
+  check(end_of(p).nodes <= most);
+  require_unchanged(p);
+  move_over(at, p);
+  return 1;
+}
+
+static int read_part(uint32_t level, uint32_t format, const uint8_t* nodes, const uint8_t* leaves,
+                     size_t first, Place* at, uint8_t* to) {
+  check(level == part_level && format == FORMAT && nodes == tree.bytes && leaves == data.bytes);
+  const Subtree* p = part_of(first);
+  check(same_place(at, &p->at) && to == out);
+  require_unchanged(p);
+  for (size_t k = first; k < first + states_of_part(); ++k) {
+    check(state_of(to, FORMAT, k) == 0);
+    put_state(to, FORMAT, k, state_of(map, FORMAT, k));
+  }
+  move_over(at, p);
+  return 1;
+}
+
+static unsigned find_part(uint32_t level, uint32_t format, const uint8_t* nodes, const uint8_t* leaves,
+                          size_t most, size_t number, Place* at) {
+  check(level == part_level && format == FORMAT && nodes == tree.bytes && leaves == data.bytes);
+  const uint32_t c = part_at(at);
+  const Subtree* p = part + c;
+  check(same_place(at, &p->at) && end_of(p).nodes <= most);
+  require_unchanged(p);
+  const size_t inside = number % states_of_part();
+  if (inside == asked_index % states_of_part()) return p->asked;
+  return state_of(map, FORMAT, first_state + c * states_of_part() + inside);
+}
+
+static void by_contract(const mmverify_contract_t* c, uint32_t level, uint32_t count) {
+  parts = count;
+  part_level = level;
+  for (uint32_t k = 0; k < count; ++k) part[k].length = any_length(level);
+  stands_for((const void*)c->measure, (const void*)measure_part);
+  stands_for((const void*)c->write, (const void*)write_part);
+  stands_for((const void*)c->skip, (const void*)skip_part);
+  stands_for((const void*)c->read, (const void*)read_part);
+  stands_for((const void*)c->find, (const void*)find_part);
+}
+
+/* ---- one level */
+
+/* Any states for the subtree at first_state, all else as it is. */
+static void any_subtree(uint8_t* to) {
+  uint8_t states[INSIDE_BYTES];
+  any_map(SIZE, FORMAT, states);
+  const size_t at = first_state * FORMAT / 8;
+  if (INSIDE * FORMAT >= 8) {
+    for (size_t k = 0; k < INSIDE_BYTES; ++k) to[at + k] = states[k];
+  } else {
+    const unsigned shift = (unsigned)(first_state * FORMAT % 8), mask = ((1u << BYTE_BITS) - 1) << shift;
+    to[at] = (uint8_t)((to[at] & ~mask) | (unsigned)states[0] << shift);
+  }
+}
+
+/* The subtree is encoded, and nothing else has changed. */
+static const mmverify_contract_t* written(void) {
+  const mmverify_contract_t* c = mmverify_contract_v1();
+  first_state = any_below((size_t)1 << (PLACE_BITS - 2 * SIZE)) << 2 * SIZE;
+  map = open_map(0);
+  any_subtree(map);
+  by_contract(c, SIZE == 0 ? 0 : SIZE - 1, SIZE == 0 ? 0 : 4);
+
+  start = end = (Place){any(PLACE_BITS), any(PLACE_BITS)};
+  c->measure(SIZE, FORMAT, map, first_state, &end);
+  /* A leaf, or an internal node and four subtrees. */
+  const Place leaf = {start.nodes + 1, start.leaves + 1};
+  Place sum = {start.nodes + 1, start.leaves};
+  for (uint32_t k = 0; k < parts; ++k) move_over(&sum, part + k);
+  check(same_place(&end, &leaf) || (SIZE > 0 && same_place(&end, &sum)));
+  assume(end.nodes >> PLACE_BITS == 0 && end.leaves >> PLACE_BITS == 0);
+
+  open_sequence(&tree, 1, start.nodes, end.nodes);
+  open_sequence(&data, FORMAT, start.leaves, end.leaves);
+  const unsigned node = item_of(&tree, tree.item), state = item_of(&data, data.item);
+  Place at = start;
+  c->write(SIZE, FORMAT, map, first_state, tree.bytes, data.bytes, &at);
+  check(same_place(&at, &end));
+  check(in(tree.item, start.nodes, end.nodes) || item_of(&tree, tree.item) == node);
+  check(in(data.item, start.leaves, end.leaves) || item_of(&data, data.item) == state);
+  return c;
+}
+
+void step_of_write(void) { written(); }
+
+void step_of_skip(void) {
+  const mmverify_contract_t* c = written();
+  Place at = start;
+  const size_t most = any(PLACE_BITS);
+  assume(most >= end.nodes);
+  check(c->skip(SIZE, tree.bytes, most, &at) == 1);
+  check(same_place(&at, &end));
+}
+
+void step_of_read(void) {
+  const mmverify_contract_t* c = written();
+  open_zeros();
+  Place at = start;
+  check(c->read(SIZE, FORMAT, tree.bytes, data.bytes, first_state, &at, out) == 1);
+  check(same_place(&at, &end));
+  for (size_t k = first_state; k < first_state + INSIDE; ++k)
+    check(state_of(out, FORMAT, k) == state_of(map, FORMAT, k));
+  require_others_unchanged();
+}
+
+void step_of_find(void) {
+  const mmverify_contract_t* c = written();
+  Place at = start;
+  const size_t most = any(PLACE_BITS);
+  assume(most >= end.nodes);
+  asked_index = any(PLACE_BITS);
+  for (uint32_t k = 0; k < parts; ++k)
+    part[k].asked =
+        state_of(map, FORMAT, first_state + k * states_of_part() + asked_index % states_of_part());
+  const unsigned due =
+      parts == 0 ? state_of(map, FORMAT, first_state) : part[asked_index / states_of_part() % 4].asked;
+  check(c->find(SIZE, FORMAT, tree.bytes, data.bytes, most, asked_index, &at) == due);
+}
+
+/* Algorithm 2: a node's bit, then its leaf or its four subtrees. */
+void step_of_spec(void) {
+  written();
+  int same = 1;
+  for (size_t k = 1; k < INSIDE; ++k)
+    same &= state_of(map, FORMAT, first_state + k) == state_of(map, FORMAT, first_state);
+  check(item_of(&tree, start.nodes) == !same);
+  if (same) {
+    check(end.nodes == start.nodes + 1 && end.leaves == start.leaves + 1);
+    check(item_of(&data, start.leaves) == state_of(map, FORMAT, first_state));
+    return;
+  }
+  Place at = {start.nodes + 1, start.leaves};
+  for (uint32_t k = 0; k < parts; ++k) {
+    check(part[k].written && same_place(&part[k].at, &at));
+    move_over(&at, part + k);
+  }
+  check(same_place(&at, &end));
+}
+
+/* ---- the entry points, on maps of LEVEL */
+
+static void any_map_and_length(uint8_t* states) {
+  map = states;
+  any_map(LEVEL, FORMAT, map);
+  by_contract(mmverify_contract_v1(), LEVEL, 1);
+  any_length_of_map();
+}
+
+/* The size is the code's for any capacity; no byte behind the code or the capacity changes. */
+void encode_by_contract(void) {
+  uint8_t states[MAP_BYTES], same[MAP_BYTES];
+  any_map_and_length(states);
+  memcpy(same, states, MAP_BYTES);
+  const size_t capacity = any(PLACE_BITS), other = any(PLACE_BITS);
+  uint8_t* code = open_code(capacity, other);
+  const uint8_t before = other < capacity ? code[other] : 0;
+  check(codec()->tree_encode(LEVEL, FORMAT, map, code, capacity) == code_size);
+  if (other < capacity && (capacity < code_size || other >= code_size)) check(code[other] == before);
+  check((capacity >= code_size) == part[0].written);
+  check(equal(states, same, MAP_BYTES));
+}
+
+/* The code of exactly its size. */
+static void encoded(uint8_t* states) {
+  any_map_and_length(states);
+  open_code(code_size, 0);
+  check(codec()->tree_encode(LEVEL, FORMAT, map, tree.bytes, code_size) == code_size);
+}
+
+/* The two sequences, each from a whole byte on, and zeros behind them. */
+void spec_by_contract(void) {
+  uint8_t states[MAP_BYTES];
+  encoded(states);
+  const Place none = {0, 0}, length = part[0].length;
+  check(same_place(&part[0].at, &none));
+  for (size_t k = length.nodes; k < 8 * tree_bytes; ++k) check(item_of(&tree, k) == 0);
+  for (size_t k = length.leaves; k * FORMAT < 8 * (code_size - tree_bytes); ++k)
+    check(item_of(&data, k) == 0);
+}
+
+void decode_by_contract(void) {
+  uint8_t states[MAP_BYTES], back[MAP_BYTES];
+  encoded(states);
+  out = back;
+  check(codec()->tree_decode(LEVEL, FORMAT, tree.bytes, code_size, back));
+  check(equal(states, back, MAP_BYTES));
+}
+
+/* Any index, at each place of a batch of three. */
+void lookup_by_contract(void) {
+  uint8_t states[MAP_BYTES];
+  encoded(states);
+  asked_index = any_below(STATES);
+  part[0].asked = state_of(map, FORMAT, asked_index);
+  for (size_t place = 0; place < 3; ++place) {
+    uint32_t batch[3] = {STATES - 1, 0, STATES / 2};
+    uint8_t state[3];
+    batch[place] = (uint32_t)asked_index;
+    codec()->tree_lookup(LEVEL, FORMAT, tree.bytes, code_size, batch, state, 3);
+    for (size_t k = 0; k < 3; ++k)
+      check(state[k] == (k == place ? part[0].asked : state_of(map, FORMAT, batch[k])));
+    check(batch[place] == asked_index);
+  }
+}

@@ -1,0 +1,171 @@
+/* Laws of any bytes that a decoder is given, from level to level; see contract.c.
+ *
+ * The contract of a subtree of any bits: skip passes over no more than `most` bits, or says 0; where it passed, read says
+ * 0 or gives states, and write makes the same bits of them. */
+#include "proofs/codecs/contract.h"
+
+/* The subtrees that skip has passed so far, and the code that write makes. */
+static uint32_t passed;
+static Sequence again_tree, again_data;
+
+static int skip_any(uint32_t level, const uint8_t* nodes, size_t most, Place* at) {
+  check(level == part_level && nodes == tree.bytes && at->nodes <= most && passed < parts);
+  Subtree* p = part + passed;
+  ++passed;
+  p->at = *at;
+  if (!any(1)) return 0;
+  assume(end_of(p).nodes <= most);
+  p->written = 1;
+  *at = end_of(p);
+  return 1;
+}
+
+static int read_any(uint32_t level, uint32_t format, const uint8_t* nodes, const uint8_t* leaves,
+                    size_t first, Place* at, uint8_t* to) {
+  check(level == part_level && format == FORMAT && nodes == tree.bytes && leaves == data.bytes && to == out);
+  const Subtree* p = part_of(first);
+  check(p->written && same_place(at, &p->at));
+  for (size_t k = first; k < first + states_of_part(); ++k) {
+    check(state_of(to, FORMAT, k) == 0);
+    put_state(to, FORMAT, k, (unsigned)any_state(FORMAT));
+  }
+  if (!any(1)) return 0;
+  *at = end_of(p);
+  return 1;
+}
+
+static void measure_again(uint32_t level, uint32_t format, const uint8_t* m, size_t first, Place* at) {
+  check(level == part_level && format == FORMAT && m == out);
+  const Subtree* p = part_of(first);
+  check(p->written);
+  move_over(at, p);
+}
+
+/* Any bits but at the watched item, which becomes that of the code. */
+static void become_same(Sequence* s, const Sequence* given, size_t from, size_t to) {
+  check(!in(s->item, from, to) || item_of(s, s->item) == 0);
+  become_any(s, from, to);
+  assume(!in(s->item, from, to) || item_of(s, s->item) == item_of(given, s->item));
+}
+
+static void write_again(uint32_t level, uint32_t format, const uint8_t* m, size_t first, uint8_t* nodes,
+                        uint8_t* leaves, Place* at) {
+  check(level == part_level && format == FORMAT && m == out && nodes == again_tree.bytes &&
+        leaves == again_data.bytes);
+  const Subtree* p = part_of(first);
+  check(p->written && same_place(at, &p->at));
+  const Place last = end_of(p);
+  become_same(&again_tree, &tree, at->nodes, last.nodes);
+  become_same(&again_data, &data, at->leaves, last.leaves);
+  *at = last;
+}
+
+static void any_bits(const mmverify_contract_t* c, uint32_t level, uint32_t count) {
+  parts = count;
+  part_level = level;
+  passed = 0;
+  stands_for((const void*)c->skip, (const void*)skip_any);
+  stands_for((const void*)c->read, (const void*)read_any);
+  stands_for((const void*)c->measure, (const void*)measure_again);
+  stands_for((const void*)c->write, (const void*)write_again);
+}
+
+/* Memory that ends with the byte of item `last`, with the watched bytes of `from`, or any. */
+static void end_sequence(Sequence* s, const Sequence* from, size_t last) {
+  *s = *from;
+  s->size = bytes_for(last, s->bits);
+  s->bytes = watched_memory(s->size, s->watch, s->watches);
+  for (size_t w = 0; w < s->watches; ++w)
+    if (s->watch[w] < s->size) s->bytes[s->watch[w]] = from->bytes[s->watch[w]];
+}
+
+static void watch(Sequence* s, uint32_t bits, size_t from, size_t size) {
+  s->bits = bits;
+  s->item = any(PLACE_BITS);
+  s->watch[0] = from * bits / 8;
+  s->watch[1] = s->item * bits / 8;
+  s->watches = 2;
+  s->size = size;
+  s->bytes = watched_memory(size, s->watch, s->watches);
+}
+
+static void require_same_items(void) {
+  if (in(tree.item, start.nodes, end.nodes))
+    check(item_of(&again_tree, tree.item) == item_of(&tree, tree.item));
+  if (in(data.item, start.leaves, end.leaves))
+    check(item_of(&again_data, data.item) == item_of(&data, data.item));
+}
+
+/* Whether skip passes over a subtree, from `start` to `end`. */
+static int passes(const mmverify_contract_t* c) {
+  const size_t most = any(PLACE_BITS);
+  start = end = (Place){any(PLACE_BITS), any(PLACE_BITS)};
+  assume(start.nodes <= most);
+  watch(&tree, 1, start.nodes, bytes_for(most, 1));
+  if (!c->skip(SIZE, tree.bytes, most, &end)) return 0;
+  check(end.nodes <= most);
+  const Place leaf = {start.nodes + 1, start.leaves + 1};
+  Place sum = {start.nodes + 1, start.leaves};
+  for (uint32_t k = 0; k < parts; ++k) move_over(&sum, part + k);
+  check(same_place(&end, &leaf) || (SIZE > 0 && same_place(&end, &sum)));
+  return end.leaves >> PLACE_BITS == 0;
+}
+
+void step_of_any_bits(void) {
+  const mmverify_contract_t* c = mmverify_contract_v1();
+  first_state = any_below((size_t)1 << (PLACE_BITS - 2 * SIZE)) << 2 * SIZE;
+  any_bits(c, SIZE == 0 ? 0 : SIZE - 1, SIZE == 0 ? 0 : 4);
+  for (uint32_t k = 0; k < parts; ++k) part[k].length = any_length(part_level);
+  if (!passes(c)) return;
+
+  const Sequence given = tree;
+  end_sequence(&tree, &given, end.nodes);
+  watch(&data, FORMAT, start.leaves, bytes_for(end.leaves, FORMAT));
+  open_zeros();
+  Place at = start;
+  const int taken = c->read(SIZE, FORMAT, tree.bytes, data.bytes, first_state, &at, out);
+  require_others_unchanged();
+  if (!taken) return;
+  check(same_place(&at, &end));
+
+  at = start;
+  c->measure(SIZE, FORMAT, out, first_state, &at);
+  check(same_place(&at, &end));
+  end_sequence(&again_tree, &tree, end.nodes);
+  end_sequence(&again_data, &data, end.leaves);
+  become_zero(&again_tree, start.nodes, end.nodes);
+  become_zero(&again_data, start.leaves, end.leaves);
+  at = start;
+  c->write(SIZE, FORMAT, out, first_state, again_tree.bytes, again_data.bytes, &at);
+  check(same_place(&at, &end));
+  require_same_items();
+}
+
+/* Any bytes are refused, or are the code of a map with zeros after its last state. */
+void decode_any_bytes(void) {
+  const mmverify_contract_t* c = mmverify_contract_v1();
+  uint8_t back[MAP_BYTES];
+  any_bits(c, LEVEL, 1);
+  any_length_of_map();
+  const size_t size = any(PLACE_BITS);
+  open_code(size, 0);
+  out = back;
+  start = (Place){0, 0};
+  end = part[0].length;
+  if (!codec()->tree_decode(LEVEL, FORMAT, tree.bytes, size, back)) return;
+  check(padded(back, FORMAT, STATES));
+  if (!(codec()->flags & MMVERIFY_TREE_STREAM)) return;
+  check(size == code_size);
+  again_tree = tree;
+  again_data = data;
+  const size_t watched[4] = {tree.watch[0], tree.watch[1], tree_bytes + data.watch[0],
+                             tree_bytes + data.watch[1]};
+  again_tree.bytes = watched_memory(size, watched, 4);
+  again_data.bytes = again_tree.bytes + tree_bytes;
+  check(codec()->tree_encode(LEVEL, FORMAT, back, again_tree.bytes, size) == size);
+  require_same_items();
+  for (size_t k = end.nodes; k < 8 * tree_bytes; ++k)
+    check(item_of(&tree, k) == 0 && item_of(&again_tree, k) == 0);
+  for (size_t k = end.leaves; k * FORMAT < 8 * (code_size - tree_bytes); ++k)
+    check(item_of(&data, k) == 0 && item_of(&again_data, k) == 0);
+}

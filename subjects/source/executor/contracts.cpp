@@ -1,0 +1,130 @@
+// Proofs by contract: memory of any size of which a few bytes are watched, and functions that stand for a codec's own.
+#include "subjects/source/executor/executor.hpp"
+
+namespace mmverify::source::executor {
+namespace {
+
+constexpr std::size_t byte_bits = 8;
+
+ValuePtr any_byte(Graph& g) {
+  Word bits;
+  for (std::size_t k = 0; k < byte_bits; ++k) bits.push_back(g.input());
+  return number(std::move(bits));
+}
+
+Word beyond(Graph& g, const Word& offset, std::size_t by) {
+  return by == 0 ? offset : circuit::sum(g, offset, circuit::constant(by, pointer_bits));
+}
+
+}  // namespace
+
+llvm::Function& Executor::stand_in(llvm::Function& function, const llvm::Instruction* at) const {
+  const auto found = stand_ins_.find(&function);
+  if (found == stand_ins_.end() || at == nullptr || at->getFunction()->hasFnAttribute(law_mark))
+    return function;
+  return *found->second;
+}
+
+void Executor::put_in_place(State& s, const llvm::CallBase& i) {
+  const auto function = [&](unsigned k) -> llvm::Function* {
+    const ValuePtr p = value(s, i.getArgOperand(k), i);
+    if (!is_pointer(p) || p->targets.size() != 1)
+      throw Unreadable(i, "a contract of one function or another");
+    if (p->targets.front().object == null_object) return nullptr;
+    const auto found = functions_.find(p->targets.front().object);
+    if (found == functions_.end()) throw Unreadable(i, "a contract of something that is no function");
+    return found->second;
+  };
+  llvm::Function *own = function(0), *other = function(1);
+  if (own == nullptr) return;
+  if (other == nullptr || own->arg_size() != other->arg_size())
+    throw Unreadable(i, "a contract of a function with other arguments");
+  stand_ins_[own] = other;
+}
+
+ValuePtr Executor::watched_memory(State& s, const llvm::CallBase& i) {
+  const ValuePtr size = numeric(s, i.getArgOperand(0), i);
+  const ValuePtr places = value(s, i.getArgOperand(1), i);
+  const auto count = known(numeric(s, i.getArgOperand(2), i));
+  if (!count) throw Unreadable(i, "watched memory with a number of places that is not known");
+  Object object;
+  object.name = "the memory of " + place_of(i);
+  object.size = size->bits;
+  const llvm::Type& word = *llvm::Type::getInt64Ty(module_.getContext());
+  for (std::size_t k = 0; k < *count; ++k) {
+    const ValuePtr at = load(s, moved_by(places, circuit::constant(k * sizeof(std::uint64_t), pointer_bits)),
+                             sizeof(std::uint64_t), word, i);
+    require_set(at, i, "a place that was never set");
+    // Two places may be one.
+    ValuePtr byte = any_byte(graph_);
+    for (std::size_t j = 0; j < k; ++j)
+      byte = chosen(graph_, circuit::equal(graph_, object.watched[j], at->bits), object.cells[j].value, byte);
+    object.watched.push_back(at->bits);
+    object.cells.push_back({byte, 0});
+  }
+  s.memory.add(++objects_, std::move(object));
+  return pointer(objects_);
+}
+
+ValuePtr Executor::load_watched(const Object& object, const Word& offset, std::size_t bytes) {
+  Word bits, unset;
+  for (std::size_t k = 0; k < bytes; ++k) {
+    const Word at = beyond(graph_, offset, k);
+    ValuePtr byte;
+    for (std::size_t w = 0; w < object.watched.size(); ++w) {
+      const Literal here = circuit::equal(graph_, object.watched[w], at);
+      if (here == never) continue;
+      const ValuePtr own = loaded(object, w, 1);
+      if (is_pointer(own)) return pointer(number_object);
+      if (byte == nullptr && here != always) byte = any_byte(graph_);
+      byte = here == always ? own : chosen(graph_, here, own, byte);
+      if (here == always) break;
+    }
+    if (byte == nullptr) byte = any_byte(graph_);
+    const Word u = unset_bits(*byte);
+    bits.insert(bits.end(), byte->bits.begin(), byte->bits.end());
+    unset.insert(unset.end(), u.begin(), u.end());
+  }
+  return number(std::move(bits), std::move(unset));
+}
+
+void Executor::store_watched(Object& object, const Word& offset, const ValuePtr& value, Literal when) {
+  if (is_pointer(value)) throw std::logic_error("a pointer in watched memory");
+  const Word u = unset_bits(*value);
+  for (std::size_t k = 0; k < bytes_of(*value); ++k) {
+    const Word at = beyond(graph_, offset, k);
+    const auto part = [k](const Word& w) {
+      const auto first = w.begin() + static_cast<long>(byte_bits * k);
+      return Word(first, first + byte_bits);
+    };
+    const ValuePtr byte = number(part(value->bits), u.empty() ? Word{} : part(u));
+    for (std::size_t w = 0; w < object.watched.size(); ++w) {
+      const Literal here = graph_.both(when, circuit::equal(graph_, object.watched[w], at));
+      if (here != never)
+        mmverify::source::executor::store(object, w, chosen(graph_, here, byte, loaded(object, w, 1)));
+    }
+  }
+}
+
+bool Executor::fill_watched(State& s, const ValuePtr& to, const ValuePtr& byte, const Word& size,
+                            const llvm::Instruction& at) {
+  if (to->targets.size() != 1 || to->targets.front().object <= 0) return false;
+  const Target& t = to->targets.front();
+  const Object* object = s.memory.find(t.object);
+  if (object == nullptr || object->watched.empty()) return false;
+  const Word end = circuit::sum(graph_, circuit::resized(t.offset, pointer_bits + 1, false),
+                                circuit::resized(size, pointer_bits + 1, false));
+  require_never(Duty::bounds,
+                circuit::less(graph_, circuit::resized(object->size, pointer_bits + 1, false), end), at,
+                "more bytes are set than there are");
+  Object& own = s.memory.writable(t.object);
+  for (std::size_t w = 0; w < own.watched.size(); ++w) {
+    const Literal here =
+        graph_.both(negated(circuit::less(graph_, own.watched[w], t.offset)),
+                    circuit::less(graph_, circuit::resized(own.watched[w], pointer_bits + 1, false), end));
+    mmverify::source::executor::store(own, w, chosen(graph_, here, byte, loaded(own, w, 1)));
+  }
+  return true;
+}
+
+}  // namespace mmverify::source::executor
