@@ -20,8 +20,8 @@ static int skip_any(uint32_t level, const uint8_t* nodes, size_t most, Place* at
   return 1;
 }
 
-static int read_any(uint32_t level, uint32_t format, const uint8_t* nodes, const uint8_t* leaves, size_t first,
-                    Place* at, uint8_t* to) {
+static int read_any(uint32_t level, uint32_t format, const uint8_t* nodes, const uint8_t* leaves,
+                    size_t first, Place* at, uint8_t* to) {
   check(level == part_level && format == FORMAT && nodes == tree.bytes && leaves == data.bytes && to == out);
   const Subtree* p = part_of(first);
   check(p->written && same_place(at, &p->at));
@@ -158,7 +158,8 @@ void decode_any_bytes(void) {
   check(size == code_size);
   again_tree = tree;
   again_data = data;
-  const size_t watched[4] = {tree.watch[0], tree.watch[1], tree_bytes + data.watch[0], tree_bytes + data.watch[1]};
+  const size_t watched[4] = {tree.watch[0], tree.watch[1], tree_bytes + data.watch[0],
+                             tree_bytes + data.watch[1]};
   again_tree.bytes = watched_memory(size, watched, 4);
   again_data.bytes = again_tree.bytes + tree_bytes;
   check(codec()->tree_encode(LEVEL, FORMAT, back, again_tree.bytes, size) == size);
