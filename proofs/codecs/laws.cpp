@@ -43,6 +43,11 @@ Sizes short_codes(const Facts&, Level, unsigned) { return {0, 1, 2, 3, 4, 5, 6, 
 
 Sizes index_types(const Facts&, Level, unsigned) { return {0, 1, 2, 3, 4, 8, 9, 10, 11, 12}; }
 
+/// The same at level 1 alone.
+Sizes room_at_level_1(const Facts& facts, Level n, unsigned format) {
+  return n == 1 ? room(facts, n, format) : Sizes{};
+}
+
 // ---- choices
 
 std::vector<Chosen> map(Level n, unsigned format, std::uint64_t) {
@@ -71,6 +76,18 @@ std::vector<Chosen> map_and_index(Level n, unsigned format, std::uint64_t) {
   return all;
 }
 
+/// Numbers of so many bits, four of each name.
+void add_four(std::vector<Chosen>& all, const std::vector<std::string>& names, unsigned bits) {
+  for (unsigned k = 1; k <= 4; ++k)
+    for (const std::string& name : names) all.push_back({name + std::to_string(k), Written::number, bits, 1});
+}
+
+std::vector<Chosen> map_and_indices(Level n, unsigned format, std::uint64_t) {
+  std::vector<Chosen> all{{"", Written::digits, format, states(n)}};
+  add_four(all, {"index"}, 2 * n);
+  return all;
+}
+
 std::vector<Chosen> code(Level, unsigned, std::uint64_t size) { return {{"code", Written::bytes, 8, size}}; }
 
 /// A block of VQ2 at level 4, of VQ4 at level 5.
@@ -81,6 +98,11 @@ std::vector<Chosen> block_and_region(Level n, unsigned, std::uint64_t) {
   return {{"", Written::bytes, 8, n == 4 ? 32u : 64u},
           {"x", Written::number, n, 1},
           {"y", Written::number, n, 1}};
+}
+std::vector<Chosen> block_and_regions(Level n, unsigned format, std::uint64_t size) {
+  std::vector<Chosen> all = block(n, format, size);
+  add_four(all, {"x", "y"}, n);
+  return all;
 }
 std::vector<Chosen> regions(Level n, unsigned, std::uint64_t) {
   return {{"", Written::digits, 2, states(n)}};
@@ -151,7 +173,14 @@ void add_tree_laws(std::vector<CodecLaw>& all) {
       {{"tree.c", "round_trip", {Call::tree_encode, Call::tree_decode}, 0, both, room, map},
        {"tree.c", "exact_size", {Call::tree_encode}, 0, both, room, map_and_buffer}});
   add("tree.lookup_is_decode", 2, every_map, "tree.on_samples",
-      {{"tree.c", "lookup", {Call::tree_encode, Call::tree_lookup}, 0, both, room, map_and_index}});
+      {{"tree.c", "lookup", {Call::tree_encode, Call::tree_lookup}, 0, both, room, map_and_index},
+       {"tree.c",
+        "lookups",
+        {Call::tree_encode, Call::tree_lookup},
+        0,
+        both,
+        room_at_level_1,
+        map_and_indices}});
   add("tree.equals_spec", 2, every_map, "tree.on_samples",
       {{"tree.c", "equals_spec", {Call::tree_encode}, MMVERIFY_TREE_STREAM, both, no_size, map}});
   add("tree.malformed", 2, every_code, "tree.malformed_on_samples",
@@ -233,6 +262,7 @@ void add_vq_laws(std::vector<CodecLaw>& all) {
                    every_block,
                    vq.random,
                    {{"vq.c", "any_region", {vq.region}, 0, none, no_size, block_and_region, "block"},
+                    {"vq.c", "any_four_regions", {vq.region}, 0, none, no_size, block_and_regions, "block"},
                     {"vq.c", "whole_map", {vq.decode}, 0, none, no_size, block, "block"}}});
     all.push_back({vq.conservative,
                    level,

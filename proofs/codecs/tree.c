@@ -54,6 +54,18 @@ void lookup(void) {
   check(alone == state_of(map, FORMAT, index));
 }
 
+/* tree.lookup_is_decode, at level 1: any four indices in one batch. */
+void lookups(void) {
+  uint8_t map[MAP_BYTES], code[SIZE], state[4];
+  uint32_t index[4];
+  any_map(LEVEL, FORMAT, map);
+  for (size_t k = 0; k < 4; ++k) index[k] = (uint32_t)any(LEVEL == 0 ? 1 : 2 * LEVEL);
+  const size_t size = codec()->tree_encode(LEVEL, FORMAT, map, code, SIZE);
+  room(size <= SIZE);
+  codec()->tree_lookup(LEVEL, FORMAT, code, size, index, state, 4);
+  for (size_t k = 0; k < 4; ++k) check(state[k] == state_of(map, FORMAT, index[k]));
+}
+
 /* tree.malformed: any SIZE bytes are refused, or are a map with zeros after its last state. */
 void malformed(void) {
   uint8_t code[SIZE + (SIZE == 0)], map[MAP_BYTES];

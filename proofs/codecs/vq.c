@@ -75,6 +75,16 @@ void any_region(void) {
   check(state[1] == region(block, a, b));
 }
 
+/* The same of any four regions in one batch. */
+void any_four_regions(void) {
+  uint8_t block[BLOCK_BYTES], state[4];
+  any_bytes(block, BLOCK_BYTES);
+  uint32_t x[4], y[4];
+  for (unsigned k = 0; k < 4; ++k) x[k] = (uint32_t)any(LEVEL), y[k] = (uint32_t)any(LEVEL);
+  codec()->REGION(block, x, y, state, 4);
+  for (unsigned k = 0; k < 4; ++k) check(state[k] == region(block, x[k], y[k]));
+}
+
 /* Where region (x, y) lies in any_map(): squares of 2 x 2, 4 x 4, ... regions follow each other, so that the maps that
  * the prover tries first have uniform vectors. */
 static unsigned place(unsigned x, unsigned y) {

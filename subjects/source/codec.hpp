@@ -63,7 +63,8 @@ class Codec {
   CodecAnswer prove(const HarnessCall& call, const ProofLimits& limits);
 
   /// Runs the harness on the compiled codec: at -O2, then under AddressSanitizer and UndefinedBehaviorSanitizer, then
-  /// under MemorySanitizer, until one run fails.
+  /// under MemorySanitizer, then under each of these at -O0, then with
+  /// buffers at odd addresses and a check of each address, until one run fails.
   CodecRun run(const HarnessCall& call, const std::vector<Choice>& choices,
                const std::function<void()>& stop = {});
 
@@ -85,6 +86,8 @@ class Codec {
   const std::string& object(std::size_t kind);
   /// The flag that leaves the folder out of the names of files in messages.
   std::string without_folder() const;
+  /// The harness in bitcode, compiled with these options, its buffers of bytes at odd addresses.
+  std::string odd(const HarnessCall& call, const std::vector<std::string>& words);
   /// The harness with its driver as a program of that kind of run.
   std::string program(const HarnessCall& call, std::size_t kind);
   CodecRun run_once(const HarnessCall& call, std::size_t kind, const std::vector<std::string>& arguments,

@@ -162,6 +162,13 @@ const std::array undefined{
     Undefined{"unset", "uint8_t b[3]; b[0] = b[1] = 1; check(b[any(2) % 3] == 1);", "never set"},
     Undefined{"unset", "uint32_t n; if (any(4) != 9) n = 2; for (uint32_t k = 0; k < n; ++k) check(1);",
               "a branch on a value that was never set"},
+    Undefined{"alignment", "uint8_t b[8] = {0}; uint16_t* p = (uint16_t*)(b + 2 * any(1)); check(*p == 0);",
+              "b is read at an address that is no multiple of 2"},
+    Undefined{"alignment", "uint64_t w[2] = {0}; uint32_t* p = (uint32_t*)((uint8_t*)w + any(3)); *p = 1;",
+              "w is written at an address that is no multiple of 4"},
+    Undefined{"alignment",
+              "struct { uint64_t x; } a = {0}, *p = (void*)((uint8_t*)malloc(16) + any(3)); *p = a;",
+              "is written at an address that is no multiple of 8"},
     Undefined{"shifts", "check((1u << any(6)) != 0);", "a shift by the width of the number or more"},
     Undefined{"overflow", "int x = (int)any(31); check(x + 1 > x);", "signed arithmetic overflows"},
     Undefined{"overflow", "int x = (int)any(20); check(x * 5000 >= 0);", "signed arithmetic overflows"},
@@ -195,6 +202,8 @@ TEST_F(Executor, ProvesWhatIsDefined) {
         "uint64_t x = any(16); assume(x % 3 == 0); check(x != 65534 && x != 65533);",
         "uint64_t n = any(40); if (n < 9) { uint8_t* p = malloc(n + 1); p[n] = 1; check(p[n] == 1); free(p); "
         "}",
+        "uint64_t w[2] = {0}; uint32_t* p = (uint32_t*)((uint8_t*)w + 4 * any(2)); check(*p == 0);",
+        "uint8_t b[9] = {0}; uint32_t x; memcpy(&x, b + any(2), 4); check(x == 0);",
         "struct { uint8_t tag; uint32_t x; } a, b; a.x = (uint32_t)any(32); b = a; check(b.x == a.x);"}) {
     const std::string said = answer(fmt::format("{}void law(void) {{ {} }}\n", declarations, body));
     EXPECT_NE(said.find("proved "), std::string::npos) << body << "\n" << said;

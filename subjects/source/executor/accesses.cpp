@@ -1,6 +1,8 @@
 // Pointers, loads and stores.
 #include <llvm/IR/GetElementPtrTypeIterator.h>
 
+#include <bit>
+
 #include "subjects/source/executor/executor.hpp"
 
 namespace mmverify::source::executor {
@@ -162,6 +164,22 @@ std::vector<Executor::Part> Executor::parts_of(const llvm::Type& type) const {
       all.push_back(
           {k * layout_.getTypeAllocSize(record->getArrayElementType()), record->getArrayElementType()});
   return all;
+}
+
+void Executor::require_aligned(const State& s, const ValuePtr& p, std::uint64_t align, Literal when,
+                               const llvm::Instruction& at, const char* access) {
+  if (align == 1 || !is_pointer(p)) return;
+  for (const Target& t : p->targets) {
+    const Object* object = t.object > 0 ? s.memory.find(t.object) : nullptr;
+    if (object == nullptr) continue;
+    const Word low(t.offset.begin(), t.offset.begin() + std::countr_zero(align));
+    const bool of_law = at.getFunction()->hasFnAttribute(law_attribute);
+    const std::uint64_t known = object->promised == 0 || of_law ? object->align : object->promised;
+    const Literal off = known < align ? always : circuit::not_zero(graph_, low);
+    require_never(
+        Duty::alignment, graph_.both(graph_.both(when, t.when), off), at,
+        object->name + " is " + access + " at an address that is no multiple of " + std::to_string(align));
+  }
 }
 
 ValuePtr Executor::load_parts(State& s, const ValuePtr& p, const llvm::Type& type,

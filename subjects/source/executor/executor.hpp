@@ -5,6 +5,7 @@
 #include <llvm/IR/DataLayout.h>
 #include <llvm/IR/InstrTypes.h>
 #include <llvm/IR/Instructions.h>
+#include <llvm/IR/IntrinsicInst.h>
 #include <llvm/IR/Module.h>
 #include <llvm/IR/Operator.h>
 
@@ -21,8 +22,8 @@
 
 namespace mmverify::source::executor {
 
-/// The attribute of functions and variables of the law, not of the codec.
-inline constexpr const char* law_mark = "mmverify-law";
+/// The attribute of the law's own functions and variables. The law's buffers of bytes may lie at any address.
+inline constexpr const char* law_attribute = "mmverify-law";
 
 /// A number that the law chose: what a counterexample consists of.
 struct Choice {
@@ -110,6 +111,9 @@ class Executor {
   /// A number that is read as a pointer.
   ValuePtr pointer_of(const ValuePtr& v) const;
   ValuePtr moved_by(const ValuePtr& p, const Word& by) const;
+  /// The address is a multiple of so many bytes, wherever the objects lie.
+  void require_aligned(const State& s, const ValuePtr& p, std::uint64_t align, Literal when,
+                       const llvm::Instruction& at, const char* access);
   ValuePtr load(State& s, const ValuePtr& p, std::size_t bytes, const llvm::Type& type,
                 const llvm::Instruction& at);
   /// A part of a struct or an array that is read or written whole.
@@ -149,6 +153,8 @@ class Executor {
   ValuePtr rotated(const llvm::CallBase& i, const Word& high, const Word& low, const Word& by);
   ValuePtr counted(State& s, const llvm::CallBase& i);
   ValuePtr with_overflow(State& s, const llvm::CallBase& i);
+  /// The addresses of a copy or a fill have the alignment that it names, unless it moves no byte.
+  void require_aligned(State& s, const llvm::MemIntrinsic& i);
   ValuePtr allocated(State& s, Word size, bool zero, const llvm::Instruction& at);
   void release(State& s, const ValuePtr& p, const llvm::Instruction& at);
   void copy(State& s, const ValuePtr& to, const ValuePtr& from, const Word& size, bool may_overlap,

@@ -109,16 +109,22 @@ bool Executor::step(Call& c, State& s, const llvm::Instruction& i) {
     object.name = a->hasName() ? a->getName().str() : "a variable of " + c.function.getName().str();
     object.cells.resize(*count * layout_.getTypeAllocSize(a->getAllocatedType()));
     object.call = c.number;
+    object.align = a->getAlign().value();
+    // A compiler gives an array of bytes more than its type asks for; an entry point may not rely on that.
+    if (c.function.hasFnAttribute(law_attribute))
+      object.promised = layout_.getABITypeAlign(a->getAllocatedType()).value();
     s.memory.add(++objects_, std::move(object));
     s.values[&i] = pointer(objects_);
   } else if (const auto* l = llvm::dyn_cast<llvm::LoadInst>(&i)) {
     if (l->isAtomic()) throw Unreadable(i, "an atomic read");
-    s.values[&i] =
-        load(s, value(s, l->getPointerOperand(), i), layout_.getTypeStoreSize(i.getType()), type, i);
+    const ValuePtr from = value(s, l->getPointerOperand(), i);
+    require_aligned(s, from, l->getAlign().value(), always, i, "read");
+    s.values[&i] = load(s, from, layout_.getTypeStoreSize(i.getType()), type, i);
   } else if (const auto* t = llvm::dyn_cast<llvm::StoreInst>(&i)) {
     if (t->isAtomic()) throw Unreadable(i, "an atomic write");
-    store_typed(s, value(s, t->getPointerOperand(), i), value(s, t->getValueOperand(), i),
-                *t->getValueOperand()->getType(), i);
+    const ValuePtr to = value(s, t->getPointerOperand(), i);
+    require_aligned(s, to, t->getAlign().value(), always, i, "written");
+    store_typed(s, to, value(s, t->getValueOperand(), i), *t->getValueOperand()->getType(), i);
   } else if (const auto* gep = llvm::dyn_cast<llvm::GetElementPtrInst>(&i)) {
     s.values[&i] = moved(s, *llvm::cast<llvm::GEPOperator>(gep), i);
   } else if (const auto* call = llvm::dyn_cast<llvm::CallBase>(&i)) {

@@ -138,7 +138,16 @@ void Executor::set_life(State& s, const ValuePtr& p, bool lives) {
   own.gone = lives ? never : always;
 }
 
+void Executor::require_aligned(State& s, const llvm::MemIntrinsic& i) {
+  const Literal moves = circuit::not_zero(graph_, numeric(s, i.getLength(), i)->bits);
+  require_aligned(s, value(s, i.getRawDest(), i), i.getDestAlign().valueOrOne().value(), moves, i, "written");
+  if (const auto* copy = llvm::dyn_cast<llvm::MemTransferInst>(&i))
+    require_aligned(s, value(s, copy->getRawSource(), i), copy->getSourceAlign().valueOrOne().value(), moves,
+                    i, "read");
+}
+
 bool Executor::call_intrinsic(State& s, const llvm::CallBase& i) {
+  if (const auto* bytes = llvm::dyn_cast<llvm::MemIntrinsic>(&i)) require_aligned(s, *bytes);
   const auto argument = [&](unsigned k) { return value(s, i.getArgOperand(k), i); };
   const auto size = [&] {
     const ValuePtr v = numeric(s, i.getArgOperand(2), i);

@@ -8,6 +8,8 @@ namespace {
 
 /// An allocation whose size the inputs decide is at most that large.
 constexpr std::uint64_t largest_allocation = 1 << 16;
+/// Memory of malloc and of operator new lies at multiples of it: alignof(max_align_t).
+constexpr std::uint64_t allocation_align = 16;
 /// Conflicts for the question whether a bit of a size may be set.
 constexpr int size_effort = 1000;
 
@@ -68,6 +70,7 @@ ValuePtr Executor::copied(State& s, const ValuePtr& p, llvm::Type& type, const l
   const auto first = object->cells.begin() + static_cast<long>(*circuit::value_of(t.offset));
   copy.cells.assign(first, first + static_cast<long>(bytes));
   copy.call = calls_ + 1;
+  copy.align = layout_.getABITypeAlign(&type).value();
   s.memory.add(++objects_, std::move(copy));
   return pointer(objects_);
 }
@@ -153,6 +156,7 @@ ValuePtr Executor::allocated(State& s, Word size, bool zero, const llvm::Instruc
   Object object;
   object.name = "the allocation of " + place_of(at);
   object.cells.resize(most);
+  object.align = allocation_align;
   if (!circuit::value_of(size)) object.size = size;
   if (zero)
     for (std::size_t k = 0; k < most; ++k) mmverify::source::executor::store(object, k, number(0, 8));

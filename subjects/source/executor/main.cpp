@@ -3,6 +3,7 @@
 //
 //   mmverify-codec CODEC.bc LAW.bc FUNCTION [--budget SECONDS] [--certificate FILE] [--merge CONFLICTS] [--plain]
 //                  [--statistics]
+//   mmverify-codec --odd LAW.bc OUT.bc     writes the law with its buffers of bytes at odd addresses
 //
 // The answer is a line on standard output, after lines of progress:
 //   progress LEMMAS OPEN SECONDS   merges proved, and obligations that are open
@@ -10,6 +11,7 @@
 //   refuted FILE:LINE: TEXT        then a line `choice BITS NUMBER` for each choice, in the order of the calls
 //   unknown TEXT
 // Exit codes: 0 an answer; 2 a bad file; 3 code that cannot be followed; 4 any other error.
+#include <llvm/Bitcode/BitcodeWriter.h>
 #include <llvm/IR/LLVMContext.h>
 #include <llvm/IRReader/IRReader.h>
 #include <llvm/Linker/Linker.h>
@@ -22,6 +24,7 @@
 #include <cstring>
 
 #include "subjects/source/executor/executor.hpp"
+#include "subjects/source/executor/odd.hpp"
 
 namespace {
 
@@ -111,8 +114,8 @@ void say_choices(const std::vector<executor::Choice>& choices, const circuit::Gr
 std::unique_ptr<llvm::Module> linked(const Options& o, llvm::LLVMContext& context) {
   std::unique_ptr<llvm::Module> module = read(o.law, context);
   for (llvm::Function& f : *module)
-    if (!f.isDeclaration()) f.addFnAttr(executor::law_mark);
-  for (llvm::GlobalVariable& g : module->globals()) g.addAttribute(executor::law_mark);
+    if (!f.isDeclaration()) f.addFnAttr(executor::law_attribute);
+  for (llvm::GlobalVariable& g : module->globals()) g.addAttribute(executor::law_attribute);
   std::unique_ptr<llvm::Module> codec = read(o.codec, context);
   if (llvm::Linker::linkModules(*module, std::move(codec)))
     throw BadFile(o.codec + ": it does not link with " + o.law);
@@ -223,10 +226,22 @@ int decide(const Options& o) {
   return 0;
 }
 
+int write_odd(const std::string& from, const std::string& to) {
+  llvm::LLVMContext context;
+  const std::unique_ptr<llvm::Module> module = read(from, context);
+  executor::move_to_odd_addresses(*module);
+  std::error_code error;
+  llvm::raw_fd_ostream out(to, error);
+  if (error) throw BadFile(to + ": " + error.message());
+  llvm::WriteBitcodeToFile(*module, out);
+  return 0;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
   try {
+    if (count == 4 && std::strcmp(words[1], "--odd") == 0) return write_odd(words[2], words[3]);
     return decide(options_of(count, words));
   } catch (const BadFile& why) {
     std::fprintf(stderr, "%s\n", why.what());

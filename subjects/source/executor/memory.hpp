@@ -20,9 +20,12 @@ struct Cell {
 struct Object {
   std::string name;
   std::vector<Cell> cells;
-  Word size;              ///< where the size depends on the inputs: it, of 64 bits; else empty
-  Literal gone = never;   ///< it is freed, or its block has ended
-  int call = 0;           ///< the call whose variable it is; 0: of none
+  Word size;                ///< where the size depends on the inputs: it, of 64 bits; else empty
+  Literal gone = never;     ///< it is freed, or its block has ended
+  int call = 0;             ///< the call whose variable it is; 0: of none
+  std::uint64_t align = 1;  ///< its address is a multiple of it
+  std::uint64_t promised =
+      0;                  ///< a law's variable: an entry point may rely on no more than this; 0: on `align`
   bool constant = false;  ///< no program may write it
   bool lasting = false;   ///< it is a global variable
   /// Where the content of most bytes is any at each read: the places of the others, one for each cell; else empty.

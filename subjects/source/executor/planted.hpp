@@ -13,6 +13,7 @@ enum class Duty {
   pointers,
   life,
   unset,
+  alignment,
   shifts,
   overflow,
   division,
@@ -22,9 +23,9 @@ enum class Duty {
   ends
 };
 
-inline constexpr std::array<std::string_view, 12> duties{"checks",  "bounds",    "pointers", "life",
-                                                         "unset",   "shifts",    "overflow", "division",
-                                                         "overlap", "constants", "promises", "ends"};
+inline constexpr std::array<std::string_view, 13> duties{
+    "checks",   "bounds",   "pointers", "life",      "unset",    "alignment", "shifts",
+    "overflow", "division", "overlap",  "constants", "promises", "ends"};
 
 enum class Mistake {
   none,
