@@ -56,7 +56,7 @@ Fields<S> fields_of_kernels(double bandwidth) {
   };
 }
 
-/// What is said above the tables: where it ran, and what the columns are.
+/// The lines above the tables name the device and explain the columns.
 std::string above(const ShaderFigures& figures) {
   const std::string name = figures.about.empty() ? "a device" : figures.about.front().second;
   std::string text;

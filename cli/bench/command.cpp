@@ -294,6 +294,17 @@ int run_bench(const BenchOptions& options) {
   return run_topics(options, topics);
 }
 
+void add_shader_options(CLI::App& command, BenchOptions& options) {
+  command.add_option("--device", options.device, "shaders: the Vulkan device, by number; 0 where not given")
+      ->check(whole_within(0, 9999));
+  command
+      .add_option(
+          "--hits", options.hits,
+          "shaders: the most hits of a dispatch, rounded down to a power of two; where not given 2^28, "
+          "2^20 on a processor")
+      ->check(whole_within(2, std::uint64_t{1} << 31));
+}
+
 }  // namespace
 
 Action add_bench(CLI::App& program) {
@@ -342,14 +353,7 @@ Action add_bench(CLI::App& program) {
       ->add_option("--threads", options->threads,
                    "threads of a sweep; as many as the machine has where not given")
       ->check(whole_within(1, 1024));
-  command->add_option("--device", options->device, "shaders: the Vulkan device, by number; 0 where not given")
-      ->check(whole_within(0, 9999));
-  command
-      ->add_option(
-          "--hits", options->hits,
-          "shaders: the most hits of a dispatch, rounded down to a power of two; where not given 2^28, "
-          "2^20 on a processor")
-      ->check(whole_within(2, std::uint64_t{1} << 31));
+  add_shader_options(*command, *options);
   command->add_option("--seed", options->index.seed, "seed of the points")->check(fits_64_bits);
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--csv", options->csv, "write the figures as comma-separated values; - is stdout")

@@ -9,7 +9,7 @@
 
 namespace mmverify::shaders {
 
-/// What bounds the data and the dispatches.
+/// The bounds of data and dispatches.
 struct KernelLimits {
   bool is_processor = false;         ///< a driver that computes on the processor
   std::uint64_t groups = 0;          ///< workgroups of a dispatch

@@ -52,8 +52,10 @@ void main() {
     return;
   }
   MmFace f = mm_curve_face(number);
-  uint u = floatBitsToUint(float(3u * f.iu + 1u + f.upper) / 196608.0f);  // check-magic: 196608 == 3 * 2**16
-  uint v = floatBitsToUint(float(3u * f.iv + 1u + f.upper) / 196608.0f);  // check-magic: 196608 == 3 * 2**16
+  // A centre lies a third of a step above its square's corner, or two thirds.
+  const float thirds = float(196608);  // check-magic: 196608 == 3 * 2**16
+  uint u = floatBitsToUint(float(3u * f.iu + 1u + f.upper) / thirds);
+  uint v = floatBitsToUint(float(3u * f.iv + 1u + f.upper) / thirds);
   if (kind == POINTS) {
     in0[k] = u;
     in1[k] = v;

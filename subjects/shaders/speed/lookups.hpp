@@ -9,7 +9,7 @@
 
 namespace mmverify::shaders {
 
-/// What a hit is given as, numbered as kernels/inputs.glsl does.
+/// The inputs of a hit, numbered as kernels/inputs.glsl does.
 enum class Inputs : std::uint32_t {
   points,         ///< u, v
   points_of_map,  ///< 0, u, v
@@ -25,9 +25,8 @@ struct Lookup {
   std::uint32_t side = 0;   ///< of a square: its level
   std::uint32_t first = 0;  ///< the push constant: bits of a state, or an order
   std::uint32_t words_in = 2, words_out = 1;
-  std::vector<std::uint8_t> code =
-      {};                        ///< bytes that the kernel reads; empty if there are none, or random states
-  std::uint32_t code_bytes = 0;  ///< without padding, where the kernel asks
+  std::vector<std::uint8_t> code = {};    ///< bytes that the kernel reads; may be empty
+  std::uint32_t code_bytes = 0;           ///< without padding, where the kernel asks
   std::uint64_t random_states_bytes = 0;  ///< of a flat map, made on the device
   std::uint64_t most_hits = ~std::uint64_t{0};
   /// The library's answer, words_out words, for a hit's words_in words.
@@ -38,7 +37,7 @@ struct Lookup {
 std::uint32_t random_states(std::uint32_t k);
 
 /// The lookups at these levels: two indices, a flat map, a tree and a graph of a disc, attributes. Once each: blocks, the
-/// paper's tree at level 8 at most, and, unless `is_processor`, a flat map of 256 MiB, which no cache holds.
+/// paper's tree at level 8 at most, and, unless `is_processor`, a flat map of 256 MiB, more than a GPU's cache.
 /// Domain: levels in 0..12, one at least.
 std::vector<Lookup> lookups(const std::vector<std::uint32_t>& levels, bool is_processor);
 

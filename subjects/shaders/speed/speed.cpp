@@ -11,6 +11,7 @@ namespace mmverify::shaders {
 namespace {
 
 constexpr std::uint32_t word = sizeof(std::uint32_t), most_words = 3;
+constexpr std::uint64_t group = 64;  // invocations of a workgroup, of each kernel here
 
 struct Times {
   double median = 0, spread = 0;
@@ -37,7 +38,8 @@ class Measuring {
     progress("maps, trees and a graph");
     const std::vector<Lookup> measured = lookups(levels, made_.is_processor);
     std::vector<Speed> rows;
-    for (const Lookup& lookup : measured) add(lookup, rows);
+    for (const Lookup& lookup : measured)
+      if (lookup.random_states_bytes <= most_states_bytes()) add(lookup, rows);
     add_plain_copy();
     for (const Speed& copy : made_.rows)
       if (copy.hits == made_.hits)
@@ -55,8 +57,7 @@ class Measuring {
   /// The greatest power of two of hits that the device takes.
   void bound_hits() {
     const KernelLimits& limits = device_.limits();
-    constexpr std::uint64_t group = 64, by_default = std::uint64_t{1} << 28,
-                            on_processor = std::uint64_t{1} << 20;
+    constexpr std::uint64_t by_default = std::uint64_t{1} << 28, on_processor = std::uint64_t{1} << 20;
     std::uint64_t most = options_.hits != 0 ? options_.hits : made_.is_processor ? on_processor : by_default;
     const auto bound = [&](std::uint64_t by, const char* why) {
       if (by >= most) return;
@@ -68,6 +69,12 @@ class Measuring {
     // Half of the memory: others may use the rest.
     bound(limits.memory_bytes / 2 / (2 * most_words * word), "the device's memory");
     made_.hits = std::bit_floor(most);
+  }
+
+  /// A larger flat map is left out.
+  std::uint64_t most_states_bytes() const {
+    const KernelLimits& limits = device_.limits();
+    return std::min({limits.buffer_bytes, limits.groups * group * word, limits.memory_bytes / 4});
   }
 
   std::vector<std::uint64_t> sizes(const Lookup& lookup) const {
