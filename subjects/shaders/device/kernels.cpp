@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t staging_bytes = std::uint64_t{1} << 22;
 
-/// All commands before it end, and what they wrote is seen, before a command after it begins.
+/// All commands before it, those of earlier submissions too, end, and what they wrote is seen, before a command after it begins.
 void wait_for_all(VkCommandBuffer command) {
   VkMemoryBarrier all{};
   all.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
@@ -116,6 +116,7 @@ class Resident final : public Kernels {
   bool fill(std::uint32_t binding, std::uint32_t word) override {
     return tried([&] {
       VkCommandBuffer command = commands_.begin();
+      wait_for_all(command);
       vkCmdFillBuffer(command, buffers_.at(binding)->handle(), 0, VK_WHOLE_SIZE, word);
       commands_.run();
     });
@@ -160,6 +161,7 @@ class Resident final : public Kernels {
   void move(const Buffer& from, std::uint64_t from_at, const Buffer& to, std::uint64_t to_at,
             std::uint64_t bytes) {
     VkCommandBuffer command = commands_.begin();
+    wait_for_all(command);
     const VkBufferCopy part{from_at, to_at, bytes};
     vkCmdCopyBuffer(command, from.handle(), to.handle(), 1, &part);
     VkMemoryBarrier seen{};
@@ -181,6 +183,7 @@ class Resident final : public Kernels {
     Clock clock(device_, runs + 1);
     VkCommandBuffer command = commands_.begin();
     clock.reset(command);
+    wait_for_all(command);
     for (std::size_t k = 0; k <= runs; ++k) {
       record(command);
       wait_for_all(command);

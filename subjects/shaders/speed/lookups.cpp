@@ -120,7 +120,7 @@ void add_walked_tree(std::uint32_t level, bool is_processor, std::vector<Lookup>
                 .words_in = 1,
                 .code = padded(std::move(code)),
                 .code_bytes = code_bytes,
-                .most_hits = std::uint64_t{1} << (is_processor ? 12 : 20),
+                .most_hits = std::uint64_t{1} << (is_processor ? 12 : 18),
                 .right = [stream, level](Words in, std::uint32_t* out) {
                   *out = impl::tree::lookup_stream(level, Format::four_state, *stream, in[0]);
                 }});

@@ -54,8 +54,8 @@ struct SpeedOptions {
   std::function<void(const std::string&)> progress = {};  ///< called with the name of each step; may throw
 };
 
-/// Loads the device library into this process. Each kernel runs on H, H/64, ... hits, down to 2^16, in both orders: once
-/// untimed, then in timed runs, between the device's own timestamps. H is the greatest power of two up to those asked for that the
+/// Loads the device library into this process. Each kernel runs on H, H/64, ... hits, down to 2^16, in both orders: untimed until a
+/// graphics card's clock is up, then in timed runs, between the device's own timestamps. H is the greatest power of two up to those asked for that the
 /// device's dispatches, buffers and memory take. A sample of up to 2^16 hits is compared with the library, bit for bit.
 /// Domain: first <= last <= 12; hits 0 or at least 2.
 /// Errors: NotAvailable if there is no compiler, no Vulkan in this build, no such device or no timestamps; DeviceFailed;
