@@ -216,4 +216,25 @@ std::vector<Lookup> lookups(const std::vector<std::uint32_t>& levels, bool is_pr
   return all;
 }
 
+Lookup copy_of(std::uint32_t words_in, std::uint32_t words_out) {
+  constexpr std::uint32_t deepest = 16;
+  return {.name = "copy kernel",
+          .level = deepest,
+          .file = "kernels/copy.glsl",
+          .entry_point = words_in == 1    ? "ranked_lookup"
+                         : words_in == 3  ? "dag_lookup_f32"
+                         : words_out == 3 ? "attribute_triplet_f32"
+                                          : "index_f32",
+          .inputs = words_in == 1   ? Inputs::indices
+                    : words_in == 2 ? Inputs::points
+                                    : Inputs::points_of_map,
+          .words_in = words_in,
+          .words_out = words_out,
+          .right = [=](Words in, std::uint32_t* out) {
+            std::uint32_t x = 0;
+            for (std::uint32_t k = 0; k < words_in; ++k) x ^= in[k];
+            for (std::uint32_t k = 0; k < words_out; ++k) out[k] = x + k;
+          }};
+}
+
 }  // namespace mmverify::shaders

@@ -41,4 +41,8 @@ std::uint32_t random_states(std::uint32_t k);
 /// Domain: levels in 0..12, one at least.
 std::vector<Lookup> lookups(const std::vector<std::uint32_t>& levels, bool is_processor);
 
+/// The copy kernel of so many words a hit, in and out, as if it were a lookup at level 16, the hits' own.
+/// Domain: 1 and 1, 2 and 1, 3 and 1, 2 and 3.
+Lookup copy_of(std::uint32_t words_in, std::uint32_t words_out);
+
 }  // namespace mmverify::shaders

@@ -157,25 +157,11 @@ class Measuring {
     for (const Speed& copy : made_.rows)
       if (copy.bytes_in == words_in * word && copy.bytes_out == words_out * word && copy.hits == hits)
         return copy.ns;
-    constexpr std::uint32_t deepest = 16;  // of the hits: an index has all its bits
-    const Lookup copy{.name = "copy kernel",
-                      .level = deepest,
-                      .file = "kernels/copy.glsl",
-                      .entry_point = "index_f32",
-                      .inputs = words_in == 1   ? Inputs::indices
-                                : words_in == 2 ? Inputs::points
-                                                : Inputs::points_of_map,
-                      .words_in = words_in,
-                      .words_out = words_out,
-                      .right = [=](const std::uint32_t* in, std::uint32_t* out) {
-                        std::uint32_t x = 0;
-                        for (std::uint32_t k = 0; k < words_in; ++k) x ^= in[k];
-                        for (std::uint32_t j = 0; j < words_out; ++j) out[j] = x + j;
-                      }};
+    const Lookup copy = copy_of(words_in, words_out);
     reserve(copy, hits);
     make_inputs(copy, hits, Order::coherent);
     made_.rows.push_back(
-        measure(copy, hits, Order::coherent, {static_cast<std::uint32_t>(hits), 0, words_in, words_out, 0}));
+        measure(copy, hits, Order::coherent, {static_cast<std::uint32_t>(hits), 0, 0, 0, 0}));
     made_.rows.back().order.reset();
     made_.rows.back().level.reset();
     return made_.rows.back().ns;
