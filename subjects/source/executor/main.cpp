@@ -117,6 +117,9 @@ std::unique_ptr<llvm::Module> linked(const Options& o, llvm::LLVMContext& contex
     if (!f.isDeclaration()) f.addFnAttr(executor::law_attribute);
   for (llvm::GlobalVariable& g : module->globals()) g.addAttribute(executor::law_attribute);
   std::unique_ptr<llvm::Module> codec = read(o.codec, context);
+  // Bitcode that is given as such may say of itself what it likes.
+  for (llvm::Function& f : *codec) f.removeFnAttr(executor::law_attribute);
+  for (llvm::GlobalVariable& g : codec->globals()) g.setAttributes({});
   if (llvm::Linker::linkModules(*module, std::move(codec)))
     throw BadFile(o.codec + ": it does not link with " + o.law);
   return module;
