@@ -152,6 +152,14 @@ CodecRow codec_row() {
   return row;
 }
 
+Result on_device() {
+  ShaderFigures figures;
+  figures.bandwidth = 1;
+  figures.about = {{"device", "a test's"}};
+  figures.rows = {{"index", 4, 1, "coherent", 2, 1, 1, 0, 1, 1}};
+  return shader_tables(figures);
+}
+
 std::vector<Result> other_examples() {
   const scene::TextureCoder astc{.blocks = {std::begin(astc_blocks), std::end(astc_blocks)}};
   const scene::TextureCoder bc7{.blocks = {bc7_block}, .key = "bc7", .format = "BC7"};
@@ -165,7 +173,7 @@ std::vector<Result> other_examples() {
           attributes_by(bc7),
           rendered(),
           walked(),
-          shader_tables({.about = {{"device", "a test's"}}, .rows = {{"index", 4, 1, 1, 0}}}),
+          on_device(),
           seen()};
 }
 

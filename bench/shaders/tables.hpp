@@ -1,4 +1,4 @@
-// The cost of a lookup in a shader on a device, beside the library's own.
+// The speed of lookups as kernels on a device, beside a kernel that copies as many bytes.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,25 @@
 
 namespace mmverify::bench {
 
-struct ShaderSpeed {
-  std::string function;
+struct KernelSpeed {
+  std::string kernel;
   std::optional<std::uint64_t> level;
-  double device_ns = 0;          ///< wall time of a lookup in a batch, copies included
-  std::optional<double> cpu_ns;  ///< impl's, one by one; none if impl has no such function
-  std::uint64_t differing = 0;   ///< answers of a batch that differ from impl's
+  std::uint64_t hits = 0;
+  std::string order;                          ///< "coherent", "shuffled"; empty of copies
+  std::uint64_t bytes_in = 0, bytes_out = 0;  ///< a hit
+  double ns = 0;                              ///< of a dispatch: the median of the runs
+  double spread = 0;                          ///< (slowest run - fastest run) / median
+  std::optional<double> share_of_copy;        ///< none of copies
+  std::optional<std::uint64_t> checked;       ///< none of vkCmdCopyBuffer
 };
 
 struct ShaderFigures {
-  std::uint64_t device = 0, batch = 0, seed = 0;
+  std::uint64_t device = 0, hits = 0, runs = 0;
+  bool is_processor = false;
+  std::string bounded_by;  ///< what keeps the hits below those asked for; empty if nothing does
+  double bandwidth = 0;    ///< bytes/s of the fastest copy of the most hits
   std::vector<std::pair<std::string, std::string>> about;  ///< the device and its driver
-  std::vector<ShaderSpeed> rows;
+  std::vector<KernelSpeed> rows;
 };
 
 Result shader_tables(const ShaderFigures& figures);

@@ -26,6 +26,7 @@
 #include "proofs/engine/interrupt.hpp"
 #include "scene/plan/plan.hpp"
 #include "scene/read/bad_scene.hpp"
+#include "subjects/shaders/speed/speed.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -185,9 +186,14 @@ int run_sweep_bench(const BenchOptions& options) {
 int run_shader_bench(const BenchOptions& options) {
   if (options.topics.size() > 1) throw UsageError("bench shaders runs alone; leave the other topics out");
   if (!options.subject.empty() || !options.scene.empty() || !options.textures.empty() || options.sweep)
-    throw UsageError("bench shaders takes only --levels, --device, --seed and --json");
-  const proofs::Levels levels = levels_or(options, {4, 12}, 12);
-  return run_table(options, [&] { return bench::shader_tables(shader_figures(options, levels)); });
+    throw UsageError("bench shaders takes only --levels, --hits, --device, --json and --csv");
+  const proofs::Levels levels = levels_or(options, {12, 12}, 12);
+  try {
+    return run_table(options, [&] { return bench::shader_tables(shader_figures(options, levels)); });
+  } catch (const shaders::WrongAnswer& wrong) {
+    say(stderr, "mmverify: bench shaders: {}\n", wrong.what());
+    return ExitCode::failed;
+  }
 }
 
 using ChosenTopics = std::vector<const BenchTopic*>;
@@ -233,6 +239,7 @@ int run_bench(const BenchOptions& options) {
   const bool of_shaders =
       std::find(options.topics.begin(), options.topics.end(), "shaders") != options.topics.end();
   if (options.device != 0 && !of_shaders) throw UsageError("--device: only bench shaders takes it");
+  if (options.hits != 0 && !of_shaders) throw UsageError("--hits: only bench shaders takes it");
   if (of_shaders) {
     const proofs::InterruptGuard guard;
     return run_shader_bench(options);
@@ -287,6 +294,17 @@ int run_bench(const BenchOptions& options) {
   return run_topics(options, topics);
 }
 
+void add_shader_options(CLI::App& command, BenchOptions& options) {
+  command.add_option("--device", options.device, "shaders: the Vulkan device, by number; 0 where not given")
+      ->check(whole_within(0, 9999));
+  command
+      .add_option(
+          "--hits", options.hits,
+          "shaders: the most hits of a dispatch, rounded down to a power of two; where not given 2^28, "
+          "2^20 on a processor")
+      ->check(whole_within(2, std::uint64_t{1} << 31));
+}
+
 }  // namespace
 
 Action add_bench(CLI::App& program) {
@@ -335,8 +353,7 @@ Action add_bench(CLI::App& program) {
       ->add_option("--threads", options->threads,
                    "threads of a sweep; as many as the machine has where not given")
       ->check(whole_within(1, 1024));
-  command->add_option("--device", options->device, "shaders: the Vulkan device, by number; 0 where not given")
-      ->check(whole_within(0, 9999));
+  add_shader_options(*command, *options);
   command->add_option("--seed", options->index.seed, "seed of the points")->check(fits_64_bits);
   command->add_option("--json", options->json, "write the figures as JSON; - is stdout")->type_name("FILE|-");
   command->add_option("--csv", options->csv, "write the figures as comma-separated values; - is stdout")

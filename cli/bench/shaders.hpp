@@ -6,7 +6,7 @@
 
 namespace mmverify::cli {
 
-/// Errors: EnvironmentError if this machine cannot compile or run shaders.
+/// Errors: EnvironmentError if this machine cannot compile, run or time shaders; shaders::WrongAnswer.
 bench::ShaderFigures shader_figures(const BenchOptions& options, const proofs::Levels& levels);
 
 }  // namespace mmverify::cli

@@ -23,6 +23,7 @@ struct BenchOptions {
   bool quiet = false, sweep = false;
   unsigned threads = 0;
   std::uint32_t device = 0;  ///< for bench shaders
+  std::uint64_t hits = 0;    ///< for bench shaders: of a dispatch, at most; 0 for its default
 };
 
 inline constexpr std::uint64_t most_lookups = std::uint64_t{1} << 26;  ///< 8 bytes each

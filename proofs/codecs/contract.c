@@ -113,6 +113,9 @@ static const mmverify_contract_t* written(void) {
   first_state = any_below((size_t)1 << (PLACE_BITS - 2 * SIZE)) << 2 * SIZE;
   map = open_map(0);
   any_subtree(map);
+  uint8_t before[INSIDE_BYTES];
+  const size_t first = first_state * FORMAT / 8;
+  for (size_t k = 0; k < INSIDE_BYTES; ++k) before[k] = map[first + k];
   by_contract(c, SIZE == 0 ? 0 : SIZE - 1, SIZE == 0 ? 0 : 4);
 
   start = end = (Place){any(PLACE_BITS), any(PLACE_BITS)};
@@ -132,6 +135,8 @@ static const mmverify_contract_t* written(void) {
   check(same_place(&at, &end));
   check(in(tree.item, start.nodes, end.nodes) || item_of(&tree, tree.item) == node);
   check(in(data.item, start.leaves, end.leaves) || item_of(&data, data.item) == state);
+  for (size_t k = 0; k < INSIDE_BYTES; ++k) check(map[first + k] == before[k]);
+  note_code();
   return c;
 }
 
@@ -144,6 +149,7 @@ void step_of_skip(void) {
   assume(most >= end.nodes);
   check(c->skip(SIZE, tree.bytes, most, &at) == 1);
   check(same_place(&at, &end));
+  require_code_unchanged();
 }
 
 void step_of_read(void) {
@@ -155,6 +161,7 @@ void step_of_read(void) {
   for (size_t k = first_state; k < first_state + INSIDE; ++k)
     check(state_of(out, FORMAT, k) == state_of(map, FORMAT, k));
   require_others_unchanged();
+  require_code_unchanged();
 }
 
 void step_of_find(void) {
@@ -169,6 +176,7 @@ void step_of_find(void) {
   const unsigned due =
       parts == 0 ? state_of(map, FORMAT, first_state) : part[asked_index / states_of_part() % 4].asked;
   check(c->find(SIZE, FORMAT, tree.bytes, data.bytes, most, asked_index, &at) == due);
+  require_code_unchanged();
 }
 
 /* Algorithm 2: a node's bit, then its leaf or its four subtrees. */
@@ -219,6 +227,7 @@ static void encoded(uint8_t* states) {
   any_map_and_length(states);
   open_code(code_size, 0);
   check(codec()->tree_encode(LEVEL, FORMAT, map, tree.bytes, code_size) == code_size);
+  note_code();
 }
 
 /* The two sequences, each from a whole byte on, and zeros behind them. */
@@ -238,6 +247,7 @@ void decode_by_contract(void) {
   out = back;
   check(codec()->tree_decode(LEVEL, FORMAT, tree.bytes, code_size, back));
   check(equal(states, back, MAP_BYTES));
+  require_code_unchanged();
 }
 
 /* Any index, at each place of a batch of three. */
@@ -255,4 +265,5 @@ void lookup_by_contract(void) {
       check(state[k] == (k == place ? part[0].asked : state_of(map, FORMAT, batch[k])));
     check(batch[place] == asked_index);
   }
+  require_code_unchanged();
 }

@@ -140,6 +140,19 @@ static uint8_t* open_map(size_t other) {
   return watched_memory(watch[0] + INSIDE_BYTES, watch, INSIDE_BYTES + 1);
 }
 
+/* The watched items of the code, which no reader may change. */
+static unsigned noted_node, noted_state;
+
+static void note_code(void) {
+  noted_node = tree.item * tree.bits / 8 < tree.size ? item_of(&tree, tree.item) : 0;
+  noted_state = data.item * data.bits / 8 < data.size ? item_of(&data, data.item) : 0;
+}
+
+static void require_code_unchanged(void) {
+  check(tree.item * tree.bits / 8 >= tree.size || item_of(&tree, tree.item) == noted_node);
+  check(data.item * data.bits / 8 >= data.size || item_of(&data, data.item) == noted_state);
+}
+
 static size_t other;
 static uint8_t other_byte, first_byte;
 

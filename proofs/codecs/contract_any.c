@@ -7,9 +7,13 @@
 /* The subtrees that skip has passed so far, and the code that write makes. */
 static uint32_t passed;
 static Sequence again_tree, again_data;
+/* Bits of the tree that there are, and where a code that may be read ends. */
+static size_t most_nodes;
+static Place limit;
 
 static int skip_any(uint32_t level, const uint8_t* nodes, size_t most, Place* at) {
-  check(level == part_level && nodes == tree.bytes && at->nodes <= most && passed < parts);
+  check(level == part_level && nodes == tree.bytes && passed < parts);
+  check(at->nodes <= most && most <= most_nodes);
   Subtree* p = part + passed;
   ++passed;
   p->at = *at;
@@ -25,6 +29,7 @@ static int read_any(uint32_t level, uint32_t format, const uint8_t* nodes, const
   check(level == part_level && format == FORMAT && nodes == tree.bytes && leaves == data.bytes && to == out);
   const Subtree* p = part_of(first);
   check(p->written && same_place(at, &p->at));
+  check(end_of(p).nodes <= limit.nodes && end_of(p).leaves <= limit.leaves);
   for (size_t k = first; k < first + states_of_part(); ++k) {
     check(state_of(to, FORMAT, k) == 0);
     put_state(to, FORMAT, k, (unsigned)any_state(FORMAT));
@@ -37,7 +42,7 @@ static int read_any(uint32_t level, uint32_t format, const uint8_t* nodes, const
 static void measure_again(uint32_t level, uint32_t format, const uint8_t* m, size_t first, Place* at) {
   check(level == part_level && format == FORMAT && m == out);
   const Subtree* p = part_of(first);
-  check(p->written);
+  check(p->written && same_place(at, &p->at));
   move_over(at, p);
 }
 
@@ -102,7 +107,10 @@ static int passes(const mmverify_contract_t* c) {
   start = end = (Place){any(PLACE_BITS), any(PLACE_BITS)};
   assume(start.nodes <= most);
   watch(&tree, 1, start.nodes, bytes_for(most, 1));
-  if (!c->skip(SIZE, tree.bytes, most, &end)) return 0;
+  most_nodes = most;
+  const int passed_over = c->skip(SIZE, tree.bytes, most, &end);
+  check(passed_over == 0 || passed_over == 1);
+  if (!passed_over) return 0;
   check(end.nodes <= most);
   const Place leaf = {start.nodes + 1, start.leaves + 1};
   Place sum = {start.nodes + 1, start.leaves};
@@ -122,9 +130,13 @@ void step_of_any_bits(void) {
   end_sequence(&tree, &given, end.nodes);
   watch(&data, FORMAT, start.leaves, bytes_for(end.leaves, FORMAT));
   open_zeros();
+  limit = end;
+  note_code();
   Place at = start;
   const int taken = c->read(SIZE, FORMAT, tree.bytes, data.bytes, first_state, &at, out);
   require_others_unchanged();
+  require_code_unchanged();
+  check(taken == 0 || taken == 1);
   if (!taken) return;
   check(same_place(&at, &end));
 
@@ -150,9 +162,15 @@ void decode_any_bytes(void) {
   const size_t size = any(PLACE_BITS);
   open_code(size, 0);
   out = back;
+  most_nodes = 8 * size;
+  /* All of it may be read if it fits. */
+  if (size >= code_size) limit = part[0].length;
+  if (size >= code_size) note_code();
   start = (Place){0, 0};
   end = part[0].length;
-  if (!codec()->tree_decode(LEVEL, FORMAT, tree.bytes, size, back)) return;
+  const int taken = codec()->tree_decode(LEVEL, FORMAT, tree.bytes, size, back);
+  if (size >= code_size) require_code_unchanged();
+  if (!taken) return;
   check(padded(back, FORMAT, STATES));
   if (!(codec()->flags & MMVERIFY_TREE_STREAM)) return;
   check(size == code_size);

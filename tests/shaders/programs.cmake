@@ -1,12 +1,16 @@
 # Shaders on a Vulkan device; where none is, skipped, and so said.
 mmverify_add_test(shader_compile_test mmverify::shaders)
 mmverify_add_test(shader_device_test)
-foreach(test shader_compile_test shader_device_test)
+mmverify_add_test(shader_bench_test nlohmann_json::nlohmann_json)
+foreach(test shader_bench_test shader_compile_test shader_device_test)
   target_compile_definitions(${test} PRIVATE MMVERIFY_PROGRAM="$<TARGET_FILE:mmverify>" MMVERIFY_SUBJECTS="${subjects_dir}"
     MMVERIFY_ROOT="${PROJECT_SOURCE_DIR}" MMVERIFY_SCRIPTS="${PROJECT_SOURCE_DIR}/scripts"
     MMVERIFY_SHADER_SUBJECTS="${PROJECT_SOURCE_DIR}/subjects/shaders/subjects")
   add_dependencies(${test} mmverify mmverify-worker)
 endforeach()
+if(TEST shader_bench_test)
+  set_tests_properties(shader_bench_test PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED.*times_each_kernel")
+endif()
 if(TEST shader_device_test)
   set_tests_properties(shader_device_test PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED.*our_index_is_proved")
 endif()

@@ -301,21 +301,6 @@ TEST_F(ShaderOnDevice, a_second_device_judges_as_well) {
   EXPECT_THAT(o.out, HasSubstr("index.glsl@1: device: "));
 }
 
-TEST_F(ShaderOnDevice, a_bench_answers_as_the_library_does) {
-  SKIP_A_REPEAT_UNDER_SANITIZERS();
-  const std::string json = (folder_ / "bench.json").string();
-  const Outcome o = shell(std::string(MMVERIFY_PROGRAM) + " bench shaders --levels 4 --quiet --json " + json);
-  EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
-  const Outcome schema = shell(std::string(MMVERIFY_SCRIPTS) + "/check-schema " + json);
-  EXPECT_EQ(schema.exit_code, 0) << schema.out << schema.err;
-  const std::string text = text_of(json);
-  std::size_t rows = 0;
-  for (std::size_t at = text.find("\"differing\": "); at != std::string::npos;
-       at = text.find("\"differing\": ", at + 1), ++rows)
-    EXPECT_EQ(text.compare(at, 14, "\"differing\": 0"), 0) << text.substr(at, 24);
-  EXPECT_EQ(rows, 12u);
-}
-
 TEST_F(ShaderOnDevice, two_devices_are_judged_in_one_run) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   const Outcome o =

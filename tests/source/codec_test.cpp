@@ -1,21 +1,17 @@
 // [release, night] Laws of codecs: their cases as text, and the prover beside enumeration, on right codecs and on faults.
 #include "subjects/source/codec.hpp"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
 #include <map>
-#include <memory>
 
 #include "proofs/codecs/case_text.hpp"
 #include "proofs/engine/random.hpp"
 #include "proofs/registry/registry.hpp"
-#include "tests/folder.hpp"
+#include "tests/source/made_codec.hpp"
 
 namespace mmverify::codec_test {
 namespace {
@@ -39,44 +35,6 @@ const std::vector<Fault> faults{
 
 /// A codec that has every entry point and declares every flag.
 const Facts all_of_it{[](dock::Call) { return true; }, MMVERIFY_TREE_STREAM | MMVERIFY_VQ_KEEPS, 12};
-
-std::string source_text(const std::string& file) {
-  return tests::text_of(std::string(MMVERIFY_ROOT) + "/" + file);
-}
-
-/// A codec in a file of its own, compiled, and what it says of itself.
-class Made {
- public:
-  explicit Made(const std::string& text) {
-    const std::string file = folder_ / "codec.c";
-    std::ofstream(file) << text;
-    codec =
-        std::make_unique<source::Codec>(file, std::vector<std::string>{"-I" MMVERIFY_ROOT}, codecs::texts());
-    handle_ = dlopen(codec->library().c_str(), RTLD_NOW);
-    if (handle_ == nullptr) throw std::runtime_error(dlerror());
-    const auto* subject =
-        reinterpret_cast<const mmverify_subject_t* (*)()>(dlsym(handle_, "mmverify_subject_v1"))();
-    facts = {[subject](dock::Call call) {
-               void* pointer = nullptr;
-               std::memcpy(&pointer, reinterpret_cast<const char*>(subject) + dock::entry_point(call).offset,
-                           sizeof pointer);
-               return pointer != nullptr;
-             },
-             subject->flags, subject->max_level};
-  }
-  ~Made() { dlclose(handle_); }
-  Made(const Made&) = delete;
-  Made& operator=(const Made&) = delete;
-
-  std::unique_ptr<source::Codec> codec;
-  Facts facts;
-
- private:
-  tests::Folder folder_;
-  void* handle_;
-};
-
-source::HarnessCall call_of(const Question& q) { return {q.file, q.function, q.level, q.format, q.size}; }
 
 std::uint64_t bits_of(const Question& q) {
   std::uint64_t bits = 0;
@@ -111,15 +69,6 @@ bool proved(Made& made, const CodecLaw& law, const Question& q, unsigned bits) {
     EXPECT_LE(answer.choices.size(), codecs::count_of(q)) << name_of(law, q);
   }
   return holds;
-}
-
-bool no_prover() {
-  try {
-    Made made(source_text("tests/subjects/codecs/maps.c"));
-    return false;
-  } catch (const source::NotAvailable&) {
-    return true;
-  }
 }
 
 TEST(CodecLaws, AreOfTheRegistryAndSoAreTheirSamples) {

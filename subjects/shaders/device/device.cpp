@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <initializer_list>
+#include <optional>
 
 namespace mmverify::shaders {
 namespace {
@@ -177,6 +179,13 @@ void Device::read_properties() {
   properties_.driver_version = plain.driverVersion;
   properties_.float_controls = floats;
   properties_.limits = plain.limits;
+  properties_.is_processor = plain.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+  VkPhysicalDeviceMemoryProperties memory;
+  vkGetPhysicalDeviceMemoryProperties(chosen_, &memory);
+  for (std::uint32_t k = 0; k < memory.memoryHeapCount; ++k)
+    if ((memory.memoryHeaps[k].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0)
+      properties_.memory_bytes =
+          std::max<std::uint64_t>(properties_.memory_bytes, memory.memoryHeaps[k].size);
   if (plain.apiVersion < VK_API_VERSION_1_1)
     throw NoDevice(properties_.name + " has Vulkan 1.0; 1.1 is what shaders are run with");
 }
@@ -189,6 +198,7 @@ void Device::make_device() {
   for (family_ = 0; family_ < count; ++family_)
     if ((families[family_].queueFlags & VK_QUEUE_COMPUTE_BIT) != 0) break;
   if (family_ == count) throw NoDevice(properties_.name + " does not compute");
+  properties_.timestamp_bits = families[family_].timestampValidBits;
 
   // Enables every number type that the device has.
   VkPhysicalDeviceShaderFloat16Int8Features small{};
@@ -224,15 +234,32 @@ void Device::make_device() {
   vkGetDeviceQueue(device_, family_, 0, &queue_);
 }
 
-std::uint32_t Device::host_memory(std::uint32_t kinds) const {
+namespace {
+
+/// The first memory type among `kinds` with one of these sets of flags, the first set first.
+std::optional<std::uint32_t> memory_with(VkPhysicalDevice device, std::uint32_t kinds,
+                                         std::initializer_list<VkMemoryPropertyFlags> sets) {
   VkPhysicalDeviceMemoryProperties memory;
-  vkGetPhysicalDeviceMemoryProperties(chosen_, &memory);
-  constexpr VkMemoryPropertyFlags needed =
-      VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-  for (const VkMemoryPropertyFlags wanted : {needed | VK_MEMORY_PROPERTY_HOST_CACHED_BIT, needed})
+  vkGetPhysicalDeviceMemoryProperties(device, &memory);
+  for (const VkMemoryPropertyFlags wanted : sets)
     for (std::uint32_t k = 0; k < memory.memoryTypeCount; ++k)
       if ((kinds >> k & 1u) != 0 && (memory.memoryTypes[k].propertyFlags & wanted) == wanted) return k;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::uint32_t Device::host_memory(std::uint32_t kinds) const {
+  constexpr VkMemoryPropertyFlags needed =
+      VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+  if (const auto type = memory_with(chosen_, kinds, {needed | VK_MEMORY_PROPERTY_HOST_CACHED_BIT, needed}))
+    return *type;
   throw NoDevice(properties_.name + " has no memory that this process sees");
+}
+
+std::uint32_t Device::own_memory(std::uint32_t kinds) const {
+  if (const auto type = memory_with(chosen_, kinds, {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT})) return *type;
+  throw NoDevice(properties_.name + " has no memory of its own");
 }
 
 }  // namespace mmverify::shaders

@@ -28,6 +28,9 @@ struct Properties {
   VkPhysicalDeviceLimits limits{};
   VkPhysicalDeviceFeatures features{};
   bool float16 = false, int8 = false;
+  bool is_processor = false;         ///< no graphics card: a driver that computes on the processor
+  std::uint32_t timestamp_bits = 0;  ///< of the queue's timestamps; 0 if it has none
+  std::uint64_t memory_bytes = 0;    ///< of the largest heap of the device's own memory
 };
 
 class Device {
@@ -45,6 +48,8 @@ class Device {
   std::uint32_t queue_family() const { return family_; }
   /// A memory type among `kinds` that this process can map; cached memory if there is any.
   std::uint32_t host_memory(std::uint32_t kinds) const;
+  /// A memory type among `kinds` of the device's own memory.
+  std::uint32_t own_memory(std::uint32_t kinds) const;
 
   /// Throws the first message of the validation layer, if there is one.
   void throw_what_validation_said() const;

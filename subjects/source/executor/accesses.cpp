@@ -173,7 +173,7 @@ void Executor::require_aligned(const State& s, const ValuePtr& p, std::uint64_t 
     const Object* object = t.object > 0 ? s.memory.find(t.object) : nullptr;
     if (object == nullptr) continue;
     const Word low(t.offset.begin(), t.offset.begin() + std::countr_zero(align));
-    const bool of_law = at.getFunction()->hasFnAttribute(law_mark);
+    const bool of_law = at.getFunction()->hasFnAttribute(law_attribute);
     const std::uint64_t known = object->promised == 0 || of_law ? object->align : object->promised;
     const Literal off = known < align ? always : circuit::not_zero(graph_, low);
     require_never(

@@ -20,7 +20,7 @@ Word beyond(Graph& g, const Word& offset, std::size_t by) {
 
 llvm::Function& Executor::stand_in(llvm::Function& function, const llvm::Instruction* at) const {
   const auto found = stand_ins_.find(&function);
-  if (found == stand_ins_.end() || at == nullptr || at->getFunction()->hasFnAttribute(law_mark))
+  if (found == stand_ins_.end() || at == nullptr || at->getFunction()->hasFnAttribute(law_attribute))
     return function;
   return *found->second;
 }

@@ -22,8 +22,8 @@
 
 namespace mmverify::source::executor {
 
-/// The attribute of functions and variables of the law, not of the codec. The law's buffers of bytes may lie at any address.
-inline constexpr const char* law_mark = "mmverify-law";
+/// The attribute of the law's own functions and variables. The law's buffers of bytes may lie at any address.
+inline constexpr const char* law_attribute = "mmverify-law";
 
 /// A number that the law chose: what a counterexample consists of.
 struct Choice {

@@ -111,7 +111,7 @@ bool Executor::step(Call& c, State& s, const llvm::Instruction& i) {
     object.call = c.number;
     object.align = a->getAlign().value();
     // A compiler gives an array of bytes more than its type asks for; an entry point may not rely on that.
-    if (c.function.hasFnAttribute(law_mark))
+    if (c.function.hasFnAttribute(law_attribute))
       object.promised = layout_.getABITypeAlign(a->getAllocatedType()).value();
     s.memory.add(++objects_, std::move(object));
     s.values[&i] = pointer(objects_);

@@ -114,9 +114,12 @@ void say_choices(const std::vector<executor::Choice>& choices, const circuit::Gr
 std::unique_ptr<llvm::Module> linked(const Options& o, llvm::LLVMContext& context) {
   std::unique_ptr<llvm::Module> module = read(o.law, context);
   for (llvm::Function& f : *module)
-    if (!f.isDeclaration()) f.addFnAttr(executor::law_mark);
-  for (llvm::GlobalVariable& g : module->globals()) g.addAttribute(executor::law_mark);
+    if (!f.isDeclaration()) f.addFnAttr(executor::law_attribute);
+  for (llvm::GlobalVariable& g : module->globals()) g.addAttribute(executor::law_attribute);
   std::unique_ptr<llvm::Module> codec = read(o.codec, context);
+  // Bitcode that is given as such may say of itself what it likes.
+  for (llvm::Function& f : *codec) f.removeFnAttr(executor::law_attribute);
+  for (llvm::GlobalVariable& g : codec->globals()) g.setAttributes({});
   if (llvm::Linker::linkModules(*module, std::move(codec)))
     throw BadFile(o.codec + ": it does not link with " + o.law);
   return module;

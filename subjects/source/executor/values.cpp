@@ -86,7 +86,7 @@ void Executor::make_globals(State& s, const llvm::Instruction& at) {
     object.name = global.getName().str();
     object.cells.resize(layout_.getTypeAllocSize(global.getValueType()));
     object.constant = global.isConstant();
-    object.lasting = !global.hasAttribute(law_mark);
+    object.lasting = !global.hasAttribute(law_attribute);
     object.align = layout_.getValueOrABITypeAlignment(global.getAlign(), global.getValueType()).value();
     try {
       initialize(s, object, 0, *global.getInitializer(), at);
