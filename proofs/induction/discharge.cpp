@@ -44,7 +44,12 @@ Law on_statements(Law law, std::vector<About> known, Settle settle) {
     return fmt::format("no statements about {}: there are some about {}", s.name(), fmt::join(names, ", "));
   };
   law.judge = [known = std::move(known), settle = std::move(settle)](const Subject& s, Level,
-                                                                     const Run& run) {
+                                                                     const Run& asked) {
+    Run run = asked;
+    run.until_refuted = false;  // a search names the simplest counterexample
+    // Without statements only the search runs: a counterexample refutes, whatever a prover would say.
+    if (asked.until_refuted)
+      if (Tally found = settle({}, s, run); found.mismatches() != 0) return found;
     return settle(statements_about(known, s).value(), s, run);
   };
   return law;
