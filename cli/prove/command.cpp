@@ -146,7 +146,8 @@ int prove_codec_of(const ProveOptions& options) {
     throw UsageError("--source and --subject: give one of them; the source is the subject that is judged");
   if (!options.shard.empty() || !options.journal.empty())
     throw UsageError("--shard, --journal: a codec's proof has no parts; leave them out");
-  if (options.time) throw UsageError("--time: a codec's proof says each law's seconds by itself; leave it out");
+  if (options.time)
+    throw UsageError("--time: a codec's proof says each law's seconds by itself; leave it out");
   CodecOptions codec;
   codec.file = *options.source;
   codec.flags = options.flags;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 #include "impl/tree/bits.hpp"
 #include "impl/tree/decode.hpp"
@@ -230,14 +229,6 @@ std::uint8_t lookup_stream(Level n, Format b, const Stream& s, std::uint64_t ind
     // bitscan: passes the subtrees of the children before the one named by the index.
     std::uint64_t child = index >> (2 * (n - depth - 1)) & 3;
     while (t < length && child > 0) {
-      // Eight nodes at once, where they cannot be the end.
-      if (t % 8 == 0 && child > 8 && t + 8 <= length) {
-        const auto eight = static_cast<std::uint64_t>(std::popcount(s.tree[t / 8]));
-        child += 4 * eight - 8;
-        d += 8 - eight;
-        t += 8;
-        continue;
-      }
       if (internal(t))
         child += 4;
       else
