@@ -1,6 +1,6 @@
 #include "proofs/array/small_answers.hpp"
 
-#include <atomic>
+#include "proofs/engine/passed.hpp"
 
 namespace mmverify::proofs::array {
 namespace {
@@ -10,33 +10,7 @@ constexpr std::array<Check, 8> checks{resolves,       keeps_formats,       uses_
                                       stays_in_range, counts_records,      counts_references,
                                       shares,         keeps_what_was_there};
 
-/// What one builder's answers to the small arrays of a level have passed.  Threads share it.
-class Passed {
- public:
-  explicit Passed(std::uint64_t cases) : state_(cases), digest_(cases) {}
-
-  /// The digest of the answer that passed all checks, if one did.
-  std::optional<std::uint64_t> all(std::uint64_t k) const {
-    return state_[k].load(std::memory_order_acquire) == passed ? std::optional(digest_[k]) : std::nullopt;
-  }
-  /// Whether the caller is the first to come to the case, and runs all checks.
-  bool take(std::uint64_t k) {
-    std::uint8_t expected = untouched;
-    return state_[k].compare_exchange_strong(expected, taken);
-  }
-  /// Domain: the caller took the case.
-  void pass(std::uint64_t k, std::uint64_t digest) {
-    digest_[k] = digest;
-    state_[k].store(passed, std::memory_order_release);
-  }
-
- private:
-  enum : std::uint8_t { untouched, taken, passed };
-  std::vector<std::atomic<std::uint8_t>> state_;
-  std::vector<std::uint64_t> digest_;
-};
-
-/// Those of a built-in subject, at levels 0 and 1; null for any other.
+/// What the answers of a built-in subject have passed at a level; null for any other subject.
 Passed* passed_by(const ArraySubject& s, Level n) {
   struct OfSubject {
     const ArraySubject* subject;
@@ -74,7 +48,7 @@ Finding judged_by_all(const ArraySubject& s, std::uint64_t k, const BuildCase& c
 Finding small_array_finding(const ArraySubject& s, Level n, std::uint64_t k, Check check) {
   Passed* const kept = passed_by(s, n);
   if (kept == nullptr) return built(s, small_array(n, k), check);
-  if (const auto digest = kept->all(k)) return {*digest};
+  if (const auto answer = kept->answer(k)) return {*answer};
   if (!kept->take(k)) return built(s, small_array(n, k), check);
   return judged_by_all(s, k, small_array(n, k), check, *kept);
 }
