@@ -21,6 +21,7 @@
 #include "cli/prove/shader.hpp"
 #include "cli/prove/short/run_text.hpp"
 #include "cli/prove/source.hpp"
+#include "cli/prove/time_table.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/index/options.hpp"
@@ -43,7 +44,7 @@ struct ProveOptions {
   std::optional<double> timeout;
   std::vector<std::uint32_t> devices;
   std::optional<std::string> entry;
-  bool quiet = false, details = false, no_mutants = false, no_companions = false;
+  bool quiet = false, details = false, time = false, no_mutants = false, no_companions = false;
   std::string shard, journal;
   std::optional<std::string> source, function, one_case, format;
   std::vector<std::string> flags;
@@ -145,6 +146,8 @@ int prove_codec_of(const ProveOptions& options) {
     throw UsageError("--source and --subject: give one of them; the source is the subject that is judged");
   if (!options.shard.empty() || !options.journal.empty())
     throw UsageError("--shard, --journal: a codec's proof has no parts; leave them out");
+  if (options.time)
+    throw UsageError("--time: a codec's proof says each law's seconds by itself; leave it out");
   CodecOptions codec;
   codec.file = *options.source;
   codec.flags = options.flags;
@@ -250,6 +253,8 @@ int prove_laws(const ProveOptions& options) {
   const Report report = run_jobs(jobs, run, [&](const Result& r) { text.add(r); });
   text.finish(report, !options.subjects.empty() || options.source,
               left_out_lines(asked, jobs, report, options.levels.has_value()));
+  if (options.time)
+    for (const std::string& line : time_table(report, processor_seconds())) say(json.text(), "{}\n", line);
   if (report.interrupted && journal)
     say(stderr, "stopped; the same command goes on from {}\n", options.journal);
   json.write([&] { return to_json(report, options.seed, run.shard, identity, {}, runs_on); });
@@ -395,6 +400,8 @@ Action add_prove(CLI::App& program) {
   command->add_flag("--no-mutants", options->no_mutants,
                     "leave out the wrong subjects by which each law shows that it can fail");
   add_details(*command, options->details);
+  command->add_flag("--time", options->time,
+                    "print each law's seconds and processor seconds, and the longest task; not of a codec");
   command->add_flag("--quiet", options->quiet, "no progress on stderr");
   return [options] { return prove(*options); };
 }

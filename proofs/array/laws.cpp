@@ -1,6 +1,7 @@
 #include "proofs/array/laws.hpp"
 
 #include "proofs/array/law_parts.hpp"
+#include "proofs/array/small_answers.hpp"
 
 namespace mmverify::proofs::array {
 
@@ -79,8 +80,11 @@ Law on_small_arrays(Law law, Check check) {
     return "all arrays of 1 and 2 triangles of levels 0 and 1, both formats, indices of 8, 16 and 32 bits; "
            "of the sorted maps those of 1 and 2 with every choice, and those of 3";
   };
-  return on_cases(std::move(law), {entry::build},
-                  built_cases([](Level n) { return n > 1 ? 0 : small_arrays(n); }, small_array, check));
+  Cases cases = built_cases([](Level n) { return n > 1 ? 0 : small_arrays(n); }, small_array, check);
+  cases.check = [check](const ArraySubject& s, Level n, std::uint64_t k, const Run&) {
+    return small_array_finding(s, n, k, check);
+  };
+  return on_cases(std::move(law), {entry::build}, std::move(cases));
 }
 
 std::function<void(Functions&)> answering(void (*spoil)(const BuildCase&, Answer&)) {

@@ -1,40 +1,12 @@
-#include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <mutex>
-#include <numeric>
 
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/journal.hpp"
-#include "proofs/engine/runner.hpp"
+#include "proofs/engine/task_queue.hpp"
 
 namespace mmverify::proofs {
 namespace {
-
-/// The result of a law that cannot be divided and that another shard runs.
-Result of_another_shard(const Law& law, const Subject& subject, Level level, const Run& run) {
-  if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, run, *why);
-  Result r = not_applicable(law, subject, level, run, "another shard runs all of it");
-  r.cases_expected = law.cases(level, run);
-  r.share = Share{0, 0, 1};
-  return r;
-}
-
-/// The journal's name for a job's level.
-std::string about(const Job& job, Level level) {
-  return fmt::format("{} {} level {}", job.law->id, job.subject->name(), level);
-}
-
-/// The reason why the job has no level to run; empty if it has one.
-std::string unfit_throughout(const Job& job) {
-  std::string why = job.unfit;
-  for (Level n = job.levels.first; why.empty() && n <= job.levels.last; ++n)
-    if (!job.law->unfit(*job.subject, n)) return {};
-  return why.empty() ? job.law->unfit(*job.subject, job.levels.first).value_or("no level") : why;
-}
 
 /// The job's results at the levels that ran, if one of them is refuted; else none.
 std::vector<Result> refuting(const Report& report, const Job& job) {
@@ -119,146 +91,18 @@ void diagnose(const std::vector<Job>& jobs, Report& report) {
     }
 }
 
-/// The laws of the jobs that are run at some level, each once.
-std::vector<const Law*> laws_run(const std::vector<Job>& jobs) {
+/// The mutants of the laws that are run at some level, each once.
+std::vector<MutantTask> mutants_of(const std::vector<Job>& jobs) {
   std::vector<const Law*> laws;
-  for (const Job& job : jobs)
-    if (unfit_throughout(job).empty() && std::find(laws.begin(), laws.end(), job.law) == laws.end())
-      laws.push_back(job.law);
-  return laws;
+  std::vector<MutantTask> mutants;
+  for (const Job& job : jobs) {
+    if (std::find(laws.begin(), laws.end(), job.law) != laws.end() || !unfit_throughout(job).empty())
+      continue;
+    laws.push_back(job.law);
+    for (const Mutant& mutant : job.law->mutants) mutants.push_back({job.law, &mutant});
+  }
+  return mutants;
 }
-
-/// The jobs of a run, which one thread takes one after another or several side by side.
-class JobQueue {
- public:
-  JobQueue(const std::vector<Job>& jobs, const RunOptions& options, const Run& run, Report& report,
-           const OnResult& on_result)
-      : jobs_(jobs),
-        options_(options),
-        run_(run),
-        report_(report),
-        on_result_(on_result),
-        held_(jobs.size()) {
-    order_.resize(jobs.size());
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    if (options.side_by_side)
-      std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
-        return jobs[a].law->tiers.seconds > jobs[b].law->tiers.seconds;
-      });
-    std::uint64_t levels = 0;
-    for (const Job& job : jobs) {
-      whole_before_.push_back(levels);
-      if (!job.law->divisible && unfit_throughout(job).empty())
-        levels += job.levels.last - job.levels.first + 1;
-    }
-  }
-
-  void run(unsigned threads) {
-    if (options_.side_by_side)
-      run_.arena->execute([&] {
-        oneapi::tbb::parallel_for(
-            0u, threads, [&](unsigned) { take_until_empty(); }, oneapi::tbb::simple_partitioner());
-      });
-    else
-      take_until_empty();
-    // Jobs that did not begin, for want of a resource, leave results of later ones waiting.
-    for (std::size_t k = first_unfinished_; k < jobs_.size(); ++k) pass_on(k);
-  }
-
- private:
-  void take_until_empty() {
-    for (std::size_t k = next_++; k < jobs_.size() && !gave_up(); k = next_++)
-      // A thread that waits within a law must not begin another one: the first may have a lock.
-      oneapi::tbb::this_task_arena::isolate([&] { run_job(order_[k]); });
-  }
-
-  void run_job(std::size_t k) {
-    const Job& job = jobs_[k];
-    Run run = run_;
-    if (const std::string why = unfit_throughout(job); !why.empty()) {
-      report(k, not_applicable(*job.law, *job.subject, job.levels.first, run, why));
-      return finish(k);
-    }
-    Breaks breaks;
-    run.breaks = &breaks;
-    std::uint64_t whole_laws = whole_before_[k];  // dealt to the shards in turn
-    for (Level n = job.levels.first; n <= job.levels.last && !gave_up(); ++n) {
-      const Result r = run_at(job, n, run, whole_laws++);
-      report(k, r);
-      // A subject that breaks on all of a level would do so at the next level; the run continues with the next law.
-      if (r.verdict == Verdict::broken && r.breaks.empty()) break;
-    }
-    finish(k);
-  }
-
-  Result run_at(const Job& job, Level n, Run& run, std::uint64_t whole_law) {
-    const Shard shard = options_.shard.value_or(Shard{});
-    Division division{options_.shard, options_.journal, about(job, n), {}, 0, false};
-    run.division = options_.journal != nullptr || options_.shard ? &division : nullptr;
-    try {
-      const bool elsewhere = !job.law->divisible && whole_law % shard.of != shard.number - 1;
-      return elsewhere ? of_another_shard(*job.law, *job.subject, n, run)
-                       : run_level(*job.law, *job.subject, n, run);
-    } catch (const NoResources& why) {
-      // This shows nothing about the subject; earlier results stand.
-      {
-        const std::lock_guard hold(lock_);
-        if (report_.gave_up.empty()) report_.gave_up = why.what();
-      }
-      return cut_short(*job.law, *job.subject, n, run, why.what());
-    }
-  }
-
-  bool gave_up() {
-    const std::lock_guard hold(lock_);
-    return !report_.gave_up.empty();
-  }
-
-  /// Reports a result of job k, at once if all earlier jobs have finished.
-  void report(std::size_t k, Result r) {
-    // A scene has no file, and its fingerprint takes a second.
-    if (options_.change_of) r.fingerprint = jobs_[k].subject->fingerprint();
-    const std::lock_guard hold(lock_);
-    held_[k].results.push_back(std::move(r));
-    if (k == first_unfinished_) pass_on(k);
-  }
-
-  void finish(std::size_t k) {
-    const std::lock_guard hold(lock_);
-    held_[k].finished = true;
-    while (first_unfinished_ < held_.size() && held_[first_unfinished_].finished) {
-      ++first_unfinished_;
-      if (first_unfinished_ < held_.size()) pass_on(first_unfinished_);
-    }
-  }
-
-  void pass_on(std::size_t k) {
-    for (const Result& r : held_[k].results) {
-      report_.results.push_back(r);
-      on_result_(r);
-    }
-    held_[k].results.clear();
-  }
-
-  /// A job's results that wait for those of earlier jobs.
-  struct Held {
-    std::vector<Result> results;
-    bool finished = false;
-  };
-
-  const std::vector<Job>& jobs_;
-  const RunOptions& options_;
-  const Run& run_;
-  Report& report_;
-  const OnResult& on_result_;
-  std::vector<std::size_t> order_;  ///< of jobs
-  std::vector<std::uint64_t>
-      whole_before_;                   ///< levels of laws that cannot be divided, in the jobs before each
-  std::atomic<std::size_t> next_ = 0;  ///< in order_
-  std::mutex lock_;                    ///< for all below, and the report
-  std::vector<Held> held_;
-  std::size_t first_unfinished_ = 0;
-};
 
 }  // namespace
 
@@ -272,13 +116,14 @@ Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const O
   Progress progress(count_cases(jobs, run, shard), options.show_progress);
   const InterruptGuard guard;
   run.progress = &progress;
-  JobQueue(jobs, options, run, report, on_result).run(report.threads);
+  const std::vector<MutantTask> mutants =
+      shard.number == 1 && options.mutants ? mutants_of(jobs) : std::vector<MutantTask>{};
+  TaskQueue(jobs, mutants, options, run, report, on_result).run(report.threads);
 
   run.progress = nullptr;
   withdraw_changed(jobs, options, report);
   diagnose(jobs, report);
-  if (shard.number == 1 && options.mutants && report.gave_up.empty())
-    report.mutants = run_mutants(laws_run(jobs), run);
+  if (!report.gave_up.empty()) report.mutants.clear();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.interrupted = interrupted();
   return report;

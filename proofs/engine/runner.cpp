@@ -1,7 +1,6 @@
 #include "proofs/engine/runner.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/journal.hpp"
@@ -54,6 +53,10 @@ Result named(const Law& law, const Subject& subject, Level level, const Run& run
   return r;
 }
 
+bool by_prover(const Law& law) {
+  return law.method == Method::induction || law.method == Method::bit_vectors;
+}
+
 /// Judges a law that cannot be divided completely, or takes its tally from the journal.
 Tally judge_whole(const Law& law, const Subject& subject, Level level, const Run& asked) {
   Run run = asked;
@@ -69,20 +72,6 @@ Tally judge_whole(const Law& law, const Subject& subject, Level level, const Run
   if (!interrupted() && !tally.broke()) division->journal->append({division->about, {0, 1}, 1, tally});
   division->journal->flush();
   return tally;
-}
-
-/// Runs a mutant; nothing if an interrupt came first.
-std::optional<MutantResult> run_mutant(const Law& law, const Mutant& mutant, const Run& run) {
-  MutantResult m{law.id, mutant.name, false, 0, {}};
-  const Level last = law.at_once.empty() ? mutant.levels.last : mutant.levels.first;
-  for (Level n = mutant.levels.first; n <= last && !m.killed && !interrupted(); ++n) {
-    const Result r = run_level(law, *mutant.subject, n, run);
-    if (r.verdict != Verdict::refuted) continue;
-    m.killed = true;
-    m.level = law.at_once.empty() || r.counterexamples.empty() ? n : r.counterexamples.front().level;
-    m.at = r.counterexamples.empty() ? std::string() : r.counterexamples.front().at;
-  }
-  return m.killed || !interrupted() ? std::optional(m) : std::nullopt;
 }
 
 }  // namespace
@@ -107,7 +96,7 @@ Result cut_short(const Law& law, const Subject& subject, Level level, const Run&
 void name_proof(Result& r, const Law& law) {
   r.at_once = law.at_once;
   r.replayed_by = law.replayed_by;
-  if (law.method == Method::induction || law.method == Method::bit_vectors) r.proof = to_string(law.method);
+  if (by_prover(law)) r.proof = to_string(law.method);
 }
 
 /// The break on the first case that breaks the subject, found on one thread; several threads may find another one
@@ -140,7 +129,7 @@ Result run_level(const Law& law, const Subject& subject, Level level, const Run&
   Run run = asked;
   run.options = heeded(law, asked.options);
   if (!law.knows_near) run.near = 0;
-  run.until_refuted = asked.until_refuted && law.divisible;
+  run.until_refuted = asked.until_refuted && (law.divisible || by_prover(law));
   Result r = named(law, subject, level, run);
   if (const auto why = law.unfit(subject, level)) return not_applicable(law, subject, level, run, *why);
   Breaks breaks;
@@ -188,11 +177,7 @@ Result run_level(const Law& law, const Subject& subject, Level level, const Run&
   return r;
 }
 
-std::vector<MutantResult> run_mutants(const Law& law, const Run& run) {
-  return run_mutants(std::vector<const Law*>{&law}, run);
-}
-
-std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const Run& asked) {
+std::optional<MutantResult> run_mutant(const Law& law, const Mutant& mutant, const Run& asked) {
   // A mutant's run must not depend on the requested sample.
   Run run = asked;
   run.seed = Run().seed;
@@ -200,30 +185,23 @@ std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const
   run.cases = 0;
   run.near = 0;
   run.until_refuted = true;
-  std::vector<std::pair<const Law*, const Mutant*>> all;
-  for (const Law* law : laws)
-    for (const Mutant& mutant : law->mutants) all.emplace_back(law, &mutant);
-  std::vector<std::optional<MutantResult>> found(all.size());
-  const auto one = [&](std::size_t k) {
-    Run of_law = run;
-    of_law.options = all[k].first->mutants_with;
-    found[k] = run_mutant(*all[k].first, *all[k].second, of_law);
-  };
-  const auto each = [&] {
-    // Many runs are short, or a prover's, which has one thread.  Isolation keeps a waiting thread from beginning
-    // another mutant while the first has a lock.
-    oneapi::tbb::parallel_for(
-        std::size_t{0}, all.size(),
-        [&](std::size_t k) { oneapi::tbb::this_task_arena::isolate([&] { one(k); }); },
-        oneapi::tbb::simple_partitioner());
-  };
-  if (run.arena != nullptr)
-    run.arena->execute(each);
-  else
-    for (std::size_t k = 0; k < all.size(); ++k) one(k);
+  run.options = law.mutants_with;
+  MutantResult m{law.id, mutant.name, false, 0, {}};
+  const Level last = law.at_once.empty() ? mutant.levels.last : mutant.levels.first;
+  for (Level n = mutant.levels.first; n <= last && !m.killed && !interrupted(); ++n) {
+    const Result r = run_level(law, *mutant.subject, n, run);
+    if (r.verdict != Verdict::refuted) continue;
+    m.killed = true;
+    m.level = law.at_once.empty() || r.counterexamples.empty() ? n : r.counterexamples.front().level;
+    m.at = r.counterexamples.empty() ? std::string() : r.counterexamples.front().at;
+  }
+  return m.killed || !interrupted() ? std::optional(m) : std::nullopt;
+}
+
+std::vector<MutantResult> run_mutants(const Law& law, const Run& run) {
   std::vector<MutantResult> results;
-  for (const auto& m : found)
-    if (m) results.push_back(*m);
+  for (const Mutant& mutant : law.mutants)
+    if (const auto m = run_mutant(law, mutant, run)) results.push_back(*m);
   return results;
 }
 

@@ -26,7 +26,8 @@ struct RunOptions {
   std::optional<Shard> shard = {};  ///< none: the whole domain, without a shard's name
   Journal* journal = nullptr;
   bool mutants = true;  ///< run the mutants, which show that each law can fail
-  /// Threads take jobs side by side, the dearest laws first; else all threads share one job after another.
+  /// Threads take jobs and mutants side by side, the dearest first; else all threads share one job after another, and
+  /// take mutants side by side afterwards.
   /// Domain: subjects that this program itself implements; a worker serves one job at a time.
   bool side_by_side = false;
   /// The change of a subject since it was opened, as a sentence; empty if it is the same.  An empty function: no
@@ -40,10 +41,21 @@ struct Diagnosis {
   std::vector<std::string> lines;
 };
 
+/// The time of a task: a law on a subject at all its levels, or on a mutant.
+struct Spent {
+  const Law* law;
+  std::string subject;  ///< or the mutant
+  bool mutant;
+  double seconds;    ///< from its start to its end
+  double processor;  ///< seconds of all threads
+  double path;       ///< processor seconds that no further thread shortens
+};
+
 struct Report {
   std::vector<Result> results;
   std::vector<Diagnosis> diagnoses;
   std::vector<MutantResult> mutants;
+  std::vector<Spent> spent;  ///< tasks that ran, jobs in their order, then mutants in theirs
   unsigned threads = 1;
   double seconds = 0;  ///< from the first job to the last mutant; 0 of shards that were merged
   bool interrupted = false;
@@ -53,8 +65,9 @@ struct Report {
 /// Called for each result as it arrives.
 using OnResult = std::function<void(const Result&)>;
 
-/// Runs the jobs and reports their results in the jobs' order, whatever runs first; then, if requested, the mutants of all their laws.  A shard runs its part of each
-/// divisible law, and every `of`-th of the other laws whole; the first shard runs the mutants.  Throws BadJournal.
+/// Runs the jobs and, if requested, the mutants of all their laws; reports the jobs' results in the jobs' order,
+/// whatever runs first.  A shard runs its part of each divisible law, and every `of`-th of the other laws whole; the
+/// first shard runs the mutants.  Throws BadJournal.
 Report run_jobs(const std::vector<Job>& jobs, const RunOptions& options, const OnResult& on_result);
 
 /// Runs one law on one subject at one level; fills in verdict, counts and reason.  A proof whose cases do not add up
@@ -71,11 +84,11 @@ Result cut_short(const Law& law, const Subject& subject, Level level, const Run&
 /// Notes in a result the levels that its law settles together, and its method of proof.
 void name_proof(Result& result, const Law& law);
 
-/// Runs every mutant of a law, lowest level first, until the law refutes it.  Samples have the default seed and the
-/// fast tier's size.
-std::vector<MutantResult> run_mutants(const Law& law, const Run& run);
+/// Runs a mutant, lowest level first, until the law refutes it; nothing if an interrupt came first.  Samples have the
+/// default seed and the fast tier's size.  A law that is not divisible may divide its work among the run's threads.
+std::optional<MutantResult> run_mutant(const Law& law, const Mutant& mutant, const Run& run);
 
-/// Runs the mutants of several laws, side by side if the run has an arena; results are in the laws' order.
-std::vector<MutantResult> run_mutants(const std::vector<const Law*>& laws, const Run& run);
+/// Runs every mutant of a law.
+std::vector<MutantResult> run_mutants(const Law& law, const Run& run);
 
 }  // namespace mmverify::proofs

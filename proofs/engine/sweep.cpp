@@ -7,6 +7,7 @@
 
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/journal.hpp"
+#include "proofs/engine/processor_time.hpp"
 
 namespace mmverify::proofs {
 namespace {
@@ -67,13 +68,25 @@ bool judge_chunks(const Run& run, const Domain& domain, Chunk chunks, const Judg
   return true;
 }
 
+void raise_to(std::atomic<std::int64_t>& most, std::int64_t value) {
+  std::int64_t now = most;
+  while (now < value && !most.compare_exchange_weak(now, value)) continue;
+}
+
 /// The sum of part(k, tally) over [0, parts), on all threads of the run.
 template <class Part>
 Tally sum(const Run& run, std::uint64_t parts, const Part& part) {
+  const bool side_by_side = run.arena != nullptr && !run.until_refuted;
+  ProcessorTime* const task = Counting::task();
+  std::atomic<std::int64_t> longest = 0;
   const auto several = [&](const Range& range, Tally tally) {
+    const Counting counting(task, !side_by_side);
+    std::int64_t before = thread_nanoseconds();
     for (std::uint64_t k = range.begin(); k != range.end() && !interrupted(); ++k) {
       part(k, tally);
       if (run.until_refuted && tally.mismatches() != 0) break;
+      const std::int64_t now = thread_nanoseconds();
+      raise_to(longest, now - std::exchange(before, now));
     }
     return tally;
   };
@@ -84,8 +97,10 @@ Tally sum(const Run& run, std::uint64_t parts, const Part& part) {
   const auto all = [&] {
     return oneapi::tbb::parallel_reduce(Range(0, parts), Tally(run.errors), several, merge);
   };
-  return run.arena != nullptr && !run.until_refuted ? run.arena->execute(all)
-                                                    : several(Range(0, parts), Tally(run.errors));
+  if (!side_by_side) return several(Range(0, parts), Tally(run.errors));
+  Tally tally = run.arena->execute(all);
+  if (task != nullptr) task->path += longest;
+  return tally;
 }
 
 /// The chunks that no finished piece covers, in pieces.

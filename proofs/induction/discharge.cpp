@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "proofs/engine/bytes.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/kinds.hpp"
@@ -20,6 +22,18 @@ std::optional<std::vector<Statement>> statements_about(const std::vector<About>&
   for (const About& a : known)
     if (subject.name() == a.subject) return a.statements();
   return std::nullopt;
+}
+
+/// The statements' numbers, those of one text together: the prover is asked once for them.
+std::vector<std::vector<std::size_t>> alike_in(const std::vector<Statement>& statements) {
+  std::vector<std::vector<std::size_t>> groups;
+  std::map<std::string_view, std::size_t> group_of;
+  for (std::size_t k = 0; k < statements.size(); ++k) {
+    const auto [at, is_new] = group_of.emplace(statements[k].text, groups.size());
+    if (is_new) groups.emplace_back();
+    groups[at->second].push_back(k);
+  }
+  return groups;
 }
 
 /// How many statements there are.  Writing them takes half of a program's start, and most commands never ask.
@@ -44,7 +58,12 @@ Law on_statements(Law law, std::vector<About> known, Settle settle) {
     return fmt::format("no statements about {}: there are some about {}", s.name(), fmt::join(names, ", "));
   };
   law.judge = [known = std::move(known), settle = std::move(settle)](const Subject& s, Level,
-                                                                     const Run& run) {
+                                                                     const Run& asked) {
+    Run run = asked;
+    run.until_refuted = false;  // a search names the simplest counterexample
+    // Without statements only the search runs: a counterexample refutes, whatever a prover would say.
+    if (asked.until_refuted)
+      if (Tally found = settle({}, s, run); found.mismatches() != 0) return found;
     return settle(statements_about(known, s).value(), s, run);
   };
   return law;
@@ -53,11 +72,15 @@ Law on_statements(Law law, std::vector<About> known, Settle settle) {
 Tally discharge(const std::vector<Statement>& statements, const Search& search, const Run& run,
                 const Effort& effort) {
   std::vector<ProverAnswer> answers(statements.size());
-  Tally tally = sweep(run, statements.size(), 1, [&](Chunk chunk, Tally& part) {
-    for (std::uint64_t k = chunk.begin; k < chunk.end; ++k) {
-      answers[k] = ask_z3(statements[k], effort);
-      part.count(Kind::interior, 1);
-      part.digest(k, hash_of(statements[k].text) ^ static_cast<std::uint64_t>(answers[k].answer));
+  const std::vector<std::vector<std::size_t>> alike = alike_in(statements);
+  Tally tally = sweep(run, alike.size(), 1, [&](Chunk chunk, Tally& part) {
+    for (std::uint64_t one = chunk.begin; one < chunk.end; ++one) {
+      const ProverAnswer answer = ask_z3(statements[alike[one].front()], effort);
+      for (const std::size_t k : alike[one]) {
+        answers[k] = answer;
+        part.count(Kind::interior, 1);
+        part.digest(k, hash_of(statements[k].text) ^ static_cast<std::uint64_t>(answer.answer));
+      }
     }
   });
   // Every statement is a case, answered or not: a run that was cut short has proved nothing.

@@ -34,7 +34,7 @@ struct About {
 using Settle = std::function<Tally(const std::vector<Statement>&, const Subject&, const Run&)>;
 
 /// The law with a case for each statement: a subject's own where it brings some, else those about it in `known`.  It
-/// fits no subject without.  Domain: lists in `known` of one length, which is each subject's own list's, too.
+/// fits no subject without.  A mutant is searched first, and proved nothing of if the search refutes it.  Domain: lists in `known` of one length, which is each subject's own list's, too.
 Law on_statements(Law law, std::vector<About> known, Settle settle);
 
 }  // namespace mmverify::proofs::induction

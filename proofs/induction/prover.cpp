@@ -2,6 +2,7 @@
 
 #include <z3++.h>
 
+#include <future>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -28,23 +29,36 @@ std::uint64_t steps_of(const z3::solver& solver) {
   return 0;
 }
 
-/// The statements that z3 has settled in this process, by their text: a mutant shares most statements with the right
-/// subject.  Threads share it.
+/// The answers of z3 in this process, by the statements' texts: laws share statements.  Threads share it; a thread that
+/// asks what another one is asking waits for it.
 class Settled {
  public:
-  std::optional<ProverAnswer> answer(const std::string& text) const {
-    const std::lock_guard hold(lock_);
-    const auto one = found_.find(text);
-    return one == found_.end() ? std::nullopt : std::optional(one->second);
-  }
-  void keep(const std::string& text, const ProverAnswer& found) {
-    const std::lock_guard hold(lock_);
-    found_.emplace(text, found);
+  /// The answer kept under the text; else the answer of `ask`, which is kept unless it is `unknown`.
+  template <class Ask>
+  ProverAnswer answer(const std::string& text, Ask ask) {
+    std::promise<ProverAnswer> mine;
+    std::shared_future<ProverAnswer> other;
+    {
+      const std::lock_guard hold(lock_);
+      const auto [at, is_new] = found_.try_emplace(text);
+      if (is_new)
+        at->second = mine.get_future().share();
+      else
+        other = at->second;
+    }
+    if (other.valid()) return other.get();
+    const ProverAnswer found = ask();
+    mine.set_value(found);
+    if (found.answer == Answer::unknown) {
+      const std::lock_guard hold(lock_);
+      found_.erase(text);
+    }
+    return found;
   }
 
  private:
-  mutable std::mutex lock_;
-  std::map<std::string, ProverAnswer> found_;
+  std::mutex lock_;
+  std::map<std::string, std::shared_future<ProverAnswer>> found_;
 };
 
 ProverAnswer ask_anew(const Statement& statement, const Effort& effort) {
@@ -81,10 +95,7 @@ ProverAnswer ask_z3(const Statement& statement, const Effort& effort) {
   if (effort.milliseconds != usual.milliseconds || effort.steps != usual.steps)
     return ask_anew(statement, effort);
   static Settled settled;
-  if (const auto before = settled.answer(statement.text)) return *before;
-  const ProverAnswer found = ask_anew(statement, effort);
-  if (found.answer != Answer::unknown) settled.keep(statement.text, found);
-  return found;
+  return settled.answer(statement.text, [&] { return ask_anew(statement, effort); });
 }
 
 Solved ask_words(const Statement& statement, const Effort& effort) {

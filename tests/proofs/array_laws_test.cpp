@@ -5,6 +5,8 @@
 #include <string>
 
 #include "proofs/array/cases.hpp"
+#include "proofs/array/subject.hpp"
+#include "proofs/engine/runner.hpp"
 #include "proofs/registry/registry.hpp"
 
 namespace array_laws_test {
@@ -47,6 +49,28 @@ TEST(ArrayCases, OtherTextsAreNone) {
                            "khr,u8,2-state:2", "khr,u8,shares", "khr,u8,bound=", "khr,i16,2-state:0"})
     EXPECT_THROW(case_of(text), BadCase) << text;
   EXPECT_THROW(sample_of("sample:1"), BadCase);
+}
+
+// The library's answers are kept for the next law on small arrays, and for nobody else: a builder made of the library's,
+// wrong where only another law looks, is judged by its own answers.
+TEST(SmallArrays, AreKeptOfTheLibraryAlone) {
+  const Law &resolves = *find_law("array.resolves"), &counts = *find_law("array.array_histogram");
+  const SubjectPtr library = find_subject("array");
+  const Result anew = run_level(resolves, *library, 0, LawRun{}),
+               kept = run_level(counts, *library, 0, LawRun{});
+  EXPECT_EQ(anew.verdict, Verdict::proved);
+  EXPECT_EQ(kept.verdict, Verdict::proved);
+  EXPECT_EQ(kept.cases_run(), small_arrays(0));
+  EXPECT_EQ(kept.digest, anew.digest);
+  Functions functions = built_in("array")->functions;
+  functions.build = [real = functions.build](const BuildCase& c) {
+    std::optional<Answer> answer = real(c);
+    if (answer && !answer->array_counts.empty()) ++answer->array_counts.back().count;
+    return answer;
+  };
+  const ArraySubject miscounts("array", "counts one more", functions);
+  EXPECT_EQ(run_level(resolves, miscounts, 0, LawRun{}).verdict, Verdict::proved);
+  EXPECT_EQ(run_level(counts, miscounts, 0, LawRun{}).verdict, Verdict::refuted);
 }
 
 }  // namespace array_laws_test

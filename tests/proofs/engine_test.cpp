@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <ctime>
 #include <mutex>
 #include <numeric>
 #include <stdexcept>
@@ -419,6 +420,49 @@ TEST_F(Runner, JobsSideBySideAreReportedInTheirOrder) {
   for (std::size_t k = 0; k < told.size(); ++k) EXPECT_EQ(name(report.results[k]), told[k]);
   EXPECT_EQ(report.results[2].verdict, Verdict::not_applicable);
   EXPECT_EQ(report.results[4].verdict, Verdict::refuted);
+}
+
+// The job ends only after the mutant's run has begun: after all jobs, it would wait in vain.
+TEST_F(Runner, MutantsRunBesideJobsAndTheirTimesFollow) {
+  std::atomic<bool> mutant_began = false, met = false;
+  Law law = law_judged_by([&](const Subject& s, Level n, const LawRun& run) {
+    if (s.name() == "mutant") mutant_began = true;
+    for (int k = 0; k < 10'000 && !mutant_began; ++k)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    met = met || mutant_began;
+    return wrong_if_mutant(s, n, run);
+  });
+  law.mutants = {{"wrong from 2", subject("mutant"), {1, 3}}};
+  RunOptions options = quiet(2);
+  options.side_by_side = true;
+  const Report report =
+      run_jobs({{&law, subject("s"), {0, 1}, {}}, {&law, subject("t"), {0, 0}, "unfit"}}, options, nothing);
+  EXPECT_TRUE(met);
+  ASSERT_EQ(report.mutants.size(), 1u);
+  EXPECT_EQ(report.mutants[0].level, 2u);
+  // An unfit job takes no time that is told.
+  ASSERT_EQ(report.spent.size(), 2u);
+  EXPECT_EQ(report.spent[0].subject, "s");
+  EXPECT_EQ(report.spent[1].subject, "wrong from 2");
+  EXPECT_TRUE(report.spent[1].mutant && !report.spent[0].mutant);
+}
+
+// Of a sweep the longest part is on the path; of a task that sweeps on one thread, all.
+TEST_F(Runner, TheTimeOfATaskIsThatOfAllItsThreads) {
+  const auto busy = [](const Subject&, Level, const LawRun& run) {
+    return sweep(run, 1000, 100, [](Chunk chunk, Tally& tally) {
+      const std::clock_t until = std::clock() + CLOCKS_PER_SEC / 50;
+      while (std::clock() < until) continue;
+      tally.count(Kind::edge, chunk.end - chunk.begin);
+    });
+  };
+  const Law law = law_judged_by(busy);
+  const Report report = run_jobs({{&law, subject("s"), {0, 0}, {}}}, quiet(2), nothing);
+  ASSERT_EQ(report.spent.size(), 1u);
+  EXPECT_GT(report.spent[0].processor, 0.0);
+  EXPECT_LE(report.spent[0].path, report.spent[0].processor);
+  EXPECT_GT(report.spent[0].path, 0.0);
+  EXPECT_LT(report.spent[0].path, 0.9 * report.spent[0].processor);
 }
 
 // The machine's lack ends the run: jobs that have not begun have no result, jobs that have finished keep theirs.

@@ -12,9 +12,11 @@
 #include <string>
 
 #include "proofs/engine/interrupt.hpp"
+#include "proofs/engine/kinds.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/index/induction/lemmas.hpp"
 #include "proofs/index/induction/provable.hpp"
+#include "proofs/induction/discharge.hpp"
 #include "proofs/induction/paths.hpp"
 #include "proofs/induction/prover.hpp"
 #include "proofs/registry/registry.hpp"
@@ -34,6 +36,7 @@ using mmverify::proofs::induction::ask_z3;
 using mmverify::proofs::induction::decided;
 using mmverify::proofs::induction::Effort;
 using mmverify::proofs::induction::every_path;
+using mmverify::proofs::induction::on_statements;
 using mmverify::proofs::induction::Statement;
 using mmverify::proofs::induction::Term;
 using LawRun = mmverify::proofs::Run;
@@ -199,6 +202,45 @@ TEST(Discharge, CutShortItHasProvedNothing) {
   const InterruptGuard guard;
   std::raise(SIGINT);
   EXPECT_THROW(discharge(index::induction::shipped_all_levels(), subject("step"), 2, LawRun{}), Interrupted);
+}
+
+TEST(Discharge, StatementsOfOneTextAreCasesEach) {
+  const Statement one{"one", Answer::unsat, "(assert false)"},
+      other{"other", Answer::unsat, "(assert false)"};
+  EXPECT_EQ(discharge({one, other}, subject("step"), 1, LawRun{}).cases(), 2u);
+  // What is expected is each one's own.
+  const Statement wrong{"wrong", Answer::sat, "(assert false)"};
+  EXPECT_THROW(discharge({one, wrong}, subject("step"), 1, LawRun{}), NotProved);
+}
+
+// A mutant that the search refutes costs no proof; a subject that is judged costs one, and so does a mutant that it
+// does not find.
+TEST(Discharge, AMutantIsSearchedBeforeItIsProved) {
+  std::vector<std::size_t> asked;
+  bool found = true;
+  const Law law = on_statements(
+      *find_law("index.all_levels"), {{"step", index::induction::shipped_all_levels}},
+      [&](const std::vector<Statement>& statements, const Subject&, const LawRun& run) {
+        asked.push_back(statements.size());
+        Tally tally(run.errors);
+        tally.count(Kind::interior, statements.size());
+        if (found)
+          tally.mismatch(Kind::interior, {}, [] { return Counterexample{{}, 3, "here", {}, "a", "b"}; });
+        return tally;
+      });
+  const std::size_t all = index::induction::shipped_all_levels().size();
+  LawRun run;
+  EXPECT_EQ(run_level(law, *find_subject("step"), 0, run).verdict, Verdict::refuted);
+  EXPECT_EQ(asked, std::vector<std::size_t>{all});
+  asked.clear();
+  const MutantResult killed = *run_mutant(law, {"a mutant", find_subject("step"), {0, 0}}, run);
+  EXPECT_TRUE(killed.killed);
+  EXPECT_EQ(killed.level, 3u);
+  EXPECT_EQ(asked, std::vector<std::size_t>{0});
+  asked.clear();
+  found = false;
+  EXPECT_FALSE(run_mutant(law, {"a mutant", find_subject("step"), {0, 0}}, run)->killed);
+  EXPECT_EQ(asked, (std::vector<std::size_t>{0, all}));
 }
 
 TEST(Discharge, NotProvedIsIncompleteInARun) {

@@ -251,12 +251,15 @@ FoundTriplets found_triplets(const AttributeSubject& s, Level n, const Pair<Face
   found.face = indices_of(s, faces, n, at);
   found.got.resize(at.size());
   f.triplet(faces, vertices, n, found.face, found.got);
-  std::vector<Vertex> corners;
-  for (const MicroTriangle& t : at)
-    for (const Vertex& c : spec::attribute::corners_of(t)) corners.push_back(c);
+  std::vector<Vertex> corners(3 * at.size());
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const spec::attribute::Corners three = spec::attribute::corners_of(at[k]);
+    std::copy(three.begin(), three.end(), corners.begin() + static_cast<std::ptrdiff_t>(3 * k));
+  }
   const auto index = indices_of(s, vertices, n, corners);
+  found.expected.resize(at.size());
   for (std::size_t k = 0; k < at.size(); ++k)
-    found.expected.push_back({index[3 * k], index[3 * k + 1], index[3 * k + 2]});
+    found.expected[k] = {index[3 * k], index[3 * k + 1], index[3 * k + 2]};
   found.back.resize(at.size());
   if (f.face_of) f.face_of(faces, vertices, n, found.expected, found.back);
   return found;

@@ -69,6 +69,7 @@ struct Enumerated::Geometry {
   struct Slot {
     std::once_flag once;
     Micros micros;
+    std::int64_t first_i = 0, first_j = 0, last_i = 0, last_j = 0;  ///< the texels that the parts name
   };
   std::vector<Slot> slots;
 
@@ -90,7 +91,7 @@ struct Enumerated::Geometry {
     return parts;
   }
 
-  const Micros& of(const Family& f, std::size_t triangle, Level n) {
+  const Slot& of(const Family& f, std::size_t triangle, Level n) {
     Slot& slot = slots[triangle * levels + n];
     std::call_once(slot.once, [&] {
       Case one;
@@ -100,8 +101,23 @@ struct Enumerated::Geometry {
         const auto polygon = bake::micro_triangle(uv, n, index, f.side, f.side);
         slot.micros.push_back({parts_of(f, polygon), parts_of(f, {bake::centroid(polygon)})});
       }
+      find_texels(slot);
     });
-    return slot.micros;
+    return slot;
+  }
+
+  static void find_texels(Slot& slot) {
+    const Part& any = slot.micros.front().parts.front();
+    slot.first_i = slot.last_i = any.i;
+    slot.first_j = slot.last_j = any.j;
+    for (const Micro& micro : slot.micros)
+      for (const auto* parts : {&micro.parts, &micro.centroid})
+        for (const Part& part : *parts) {
+          slot.first_i = std::min(slot.first_i, part.i);
+          slot.first_j = std::min(slot.first_j, part.j);
+          slot.last_i = std::max(slot.last_i, part.i + 1);  // bilinear filtering takes the next one, too
+          slot.last_j = std::max(slot.last_j, part.j + 1);
+        }
   }
 
   /// Domain: values of the cell's texels in the order (0,0), (1,0), (0,1), (1,1); one value with nearest filtering.
@@ -217,9 +233,18 @@ std::vector<State> Enumerated::truth(Level n, std::uint64_t k, Threshold thresho
 std::vector<State> Enumerated::found(Level n, std::uint64_t k, Threshold threshold) const {
   const Spot& spot = spots_.at(k / textures_);
   const std::vector<std::uint8_t> places = values(k % textures_);
-  const auto value_at = [&](std::int64_t i, std::int64_t j) -> std::uint8_t {
-    const auto x = bake::wrapped(spot.u, i, family_.side), y = bake::wrapped(spot.v, j, family_.side);
-    return x && y ? places[*x + family_.side * *y] : std::uint8_t{0};
+  const Geometry::Slot& slot = geometry_->of(family_, spot.triangle, n);
+  // Many parts name the same texel.
+  const auto columns = static_cast<std::size_t>(slot.last_i - slot.first_i + 1);
+  std::vector<std::uint8_t> named;
+  for (std::int64_t j = slot.first_j; j <= slot.last_j; ++j)
+    for (std::int64_t i = slot.first_i; i <= slot.last_i; ++i) {
+      const auto x = bake::wrapped(spot.u, i, family_.side), y = bake::wrapped(spot.v, j, family_.side);
+      named.push_back(x && y ? places[*x + family_.side * *y] : std::uint8_t{0});
+    }
+  const auto value_at = [&](std::int64_t i, std::int64_t j) {
+    return named[static_cast<std::size_t>(i - slot.first_i) +
+                 columns * static_cast<std::size_t>(j - slot.first_j)];
   };
   const auto marks = [&](const Part& p) {
     return Geometry::marks(
@@ -231,7 +256,7 @@ std::vector<State> Enumerated::found(Level n, std::uint64_t k, Threshold thresho
         threshold);
   };
   std::vector<State> states;
-  for (const Micro& micro : geometry_->of(family_, spot.triangle, n)) {
+  for (const Micro& micro : slot.micros) {
     Marks all = 0;
     for (const Part& part : micro.parts) {
       all = static_cast<Marks>(all | marks(part));

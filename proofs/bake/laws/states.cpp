@@ -2,6 +2,7 @@
 // side.
 #include "proofs/bake/mutants/states.hpp"
 
+#include <map>
 #include <numeric>
 
 #include "proofs/bake/diagnosis/diagnosis.hpp"
@@ -12,6 +13,7 @@
 #include "proofs/bake/law_parts.hpp"
 #include "proofs/bake/laws.hpp"
 #include "proofs/bake/truth/denial.hpp"
+#include "proofs/engine/passed.hpp"
 
 namespace mmverify::proofs::bake {
 namespace {
@@ -50,6 +52,7 @@ struct Domain {
   std::uint64_t (*count)(Level n, Tier tier) = nullptr;  ///< the number of samples
   Levels fast = {0, 3}, long_run = {0, 3};
   bool moving = false;  ///< its triangles move
+  bool sides = false;   ///< of a family: some law is about the side of its unknown states
 
   bool whole() const { return families != nullptr; }
   const Families& families_of(const Support& support) const { return fitted(families(), support); }
@@ -82,8 +85,8 @@ std::uint64_t strata_count(Level n, Tier tier) {
   return n < counts.size() ? with_plain(counts[n]) : 0;
 }
 
-constexpr Domain bilinear{bilinear_families}, nearest{nearest_families}, blend{blend_families},
-    grid{grid_families};
+constexpr Domain bilinear{.families = bilinear_families, .sides = true}, nearest{nearest_families},
+    blend{blend_families}, grid{grid_families};
 constexpr Domain plain_samples{
     nullptr,      [](std::uint64_t seed, Level n, std::uint64_t k) { return sample(seed, sample_of(n, k)); },
     samples_text, as_many,
@@ -124,9 +127,49 @@ constexpr Domain strata{
     {0, 9},
     {0, 12}};
 
+/// The laws on a family.
+std::vector<Denies> laws_on(const Domain& domain) {
+  if (domain.sides) return {not_conservative, not_tight, wrong_side};
+  return {not_conservative, not_tight};
+}
+
+/// What the states that impl/bake gave on a family's cases have passed, at a level; null for other domains, subjects and
+/// laws, and for a family with too many cases.
+Passed* passed_by(const BakeSubject& s, const Domain& domain, Denies denies, Level n) {
+  constexpr Level levels = 4;
+  constexpr std::uint64_t most = 100'000;  // cases of a level, 9 bytes each
+  static const BakeSubjectPtr library = built_in("bake");
+  if (!domain.whole() || &s != library.get() || n >= levels) return nullptr;
+  const std::vector<Denies> laws = laws_on(domain);
+  if (std::find(laws.begin(), laws.end(), denies) == laws.end()) return nullptr;
+  static std::mutex lock;
+  static std::map<const Families*, std::array<std::unique_ptr<Passed>, levels>> kept;
+  const Families& families = domain.families_of(s.functions.support);
+  const std::lock_guard hold(lock);
+  std::unique_ptr<Passed>& one = kept[&families][n];
+  if (!one && families.count() <= most) one = std::make_unique<Passed>(families.count());
+  return one.get();
+}
+
+/// Whether the states offend no law on the family.
+bool offends_no_law(const BakeSubject& s, const Domain& domain, const std::vector<State>& states,
+                    const Truth& truth) {
+  for (const Denies by_law : laws_on(domain)) {
+    const Denies denies = denied_of(s, by_law);
+    for (std::size_t k = 0; k < truth.lower.size(); ++k)
+      if (denies(states.at(k), truth.lower[k], truth.upper[k])) return false;
+  }
+  return true;
+}
+
 Check judged_by(Denies by_law, const Domain& domain) {
   return [=](const BakeSubject& s, const Case& one, Level n, const std::optional<std::uint64_t>& number) {
     const Denies denies = denied_of(s, by_law);
+    // The library is asked once for all laws on a family: the first law to come to a case judges it by all.
+    Passed* const kept = number ? passed_by(s, domain, by_law, n) : nullptr;
+    if (kept != nullptr)
+      if (const auto answer = kept->answer(*number)) return Finding{*answer};
+    const bool first = kept != nullptr && kept->take(*number);
     const std::optional<Baked> baked = s.functions.bake(one, n, Format::four_state);
     if (!baked) return unsupported();
     if (!baked->padded) return wrong("zeros after the last state", "others");
@@ -142,7 +185,11 @@ Check judged_by(Denies by_law, const Domain& domain) {
         if (denies(baked->states.at(at[k]), truth.lower[k], truth.upper[k])) return true;
       return false;
     };
-    if (!offends()) return Finding{hash_of(baked->states)};
+    if (!offends()) {
+      const std::uint64_t answer = hash_of(baked->states);
+      if (first && offends_no_law(s, domain, baked->states, truth)) kept->pass(*number, answer);
+      return Finding{answer};
+    }
     Finding finding = wrong([=, states = baked->states] {
       return words_of(one, n, offender_of(one, n, states, domain.at(one, n), truth, denies).value());
     });
