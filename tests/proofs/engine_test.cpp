@@ -447,7 +447,7 @@ TEST_F(Runner, MutantsRunBesideJobsAndTheirTimesFollow) {
   EXPECT_TRUE(report.spent[1].mutant && !report.spent[0].mutant);
 }
 
-// Of a sweep the longest part is on the path; of a task that sweeps on one thread, all.
+// The longest part of a sweep is on the path; a task that sweeps on one thread is there whole.
 TEST_F(Runner, TheTimeOfATaskIsThatOfAllItsThreads) {
   const auto busy = [](const Subject&, Level, const LawRun& run) {
     return sweep(run, 1000, 100, [](Chunk chunk, Tally& tally) {

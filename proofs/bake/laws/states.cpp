@@ -133,7 +133,7 @@ std::vector<Denies> laws_on(const Domain& domain) {
   return {not_conservative, not_tight};
 }
 
-/// What the states that impl/bake gave on a family's cases have passed, at a level; null for other domains, subjects and
+/// The checks that the states of impl/bake on a family's cases have passed, at a level; null for other domains, subjects and
 /// laws, and for a family with too many cases.
 Passed* passed_by(const BakeSubject& s, const Domain& domain, Denies denies, Level n) {
   constexpr Level levels = 4;

@@ -24,11 +24,11 @@ struct Object {
   Literal gone = never;     ///< it is freed, or its block has ended
   int call = 0;             ///< the call whose variable it is; 0: of none
   std::uint64_t align = 1;  ///< its address is a multiple of it
-  std::uint64_t promised =
-      0;                  ///< a law's variable: an entry point may rely on no more than this; 0: on `align`
+  /// A law's variable: an entry point may rely on no more than this alignment; 0: on `align`.
+  std::uint64_t promised = 0;
   bool constant = false;  ///< no program may write it
   bool lasting = false;   ///< it is a global variable
-  /// Where the content of most bytes is any at each read: the places of the others, one for each cell; else empty.
+  /// The places of the cells, if the content of all other bytes is any at each read; else empty.
   std::vector<Word> watched;
 };
 
