@@ -10,7 +10,7 @@ constexpr std::array<Check, 8> checks{resolves,       keeps_formats,       uses_
                                       stays_in_range, counts_records,      counts_references,
                                       shares,         keeps_what_was_there};
 
-/// The checks that the answers of a built-in subject have passed at a level; null for any other subject.
+/// The cases of a level that a built-in subject's answers have passed; null for any other subject.
 Passed* passed_by(const ArraySubject& s, Level n) {
   struct OfSubject {
     const ArraySubject* subject;

@@ -208,7 +208,7 @@ TEST(Discharge, StatementsOfOneTextAreCasesEach) {
   const Statement one{"one", Answer::unsat, "(assert false)"},
       other{"other", Answer::unsat, "(assert false)"};
   EXPECT_EQ(discharge({one, other}, subject("step"), 1, LawRun{}).cases(), 2u);
-  // Each statement has its own expected answer.
+  // Each of them is held to its own expected answer.
   const Statement wrong{"wrong", Answer::sat, "(assert false)"};
   EXPECT_THROW(discharge({one, wrong}, subject("step"), 1, LawRun{}), NotProved);
 }

@@ -133,8 +133,8 @@ std::vector<Denies> laws_on(const Domain& domain) {
   return {not_conservative, not_tight};
 }
 
-/// The checks that the states of impl/bake on a family's cases have passed, at a level; null for other domains, subjects and
-/// laws, and for a family with too many cases.
+/// The cases of a family that the states of impl/bake have passed at a level; null for other domains, subjects and laws,
+/// and for a family with too many cases.
 Passed* passed_by(const BakeSubject& s, const Domain& domain, Denies denies, Level n) {
   constexpr Level levels = 4;
   constexpr std::uint64_t most = 100'000;  // cases of a level, 9 bytes each
