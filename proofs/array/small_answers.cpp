@@ -1,5 +1,8 @@
 #include "proofs/array/small_answers.hpp"
 
+#include <array>
+#include <memory>
+
 #include "proofs/engine/passed.hpp"
 
 namespace mmverify::proofs::array {

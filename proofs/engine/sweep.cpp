@@ -4,6 +4,8 @@
 #include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <atomic>
+#include <utility>
 
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/journal.hpp"

@@ -3,6 +3,8 @@
 #include "proofs/bake/mutants/states.hpp"
 
 #include <map>
+#include <memory>
+#include <mutex>
 #include <numeric>
 
 #include "proofs/bake/diagnosis/diagnosis.hpp"
