@@ -127,8 +127,10 @@ void CodecProof::refute(Result& r, const Question& question, const source::Codec
                         const CodecBudget& budget) {
   if (is_about_contract(question)) {
     r.verdict = Verdict::incomplete;
-    r.reason = fmt::format("the codec's contract is not kept, {} at level {}: {}", question.function,
-                           question.level, answer.text);
+    r.reason = fmt::format(
+        "not proved by contract: {} at level {}, with the level below as the contract allows: {}; this is no "
+        "counterexample",
+        question.function, question.level, answer.text);
     return;
   }
   const std::vector<std::uint64_t> numbers = numbers_of(question, answer.choices);

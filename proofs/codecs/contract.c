@@ -26,6 +26,7 @@ static void require_unchanged(const Subtree* p) {
 
 static void measure_part(uint32_t level, uint32_t format, const uint8_t* m, size_t first, Place* at) {
   check(level == part_level && format == FORMAT && m == map);
+  check(has_room(at, level));
   move_over(at, part_of(first));
 }
 
@@ -35,7 +36,7 @@ static void write_part(uint32_t level, uint32_t format, const uint8_t* m, size_t
   Subtree* p = part_of(first);
   p->at = *at;
   const Place end = end_of(p);
-  check(end.nodes >> PLACE_BITS == 0 && end.leaves >> PLACE_BITS == 0);
+  check(has_room(at, level));
   check(!in(tree.item, at->nodes, end.nodes) || item_of(&tree, tree.item) == 0);
   check(!in(data.item, at->leaves, end.leaves) || item_of(&data, data.item) == 0);
   become_any(&tree, at->nodes, end.nodes);
@@ -49,7 +50,7 @@ static void write_part(uint32_t level, uint32_t format, const uint8_t* m, size_t
 static int skip_part(uint32_t level, const uint8_t* nodes, size_t most, Place* at) {
   check(level == part_level && nodes == tree.bytes);
   const Subtree* p = part + part_at(at);
-  check(end_of(p).nodes <= most);
+  check(same_place(at, &p->at) && end_of(p).nodes <= most && is_small(most));
   require_unchanged(p);
   move_over(at, p);
   return 1;
@@ -74,22 +75,26 @@ static unsigned find_part(uint32_t level, uint32_t format, const uint8_t* nodes,
   check(level == part_level && format == FORMAT && nodes == tree.bytes && leaves == data.bytes);
   const uint32_t c = part_at(at);
   const Subtree* p = part + c;
-  check(same_place(at, &p->at) && end_of(p).nodes <= most);
+  check(same_place(at, &p->at) && end_of(p).nodes <= most && is_small(most) && is_small(number));
   require_unchanged(p);
+  *at = any_place();
   const size_t inside = number % states_of_part();
   if (inside == asked_index % states_of_part()) return p->asked;
   return state_of(map, FORMAT, first_state + c * states_of_part() + inside);
 }
 
-static void by_contract(const mmverify_contract_t* c, uint32_t level, uint32_t count) {
+/* The functions of which a law's steps show the contract; the others run as they are. */
+enum { WRITES = 0, SKIPS = 1, READS_BACK = 2, FINDS = 4 };
+
+static void by_contract(const mmverify_contract_t* c, int functions, uint32_t level, uint32_t count) {
   parts = count;
   part_level = level;
   for (uint32_t k = 0; k < count; ++k) part[k].length = any_length(level);
   stands_for((const void*)c->measure, (const void*)measure_part);
   stands_for((const void*)c->write, (const void*)write_part);
-  stands_for((const void*)c->skip, (const void*)skip_part);
-  stands_for((const void*)c->read, (const void*)read_part);
-  stands_for((const void*)c->find, (const void*)find_part);
+  if (functions & SKIPS) stands_for((const void*)c->skip, (const void*)skip_part);
+  if (functions & READS_BACK) stands_for((const void*)c->read, (const void*)read_part);
+  if (functions & FINDS) stands_for((const void*)c->find, (const void*)find_part);
 }
 
 /* ---- one level */
@@ -107,25 +112,36 @@ static void any_subtree(uint8_t* to) {
   }
 }
 
-/* The subtree is encoded, and nothing else has changed. */
-static const mmverify_contract_t* written(void) {
+/* Whether measure moves from a place over a leaf, 0, or over an internal node and four subtrees, 1. */
+static int measured(const mmverify_contract_t* c, Place from, Place* to) {
+  const Place leaf = {from.nodes + 1, from.leaves + 1};
+  Place sum = {from.nodes + 1, from.leaves};
+  for (uint32_t k = 0; k < parts; ++k) move_over(&sum, part + k);
+  assume(has_room(&from, SIZE));
+  *to = from;
+  c->measure(SIZE, FORMAT, map, first_state, to);
+  const int is_leaf = same_place(to, &leaf);
+  check(is_leaf || (SIZE > 0 && same_place(to, &sum)));
+  return !is_leaf;
+}
+
+/* The subtree is encoded, and nothing else has changed. Then all else changes, as its neighbours are encoded. */
+static const mmverify_contract_t* written(int functions) {
+  codec(); /* it may fill its entry points in */
   const mmverify_contract_t* c = mmverify_contract_v1();
   first_state = any_below((size_t)1 << (PLACE_BITS - 2 * SIZE)) << 2 * SIZE;
-  map = open_map(0);
+  const size_t other_byte_of_map = any(PLACE_BITS), first = first_state * FORMAT / 8;
+  map = open_map(other_byte_of_map);
   any_subtree(map);
   uint8_t before[INSIDE_BYTES];
-  const size_t first = first_state * FORMAT / 8;
   for (size_t k = 0; k < INSIDE_BYTES; ++k) before[k] = map[first + k];
-  by_contract(c, SIZE == 0 ? 0 : SIZE - 1, SIZE == 0 ? 0 : 4);
+  const uint8_t beside = other_byte_of_map < first ? map[other_byte_of_map] : 0;
+  by_contract(c, functions, SIZE == 0 ? 0 : SIZE - 1, SIZE == 0 ? 0 : 4);
 
-  start = end = (Place){any(PLACE_BITS), any(PLACE_BITS)};
-  c->measure(SIZE, FORMAT, map, first_state, &end);
-  /* A leaf, or an internal node and four subtrees. */
-  const Place leaf = {start.nodes + 1, start.leaves + 1};
-  Place sum = {start.nodes + 1, start.leaves};
-  for (uint32_t k = 0; k < parts; ++k) move_over(&sum, part + k);
-  check(same_place(&end, &leaf) || (SIZE > 0 && same_place(&end, &sum)));
-  assume(end.nodes >> PLACE_BITS == 0 && end.leaves >> PLACE_BITS == 0);
+  start = (Place){any(PLACE_BITS), any(PLACE_BITS)};
+  Place elsewhere;
+  const int there = measured(c, (Place){any(PLACE_BITS), any(PLACE_BITS)}, &elsewhere);
+  check(measured(c, start, &end) == there);
 
   open_sequence(&tree, 1, start.nodes, end.nodes);
   open_sequence(&data, FORMAT, start.leaves, end.leaves);
@@ -136,14 +152,15 @@ static const mmverify_contract_t* written(void) {
   check(in(tree.item, start.nodes, end.nodes) || item_of(&tree, tree.item) == node);
   check(in(data.item, start.leaves, end.leaves) || item_of(&data, data.item) == state);
   for (size_t k = 0; k < INSIDE_BYTES; ++k) check(map[first + k] == before[k]);
+  check(other_byte_of_map >= first || map[other_byte_of_map] == beside);
+  others_become_any(&tree, start.nodes, end.nodes);
+  others_become_any(&data, start.leaves, end.leaves);
   note_code();
   return c;
 }
 
-void step_of_write(void) { written(); }
-
 void step_of_skip(void) {
-  const mmverify_contract_t* c = written();
+  const mmverify_contract_t* c = written(SKIPS);
   Place at = start;
   const size_t most = any(PLACE_BITS);
   assume(most >= end.nodes);
@@ -153,7 +170,7 @@ void step_of_skip(void) {
 }
 
 void step_of_read(void) {
-  const mmverify_contract_t* c = written();
+  const mmverify_contract_t* c = written(SKIPS | READS_BACK);
   open_zeros();
   Place at = start;
   check(c->read(SIZE, FORMAT, tree.bytes, data.bytes, first_state, &at, out) == 1);
@@ -165,7 +182,7 @@ void step_of_read(void) {
 }
 
 void step_of_find(void) {
-  const mmverify_contract_t* c = written();
+  const mmverify_contract_t* c = written(SKIPS | FINDS);
   Place at = start;
   const size_t most = any(PLACE_BITS);
   assume(most >= end.nodes);
@@ -181,7 +198,7 @@ void step_of_find(void) {
 
 /* Algorithm 2: a node's bit, then its leaf or its four subtrees. */
 void step_of_spec(void) {
-  written();
+  written(WRITES);
   int same = 1;
   for (size_t k = 1; k < INSIDE; ++k)
     same &= state_of(map, FORMAT, first_state + k) == state_of(map, FORMAT, first_state);
@@ -193,7 +210,8 @@ void step_of_spec(void) {
   }
   Place at = {start.nodes + 1, start.leaves};
   for (uint32_t k = 0; k < parts; ++k) {
-    check(part[k].written && same_place(&part[k].at, &at));
+    check(same_place(&part[k].at, &at));
+    require_unchanged(part + k);
     move_over(&at, part + k);
   }
   check(same_place(&at, &end));
@@ -201,59 +219,69 @@ void step_of_spec(void) {
 
 /* ---- the entry points, on maps of LEVEL */
 
-static void any_map_and_length(uint8_t* states) {
+static void any_map_and_length(uint8_t* states, int functions) {
   map = states;
   any_map(LEVEL, FORMAT, map);
-  by_contract(mmverify_contract_v1(), LEVEL, 1);
+  codec();
+  by_contract(mmverify_contract_v1(), functions, LEVEL, 1);
   any_length_of_map();
 }
 
-/* The size is the code's for any capacity; no byte behind the code or the capacity changes. */
-void encode_by_contract(void) {
-  uint8_t states[MAP_BYTES], same[MAP_BYTES];
-  any_map_and_length(states);
-  memcpy(same, states, MAP_BYTES);
-  const size_t capacity = any(PLACE_BITS), other = any(PLACE_BITS);
-  uint8_t* code = open_code(capacity, other);
-  const uint8_t before = other < capacity ? code[other] : 0;
-  check(codec()->tree_encode(LEVEL, FORMAT, map, code, capacity) == code_size);
-  if (other < capacity && (capacity < code_size || other >= code_size)) check(code[other] == before);
-  check((capacity >= code_size) == part[0].written);
-  check(equal(states, same, MAP_BYTES));
-}
-
-/* The code of exactly its size. */
-static void encoded(uint8_t* states) {
-  any_map_and_length(states);
-  open_code(code_size, 0);
-  check(codec()->tree_encode(LEVEL, FORMAT, map, tree.bytes, code_size) == code_size);
-  note_code();
-}
-
-/* The two sequences, each from a whole byte on, and zeros behind them. */
-void spec_by_contract(void) {
-  uint8_t states[MAP_BYTES];
-  encoded(states);
+/* The code is the two sequences, each from a whole byte on, and zeros behind them. */
+static void require_sequences(void) {
   const Place none = {0, 0}, length = part[0].length;
   check(same_place(&part[0].at, &none));
+  require_unchanged(part);
   for (size_t k = length.nodes; k < 8 * tree_bytes; ++k) check(item_of(&tree, k) == 0);
   for (size_t k = length.leaves; k * FORMAT < 8 * (code_size - tree_bytes); ++k)
     check(item_of(&data, k) == 0);
 }
 
+/* The size is the code's for any capacity, and so is the code; no byte behind the code or the capacity changes. */
+void encode_by_contract(void) {
+  uint8_t states[MAP_BYTES], same[MAP_BYTES];
+  any_map_and_length(states, WRITES);
+  memcpy(same, states, MAP_BYTES);
+  const size_t capacity = any(PLACE_BITS);
+  other = any(PLACE_BITS);
+  uint8_t* code = open_code(capacity, other);
+  const uint8_t before = other < capacity ? code[other] : 0;
+  check(codec()->tree_encode(LEVEL, FORMAT, map, code, capacity) == code_size);
+  if (other < capacity && (capacity < code_size || other >= code_size)) check(code[other] == before);
+  if (capacity >= code_size) require_sequences();
+  check(equal(states, same, MAP_BYTES));
+}
+
+/* The code of exactly its size. */
+static void encoded(uint8_t* states, int functions) {
+  any_map_and_length(states, functions);
+  other = any(PLACE_BITS);
+  open_code(code_size, other);
+  check(codec()->tree_encode(LEVEL, FORMAT, map, tree.bytes, code_size) == code_size);
+  other_byte = other < code_size ? tree.bytes[other] : 0;
+}
+
+static void require_same_code(void) { check(other >= code_size || tree.bytes[other] == other_byte); }
+
+void spec_by_contract(void) {
+  uint8_t states[MAP_BYTES];
+  encoded(states, WRITES);
+  require_sequences();
+}
+
 void decode_by_contract(void) {
   uint8_t states[MAP_BYTES], back[MAP_BYTES];
-  encoded(states);
+  encoded(states, SKIPS | READS_BACK);
   out = back;
   check(codec()->tree_decode(LEVEL, FORMAT, tree.bytes, code_size, back));
   check(equal(states, back, MAP_BYTES));
-  require_code_unchanged();
+  require_same_code();
 }
 
-/* Any index, at each place of a batch of three. */
+/* Any index, at each place of a batch of three, and alone. */
 void lookup_by_contract(void) {
   uint8_t states[MAP_BYTES];
-  encoded(states);
+  encoded(states, SKIPS | FINDS);
   asked_index = any_below(STATES);
   part[0].asked = state_of(map, FORMAT, asked_index);
   for (size_t place = 0; place < 3; ++place) {
@@ -265,5 +293,9 @@ void lookup_by_contract(void) {
       check(state[k] == (k == place ? part[0].asked : state_of(map, FORMAT, batch[k])));
     check(batch[place] == asked_index);
   }
-  require_code_unchanged();
+  const uint32_t alone = (uint32_t)asked_index;
+  uint8_t state;
+  codec()->tree_lookup(LEVEL, FORMAT, tree.bytes, code_size, &alone, &state, 1);
+  check(state == part[0].asked && alone == asked_index);
+  require_same_code();
 }

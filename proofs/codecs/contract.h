@@ -13,7 +13,7 @@ uint8_t* watched_memory(size_t size, const size_t* places, size_t count);
 typedef mmverify_place_t Place;
 
 /* States, and places in codes, are below 2^PLACE_BITS, as those of level 12 are. */
-enum { PLACE_BITS = 25, WATCHES = 6 };
+enum { PLACE_BITS = 26, WATCHES = 6 };
 /* States and bytes of the subtree at hand. */
 enum {
   INSIDE = 1 << 2 * SIZE,
@@ -33,7 +33,7 @@ typedef struct {
 /* A subtree whose functions are taken by contract. */
 typedef struct {
   Place length, at;
-  int written;
+  int written, given;   /* by write, or passed by skip; by read */
   unsigned node, state; /* at the items of the sequences */
   unsigned asked;       /* the state at `asked_index` of the subtree */
 } Subtree;
@@ -79,6 +79,16 @@ static void become_any(Sequence* s, size_t from, size_t to) {
   }
 }
 
+/* Any bits for all other items. */
+static void others_become_any(Sequence* s, size_t from, size_t to) {
+  for (size_t w = 0; w < s->watches; ++w) {
+    if (s->watch[w] >= s->size) continue;
+    const unsigned mask = mask_of(s, s->watch[w], from, to);
+    uint8_t* byte = s->bytes + s->watch[w];
+    *byte = (uint8_t)((*byte & mask) | ((unsigned)any(8) & ~mask));
+  }
+}
+
 static void become_zero(Sequence* s, size_t from, size_t to) {
   for (size_t w = 0; w < s->watches; ++w)
     if (s->watch[w] < s->size)
@@ -93,16 +103,27 @@ static int same_place(const Place* a, const Place* b) {
   return a->nodes == b->nodes && a->leaves == b->leaves;
 }
 
+/* Functions are proved for numbers below 2^PLACE_BITS, and for places that leave room for a whole tree. */
+static int is_small(size_t number) { return number >> PLACE_BITS == 0; }
+static int has_room(const Place* at, uint32_t level) {
+  const size_t states = (size_t)1 << 2 * level, limit = (size_t)1 << PLACE_BITS;
+  return at->nodes <= limit - (4 * states - 1) / 3 && at->leaves <= limit - states;
+}
+
+static Place any_place(void) { return (Place){any(64), any(64)}; }
+
 static void move_over(Place* at, const Subtree* p) {
   at->nodes += p->length.nodes;
   at->leaves += p->length.leaves;
 }
 
-/* Any length of a subtree of the level, and some more: that nodes and leaves are 4 j + 1 and 3 j + 1 follows from what
- * written() checks, and no step needs it. */
+/* Any length of a subtree of the level, and some more: that nodes and leaves are 4 j + 1 and 3 j + 1, and j at most
+ * (4^level - 1) / 3, follows from what the steps check, and no step needs more than this. */
 static Place any_length(uint32_t level) {
+  const size_t states = (size_t)1 << 2 * level;
   const Place length = {any(2 * level + 1), any(2 * level + 1)};
-  assume(length.nodes >= 1 && length.leaves >= 1);
+  assume(length.nodes >= 1 && length.nodes <= (4 * states - 1) / 3);
+  assume(length.leaves >= 1 && length.leaves <= states);
   return length;
 }
 
@@ -173,6 +194,13 @@ static void require_others_unchanged(void) {
   const size_t first = first_state * FORMAT / 8;
   check(other >= first || out[other] == other_byte);
   check(((out[first] ^ first_byte) & ~inside_mask()) == 0);
+}
+
+/* Any states beside the subtree: its siblings come and go. */
+static void others_become_any_states(void) {
+  const size_t first = first_state * FORMAT / 8;
+  if (other < first) out[other] = (uint8_t)any(8);
+  out[first] = (uint8_t)((out[first] & inside_mask()) | ((unsigned)any(8) & ~inside_mask()));
 }
 
 /* ---- a code of a map of LEVEL */

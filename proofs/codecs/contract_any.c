@@ -13,36 +13,43 @@ static Place limit;
 
 static int skip_any(uint32_t level, const uint8_t* nodes, size_t most, Place* at) {
   check(level == part_level && nodes == tree.bytes && passed < parts);
-  check(at->nodes <= most && most <= most_nodes);
+  check(at->leaves <= at->nodes && at->nodes <= most && most <= most_nodes);
   Subtree* p = part + passed;
   ++passed;
   p->at = *at;
-  if (!any(1)) return 0;
+  if (!any(1)) {
+    *at = any_place();
+    return 0;
+  }
   assume(end_of(p).nodes <= most);
   p->written = 1;
   *at = end_of(p);
   return 1;
 }
 
+/* A state of the subtree, any, by which its states are known again. */
+static size_t asked_state(size_t first) { return first + asked_index % states_of_part(); }
+
 static int read_any(uint32_t level, uint32_t format, const uint8_t* nodes, const uint8_t* leaves,
                     size_t first, Place* at, uint8_t* to) {
   check(level == part_level && format == FORMAT && nodes == tree.bytes && leaves == data.bytes && to == out);
-  const Subtree* p = part_of(first);
+  Subtree* p = part_of(first);
   check(p->written && same_place(at, &p->at));
   check(end_of(p).nodes <= limit.nodes && end_of(p).leaves <= limit.leaves);
   for (size_t k = first; k < first + states_of_part(); ++k) {
     check(state_of(to, FORMAT, k) == 0);
     put_state(to, FORMAT, k, (unsigned)any_state(FORMAT));
   }
-  if (!any(1)) return 0;
-  *at = end_of(p);
-  return 1;
+  p->asked = state_of(to, FORMAT, asked_state(first));
+  p->given = (int)any(1);
+  *at = p->given ? end_of(p) : any_place();
+  return p->given;
 }
 
 static void measure_again(uint32_t level, uint32_t format, const uint8_t* m, size_t first, Place* at) {
   check(level == part_level && format == FORMAT && m == out);
   const Subtree* p = part_of(first);
-  check(p->written && same_place(at, &p->at));
+  check(p->given && same_place(at, &p->at) && state_of(m, FORMAT, asked_state(first)) == p->asked);
   move_over(at, p);
 }
 
@@ -58,7 +65,7 @@ static void write_again(uint32_t level, uint32_t format, const uint8_t* m, size_
   check(level == part_level && format == FORMAT && m == out && nodes == again_tree.bytes &&
         leaves == again_data.bytes);
   const Subtree* p = part_of(first);
-  check(p->written && same_place(at, &p->at));
+  check(p->given && same_place(at, &p->at) && state_of(m, FORMAT, asked_state(first)) == p->asked);
   const Place last = end_of(p);
   become_same(&again_tree, &tree, at->nodes, last.nodes);
   become_same(&again_data, &data, at->leaves, last.leaves);
@@ -66,6 +73,7 @@ static void write_again(uint32_t level, uint32_t format, const uint8_t* m, size_
 }
 
 static void any_bits(const mmverify_contract_t* c, uint32_t level, uint32_t count) {
+  asked_index = any(PLACE_BITS);
   parts = count;
   part_level = level;
   passed = 0;
@@ -75,7 +83,7 @@ static void any_bits(const mmverify_contract_t* c, uint32_t level, uint32_t coun
   stands_for((const void*)c->write, (const void*)write_again);
 }
 
-/* Memory that ends with the byte of item `last`, with the watched bytes of `from`, or any. */
+/* Memory that ends with the byte of item `last`, with the watched bytes of `from`. */
 static void end_sequence(Sequence* s, const Sequence* from, size_t last) {
   *s = *from;
   s->size = bytes_for(last, s->bits);
@@ -105,11 +113,14 @@ static void require_same_items(void) {
 static int passes(const mmverify_contract_t* c) {
   const size_t most = any(PLACE_BITS);
   start = end = (Place){any(PLACE_BITS), any(PLACE_BITS)};
-  assume(start.nodes <= most);
+  assume(start.leaves <= start.nodes && start.nodes <= most);
   watch(&tree, 1, start.nodes, bytes_for(most, 1));
   most_nodes = most;
+  const int whole = tree.item / 8 < tree.size;
+  const unsigned node = whole ? item_of(&tree, tree.item) : 0;
   const int passed_over = c->skip(SIZE, tree.bytes, most, &end);
   check(passed_over == 0 || passed_over == 1);
+  check(!whole || item_of(&tree, tree.item) == node);
   if (!passed_over) return 0;
   check(end.nodes <= most);
   const Place leaf = {start.nodes + 1, start.leaves + 1};
@@ -120,10 +131,14 @@ static int passes(const mmverify_contract_t* c) {
 }
 
 void step_of_any_bits(void) {
+  codec(); /* it may fill its entry points in */
   const mmverify_contract_t* c = mmverify_contract_v1();
   first_state = any_below((size_t)1 << (PLACE_BITS - 2 * SIZE)) << 2 * SIZE;
   any_bits(c, SIZE == 0 ? 0 : SIZE - 1, SIZE == 0 ? 0 : 4);
-  for (uint32_t k = 0; k < parts; ++k) part[k].length = any_length(part_level);
+  for (uint32_t k = 0; k < parts; ++k) {
+    part[k].length = any_length(part_level);
+    assume(part[k].length.leaves <= part[k].length.nodes);
+  }
   if (!passes(c)) return;
 
   const Sequence given = tree;
@@ -140,11 +155,14 @@ void step_of_any_bits(void) {
   if (!taken) return;
   check(same_place(&at, &end));
 
+  others_become_any_states();
   at = start;
   c->measure(SIZE, FORMAT, out, first_state, &at);
   check(same_place(&at, &end));
   end_sequence(&again_tree, &tree, end.nodes);
   end_sequence(&again_data, &data, end.leaves);
+  others_become_any(&again_tree, start.nodes, end.nodes);
+  others_become_any(&again_data, start.leaves, end.leaves);
   become_zero(&again_tree, start.nodes, end.nodes);
   become_zero(&again_data, start.leaves, end.leaves);
   at = start;
@@ -159,19 +177,21 @@ void decode_any_bytes(void) {
   uint8_t back[MAP_BYTES];
   any_bits(c, LEVEL, 1);
   any_length_of_map();
-  const size_t size = any(PLACE_BITS);
-  open_code(size, 0);
+  const size_t size = any(PLACE_BITS - 3);
+  other = any(PLACE_BITS);
+  open_code(size, other);
   out = back;
   most_nodes = 8 * size;
   /* All of it may be read if it fits. */
   if (size >= code_size) limit = part[0].length;
-  if (size >= code_size) note_code();
+  other_byte = other < size ? tree.bytes[other] : 0;
   start = (Place){0, 0};
   end = part[0].length;
   const int taken = codec()->tree_decode(LEVEL, FORMAT, tree.bytes, size, back);
-  if (size >= code_size) require_code_unchanged();
+  check(other >= size || tree.bytes[other] == other_byte);
   if (!taken) return;
   check(padded(back, FORMAT, STATES));
+  require_whole(back);
   if (!(codec()->flags & MMVERIFY_TREE_STREAM)) return;
   check(size == code_size);
   again_tree = tree;

@@ -47,6 +47,13 @@ static inline int padded(const uint8_t* map, uint32_t format, size_t states) {
   return used == 0 || map[states * format / 8] >> used == 0;
 }
 
+/* Each byte of the map was set. */
+static inline void require_whole(const uint8_t* map) {
+  unsigned sum = 0;
+  for (size_t k = 0; k < MAP_BYTES; ++k) sum += map[k];
+  check(sum <= 255u * MAP_BYTES);
+}
+
 static inline int equal(const uint8_t* a, const uint8_t* b, size_t count) {
   int same = 1;
   for (size_t k = 0; k < count; ++k) same &= a[k] == b[k];

@@ -72,7 +72,9 @@ void malformed(void) {
   any_bytes(code, SIZE);
   int taken;
   READS(code, SIZE, taken = codec()->tree_decode(LEVEL, FORMAT, code + (SIZE == 0), SIZE, map));
-  if (taken) check(padded(map, FORMAT, STATES));
+  if (!taken) return;
+  check(padded(map, FORMAT, STATES));
+  require_whole(map);
 }
 
 /* tree.canonical: any SIZE bytes that are decoded are what the encoder makes of their map. */

@@ -642,7 +642,8 @@ typedef struct mmverify_place {
  * or skip, for the four subtrees of the level below. They keep a contract, which `mmverify prove --source` proves from
  * level to level: a subtree of `level` is that of the states from number `first` on; it has 4 j + 1 nodes and 3 j + 1
  * leaves for some j. Packing and order of the bits are those of a map, the lowest bits of a byte first. `tree` and
- * `data` begin where the code's sequences do. A function that the codec does not have is null. */
+ * `data` begin where the code's sequences do. Nothing that a function reads changes, but what it shall write and `at`.
+ * Laws of decoding need skip and read, tree.lookup_is_decode needs skip and find; what no law needs may be null. */
 typedef struct mmverify_contract {
   size_t size; /* sizeof(mmverify_contract_t) */
 
@@ -653,14 +654,15 @@ typedef struct mmverify_contract {
   void (*write)(uint32_t level, uint32_t format, const uint8_t* map, size_t first, uint8_t* tree,
                 uint8_t* data, mmverify_place_t* at);
 
-  /* Moves `at` over the subtree, of which no more than `most` bits of the tree may be read. */
+  /* Moves `at` over the subtree and returns 1; or returns 0, and `at` may be anything. Bits of the tree from number
+   * `most` on, counted from its beginning, may not be read. */
   int (*skip)(uint32_t level, const uint8_t* tree, size_t most, mmverify_place_t* at);
 
-  /* Writes the subtree's states into zeros of the map, and moves `at` over the subtree. */
+  /* Writes the subtree's states into zeros of the map, moves `at` over the subtree and returns 1; or returns 0. */
   int (*read)(uint32_t level, uint32_t format, const uint8_t* tree, const uint8_t* data, size_t first,
               mmverify_place_t* at, uint8_t* map);
 
-  /* The state at index % 4^level of the subtree at `at`. */
+  /* The state at index % 4^level of the subtree at `at`, which may be anything afterwards. */
   unsigned (*find)(uint32_t level, uint32_t format, const uint8_t* tree, const uint8_t* data, size_t most,
                    size_t index, mmverify_place_t* at);
 } mmverify_contract_t;

@@ -9,6 +9,7 @@
 #include <llvm/IR/Module.h>
 #include <llvm/IR/Operator.h>
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -24,6 +25,10 @@ namespace mmverify::source::executor {
 
 /// The attribute of the law's own functions and variables. The law's buffers of bytes may lie at any address.
 inline constexpr const char* law_attribute = "mmverify-law";
+
+/// The functions that laws call and that no codec may define.
+inline constexpr std::array<const char*, 6> law_functions{"any",   "any_state",  "assume",
+                                                          "check", "stands_for", "watched_memory"};
 
 /// A number that the law chose: what a counterexample consists of.
 struct Choice {

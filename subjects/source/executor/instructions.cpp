@@ -311,6 +311,10 @@ ValuePtr Executor::compared_pointers(const llvm::ICmpInst& i, const ValuePtr& a,
       else if (x.object == y.object)
         holds =
             graph_.either(holds, graph_.both(here, compare(graph_, i.getPredicate(), x.offset, y.offset)));
+      else if (!stand_ins_.empty() && x.object > 0 && y.object > 0 &&
+               !i.getFunction()->hasFnAttribute(law_attribute))
+        // A code's two sequences are one memory there, and two here.
+        throw Unreadable(i, "a comparison of pointers into different memory, in a proof by contract");
       else if (i.isEquality())
         holds = graph_.either(holds, i.getPredicate() == Predicate::ICMP_NE ? here : never);
       else

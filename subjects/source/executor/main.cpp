@@ -117,6 +117,10 @@ std::unique_ptr<llvm::Module> linked(const Options& o, llvm::LLVMContext& contex
     if (!f.isDeclaration()) f.addFnAttr(executor::law_attribute);
   for (llvm::GlobalVariable& g : module->globals()) g.addAttribute(executor::law_attribute);
   std::unique_ptr<llvm::Module> codec = read(o.codec, context);
+  for (const char* name : executor::law_functions)
+    if (const llvm::Function* f = codec->getFunction(name);
+        f != nullptr && !f->hasLocalLinkage() && !f->isDeclaration())
+      throw BadFile(o.codec + ": it defines " + name + ", which is a function of the laws; make it static");
   // Bitcode that is given as such may say of itself what it likes.
   for (llvm::Function& f : *codec) f.removeFnAttr(executor::law_attribute);
   for (llvm::GlobalVariable& g : codec->globals()) g.setAttributes({});

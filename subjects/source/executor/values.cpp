@@ -76,6 +76,7 @@ int Executor::object_of(const llvm::GlobalVariable& global, const llvm::Instruct
 }
 
 void Executor::make_globals(State& s, const llvm::Instruction& at) {
+  const bool by_contract = module_.getFunction("stands_for") != nullptr;
   // Numbers first: a variable's first value may have the address of another one.
   for (const llvm::GlobalVariable& global : module_.globals())
     if (global.hasInitializer() && !global.isThreadLocal()) globals_[&global] = ++objects_;
@@ -86,7 +87,8 @@ void Executor::make_globals(State& s, const llvm::Instruction& at) {
     object.name = global.getName().str();
     object.cells.resize(layout_.getTypeAllocSize(global.getValueType()));
     object.constant = global.isConstant();
-    object.lasting = !global.hasAttribute(law_attribute);
+    // A proof by contract notes what the functions of the law have seen.
+    object.lasting = !by_contract || !global.hasAttribute(law_attribute);
     object.align = layout_.getValueOrABITypeAlignment(global.getAlign(), global.getValueType()).value();
     try {
       initialize(s, object, 0, *global.getInitializer(), at);
