@@ -125,6 +125,13 @@ static int measured(const mmverify_contract_t* c, Place from, Place* to) {
   return !is_leaf;
 }
 
+/* Memory that ends with item `last`, with zeros from item `from` on. */
+static void open_zeros_until(Sequence* s, uint32_t bits, size_t from, size_t last) {
+  open_sequence(s, bits, from, bytes_for(last, bits));
+  assume(s->watch[1] < s->size);
+  become_zero(s, from, last);
+}
+
 /* The subtree is encoded, and nothing else has changed. Then all else changes, as its neighbours are encoded. */
 static const mmverify_contract_t* written(int functions) {
   codec(); /* it may fill its entry points in */
@@ -143,8 +150,8 @@ static const mmverify_contract_t* written(int functions) {
   const int there = measured(c, (Place){any(PLACE_BITS), any(PLACE_BITS)}, &elsewhere);
   check(measured(c, start, &end) == there);
 
-  open_sequence(&tree, 1, start.nodes, end.nodes);
-  open_sequence(&data, FORMAT, start.leaves, end.leaves);
+  open_zeros_until(&tree, 1, start.nodes, end.nodes);
+  open_zeros_until(&data, FORMAT, start.leaves, end.leaves);
   const unsigned node = item_of(&tree, tree.item), state = item_of(&data, data.item);
   Place at = start;
   c->write(SIZE, FORMAT, map, first_state, tree.bytes, data.bytes, &at);

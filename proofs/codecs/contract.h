@@ -13,7 +13,7 @@ uint8_t* watched_memory(size_t size, const size_t* places, size_t count);
 typedef mmverify_place_t Place;
 
 /* States, and places in codes, are below 2^PLACE_BITS, as those of level 12 are. */
-enum { PLACE_BITS = 26, WATCHES = 6 };
+enum { PLACE_BITS = 26, WATCHES = 2 };
 /* States and bytes of the subtree at hand. */
 enum {
   INSIDE = 1 << 2 * SIZE,
@@ -26,8 +26,8 @@ typedef struct {
   uint8_t* bytes;
   size_t size;
   uint32_t bits; /* of an item: 1 in a tree, FORMAT in data */
-  size_t watch[WATCHES], watches;
-  size_t item; /* one item, any */
+  size_t item;   /* one item, any */
+  size_t watch[WATCHES];
 } Sequence;
 
 /* A subtree whose functions are taken by contract. */
@@ -69,28 +69,20 @@ static unsigned mask_of(const Sequence* s, size_t at, size_t from, size_t to) {
   return mask_from(s, at, from) & ~mask_from(s, at, to);
 }
 
-/* Any bits for the items. */
-static void become_any(Sequence* s, size_t from, size_t to) {
-  for (size_t w = 0; w < s->watches; ++w) {
+/* Any bits for the items, or, if `others`, for all others. */
+static void become_any_if(Sequence* s, size_t from, size_t to, int others) {
+  for (size_t w = 0; w < WATCHES; ++w) {
     if (s->watch[w] >= s->size) continue;
-    const unsigned mask = mask_of(s, s->watch[w], from, to);
+    const unsigned inside = mask_of(s, s->watch[w], from, to), mask = others ? ~inside : inside;
     uint8_t* byte = s->bytes + s->watch[w];
     *byte = (uint8_t)((*byte & ~mask) | ((unsigned)any(8) & mask));
   }
 }
-
-/* Any bits for all other items. */
-static void others_become_any(Sequence* s, size_t from, size_t to) {
-  for (size_t w = 0; w < s->watches; ++w) {
-    if (s->watch[w] >= s->size) continue;
-    const unsigned mask = mask_of(s, s->watch[w], from, to);
-    uint8_t* byte = s->bytes + s->watch[w];
-    *byte = (uint8_t)((*byte & mask) | ((unsigned)any(8) & ~mask));
-  }
-}
+static void become_any(Sequence* s, size_t from, size_t to) { become_any_if(s, from, to, 0); }
+static void others_become_any(Sequence* s, size_t from, size_t to) { become_any_if(s, from, to, 1); }
 
 static void become_zero(Sequence* s, size_t from, size_t to) {
-  for (size_t w = 0; w < s->watches; ++w)
+  for (size_t w = 0; w < WATCHES; ++w)
     if (s->watch[w] < s->size)
       s->bytes[s->watch[w]] = (uint8_t)(s->bytes[s->watch[w]] & ~mask_of(s, s->watch[w], from, to));
 }
@@ -106,7 +98,7 @@ static int same_place(const Place* a, const Place* b) {
 /* Functions are proved for numbers below 2^PLACE_BITS, and for places that leave room for a whole tree. */
 static int is_small(size_t number) { return number >> PLACE_BITS == 0; }
 static int has_room(const Place* at, uint32_t level) {
-  const size_t states = (size_t)1 << 2 * level, limit = (size_t)1 << PLACE_BITS;
+  const size_t states = (size_t)1 << 2 * level, limit = ((size_t)1 << PLACE_BITS) - 1;
   return at->nodes <= limit - (4 * states - 1) / 3 && at->leaves <= limit - states;
 }
 
@@ -140,17 +132,14 @@ static Subtree* part_of(size_t first) {
 /* The step: the subtree's place, and its end. */
 static Place start, end;
 
-/* Memory that ends with item `last`. An item, any, and those of the byte of item `from` are watched. */
-static void open_sequence(Sequence* s, uint32_t bits, size_t from, size_t last) {
+/* Memory for a sequence. An item, any, and those of the byte of item `from` are watched. */
+static void open_sequence(Sequence* s, uint32_t bits, size_t from, size_t size) {
   s->bits = bits;
   s->item = any(PLACE_BITS);
-  assume(s->item * bits / 8 < bytes_for(last, bits));
   s->watch[0] = from * bits / 8;
   s->watch[1] = s->item * bits / 8;
-  s->watches = 2;
-  s->size = bytes_for(last, bits);
-  s->bytes = watched_memory(s->size, s->watch, s->watches);
-  become_zero(s, from, last);
+  s->size = size;
+  s->bytes = watched_memory(size, s->watch, WATCHES);
 }
 
 /* A map that ends with the subtree at first_state. The subtree's bytes, and byte `other`, are watched. */
@@ -222,7 +211,6 @@ static uint8_t* open_code(size_t capacity, size_t other) {
   tree.bits = 1, data.bits = FORMAT;
   tree.item = any_below(2 * STATES), data.item = any_below(2 * STATES);
   assume(tree.item < length.nodes && data.item < length.leaves);
-  tree.watches = data.watches = 2;
   tree.watch[0] = tree.item / 8, tree.watch[1] = (length.nodes - 1) / 8;
   data.watch[0] = data.item * FORMAT / 8, data.watch[1] = (length.leaves - 1) * FORMAT / 8;
   const size_t watch[5] = {tree.watch[0], tree.watch[1], tree_bytes + data.watch[0],

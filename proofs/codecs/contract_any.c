@@ -87,19 +87,9 @@ static void any_bits(const mmverify_contract_t* c, uint32_t level, uint32_t coun
 static void end_sequence(Sequence* s, const Sequence* from, size_t last) {
   *s = *from;
   s->size = bytes_for(last, s->bits);
-  s->bytes = watched_memory(s->size, s->watch, s->watches);
-  for (size_t w = 0; w < s->watches; ++w)
+  s->bytes = watched_memory(s->size, s->watch, WATCHES);
+  for (size_t w = 0; w < WATCHES; ++w)
     if (s->watch[w] < s->size) s->bytes[s->watch[w]] = from->bytes[s->watch[w]];
-}
-
-static void watch(Sequence* s, uint32_t bits, size_t from, size_t size) {
-  s->bits = bits;
-  s->item = any(PLACE_BITS);
-  s->watch[0] = from * bits / 8;
-  s->watch[1] = s->item * bits / 8;
-  s->watches = 2;
-  s->size = size;
-  s->bytes = watched_memory(size, s->watch, s->watches);
 }
 
 static void require_same_items(void) {
@@ -114,7 +104,7 @@ static int passes(const mmverify_contract_t* c) {
   const size_t most = any(PLACE_BITS);
   start = end = (Place){any(PLACE_BITS), any(PLACE_BITS)};
   assume(start.leaves <= start.nodes && start.nodes <= most);
-  watch(&tree, 1, start.nodes, bytes_for(most, 1));
+  open_sequence(&tree, 1, start.nodes, bytes_for(most, 1));
   most_nodes = most;
   const int whole = tree.item / 8 < tree.size;
   const unsigned node = whole ? item_of(&tree, tree.item) : 0;
@@ -130,6 +120,21 @@ static int passes(const mmverify_contract_t* c) {
   return end.leaves >> PLACE_BITS == 0;
 }
 
+/* The map that is written again, which no function may change: its subtree, a byte before it, and what is beside. */
+static uint8_t noted[INSIDE_BYTES];
+
+static void note_states(void) {
+  const size_t first = first_state * FORMAT / 8;
+  for (size_t k = 0; k < INSIDE_BYTES; ++k) noted[k] = out[first + k];
+  other_byte = other < first ? out[other] : 0;
+}
+
+static void require_same_states(void) {
+  const size_t first = first_state * FORMAT / 8;
+  for (size_t k = 0; k < INSIDE_BYTES; ++k) check(out[first + k] == noted[k]);
+  check(other >= first || out[other] == other_byte);
+}
+
 void step_of_any_bits(void) {
   codec(); /* it may fill its entry points in */
   const mmverify_contract_t* c = mmverify_contract_v1();
@@ -143,7 +148,7 @@ void step_of_any_bits(void) {
 
   const Sequence given = tree;
   end_sequence(&tree, &given, end.nodes);
-  watch(&data, FORMAT, start.leaves, bytes_for(end.leaves, FORMAT));
+  open_sequence(&data, FORMAT, start.leaves, bytes_for(end.leaves, FORMAT));
   open_zeros();
   limit = end;
   note_code();
@@ -156,6 +161,7 @@ void step_of_any_bits(void) {
   check(same_place(&at, &end));
 
   others_become_any_states();
+  note_states();
   at = start;
   c->measure(SIZE, FORMAT, out, first_state, &at);
   check(same_place(&at, &end));
@@ -165,10 +171,17 @@ void step_of_any_bits(void) {
   others_become_any(&again_data, start.leaves, end.leaves);
   become_zero(&again_tree, start.nodes, end.nodes);
   become_zero(&again_data, start.leaves, end.leaves);
+  const int has_node = again_tree.watch[1] < again_tree.size,
+            has_state = again_data.watch[1] < again_data.size;
+  const unsigned node = has_node ? item_of(&again_tree, tree.item) : 0;
+  const unsigned state = has_state ? item_of(&again_data, data.item) : 0;
   at = start;
   c->write(SIZE, FORMAT, out, first_state, again_tree.bytes, again_data.bytes, &at);
   check(same_place(&at, &end));
   require_same_items();
+  check(!has_node || in(tree.item, start.nodes, end.nodes) || item_of(&again_tree, tree.item) == node);
+  check(!has_state || in(data.item, start.leaves, end.leaves) || item_of(&again_data, data.item) == state);
+  require_same_states();
 }
 
 /* Any bytes are refused, or are the code of a map with zeros after its last state. */
