@@ -15,11 +15,11 @@ static_assert(std::endian::native == std::endian::little,
 /// Up to 64 bits of a byte array whose end may fall inside the word: missing bits read as zeros.
 inline std::uint64_t load_word(const std::uint8_t* bytes, std::size_t available) noexcept {
   std::uint64_t word = 0;
-  if (available >= sizeof word) {
+  // A copy of a known size is one load.
+  if (available >= sizeof word)
     std::memcpy(&word, bytes, sizeof word);
-  } else {
-    for (std::size_t k = 0; k < available; ++k) word |= std::uint64_t{bytes[k]} << (8 * k);
-  }
+  else
+    std::memcpy(&word, bytes, available);
   return word;
 }
 
@@ -33,6 +33,10 @@ constexpr std::uint32_t ones_of_four(std::uint64_t flags) noexcept {
 }
 
 constexpr std::uint64_t bytes_for(std::uint64_t bits) noexcept { return (bits + 7) / 8; }
+
+inline bool bit_at(const std::uint8_t* bytes, std::uint64_t k) noexcept {
+  return (bytes[k / 8] >> k % 8 & 1) != 0;
+}
 
 /// Appends bits.  Whole words are stored, so eight bytes beyond the last bit must belong to the array.
 class BitWriter {
@@ -53,6 +57,9 @@ class BitWriter {
     used_ %= 8;
   }
 
+  /// Both are at one bit of one array, and append the same.
+  friend bool operator==(const BitWriter&, const BitWriter&) = default;
+
  private:
   std::uint8_t* bytes_;
   std::uint32_t used_;
@@ -71,8 +78,13 @@ class BitReader {
     if (byte >= bytes_.size()) return 0;
     return load_word(bytes_.data() + byte, bytes_.size() - byte) >> (place_ % 8);
   }
+  /// The next bits.  Domain: they exist and lie in one byte.
+  std::uint32_t within_byte(std::uint32_t count) const noexcept {
+    return bytes_[place_ / 8] >> place_ % 8 & ((1u << count) - 1);
+  }
   void skip(std::uint32_t count) noexcept { place_ += count; }
   std::uint64_t place() const noexcept { return place_; }
+  std::span<const std::uint8_t> bytes() const noexcept { return bytes_; }
 
  private:
   std::span<const std::uint8_t> bytes_;

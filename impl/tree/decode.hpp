@@ -1,4 +1,4 @@
-// Decoding that reports the fault of bad sequences.  Internal to impl/tree.
+// Decoding that reports the fault of bad sequences, and lookups, anywhere in memory.  Internal to impl/tree.
 #pragma once
 
 #include <cstdint>
@@ -20,5 +20,9 @@ struct Fault {
 std::optional<Fault> decode(Level n, Format b, std::span<const std::uint8_t> tree, std::uint64_t nodes,
                             std::span<const std::uint8_t> data, std::uint64_t leaves,
                             std::span<std::uint8_t> map);
+
+/// lookup_stream() over sequences anywhere in memory.
+std::uint8_t lookup(Level n, Format b, std::span<const std::uint8_t> tree, std::uint64_t nodes,
+                    std::span<const std::uint8_t> data, std::uint64_t index) noexcept;
 
 }  // namespace mmverify::impl::tree::detail

@@ -9,11 +9,16 @@
 void stands_for(const void* own, const void* other);
 /* Memory of `size` bytes of any content. What a read gives is any, except at `count` places, which keep what is written. */
 uint8_t* watched_memory(size_t size, const size_t* places, size_t count);
+/* No function may write into watched memory from now on. */
+void only_read(uint8_t* memory);
 
 typedef mmverify_place_t Place;
 
 /* States, and places in codes, are below 2^PLACE_BITS, as those of level 12 are. */
-enum { PLACE_BITS = 26, WATCHES = 2 };
+enum { PLACE_BITS = 26 };
+#ifndef WATCHES
+#define WATCHES 2
+#endif
 /* States and bytes of the subtree at hand. */
 enum {
   INSIDE = 1 << 2 * SIZE,

@@ -66,6 +66,12 @@ ValuePtr Executor::watched_memory(State& s, const llvm::CallBase& i) {
   return pointer(objects_);
 }
 
+void Executor::make_constant(State& s, const llvm::CallBase& i) {
+  const ValuePtr p = value(s, i.getArgOperand(0), i);
+  if (watched_at(s, p) == nullptr) throw Unreadable(i, "memory that is not watched is to be only read");
+  s.memory.writable(p->targets.front().object).constant = true;
+}
+
 ValuePtr Executor::load_watched(const Object& object, const Word& offset, std::size_t bytes) {
   Word bits, unset;
   for (std::size_t k = 0; k < bytes; ++k) {
@@ -106,24 +112,92 @@ void Executor::store_watched(Object& object, const Word& offset, const ValuePtr&
   }
 }
 
+const Object* Executor::watched_at(const State& s, const ValuePtr& p) const {
+  if (p->targets.size() != 1 || p->targets.front().object <= 0) return nullptr;
+  const Object* object = s.memory.find(p->targets.front().object);
+  return object == nullptr || object->watched.empty() ? nullptr : object;
+}
+
+void Executor::require_room(const State& s, const ValuePtr& p, const Word& size, const llvm::Instruction& at,
+                            const char* what) {
+  const auto wide = [](const Word& w) { return circuit::resized(w, pointer_bits + 1, false); };
+  for (const Target& t : p->targets) {
+    const Object* object = object_at(s, t, t.when, at, "copied");
+    if (object == nullptr) continue;
+    const Word room =
+        object->size.empty() ? circuit::constant(object->cells.size(), pointer_bits) : object->size;
+    const Word end = circuit::sum(graph_, wide(t.offset), wide(size));
+    require_never(Duty::bounds, graph_.both(t.when, circuit::less(graph_, wide(room), end)), at, what);
+  }
+}
+
+void Executor::require_not_constant(const Object& object, const llvm::Instruction& at) {
+  if (object.constant)
+    require_never(Duty::constants, always, at, "the constant " + object.name + " is written");
+}
+
+Literal Executor::is_inside(std::size_t k, const Word& size) {
+  return circuit::less(graph_, circuit::constant(k, size.size()), size);
+}
+
+Literal Executor::is_inside(const Word& place, const Word& from, const Word& size) {
+  return graph_.both(negated(circuit::less(graph_, place, from)),
+                     circuit::less(graph_, circuit::difference(graph_, place, from), size));
+}
+
 bool Executor::fill_watched(State& s, const ValuePtr& to, const ValuePtr& byte, const Word& size,
                             const llvm::Instruction& at) {
-  if (to->targets.size() != 1 || to->targets.front().object <= 0) return false;
+  if (watched_at(s, to) == nullptr) return false;
+  require_room(s, to, size, at, "more bytes are set than there are");
   const Target& t = to->targets.front();
-  const Object* object = s.memory.find(t.object);
-  if (object == nullptr || object->watched.empty()) return false;
-  const Word end = circuit::sum(graph_, circuit::resized(t.offset, pointer_bits + 1, false),
-                                circuit::resized(size, pointer_bits + 1, false));
-  require_never(Duty::bounds,
-                circuit::less(graph_, circuit::resized(object->size, pointer_bits + 1, false), end), at,
-                "more bytes are set than there are");
   Object& own = s.memory.writable(t.object);
-  for (std::size_t w = 0; w < own.watched.size(); ++w) {
-    const Literal here =
-        graph_.both(negated(circuit::less(graph_, own.watched[w], t.offset)),
-                    circuit::less(graph_, circuit::resized(own.watched[w], pointer_bits + 1, false), end));
-    mmverify::source::executor::store(own, w, chosen(graph_, here, byte, loaded(own, w, 1)));
+  for (std::size_t w = 0; w < own.watched.size(); ++w)
+    mmverify::source::executor::store(
+        own, w,
+        chosen(graph_, is_inside(own.watched[w], t.offset, circuit::resized(size, pointer_bits, false)), byte,
+               loaded(own, w, 1)));
+  return true;
+}
+
+bool Executor::copy_watched(State& s, const ValuePtr& to, const ValuePtr& from, const Word& size,
+                            const llvm::Instruction& at) {
+  const Object* target = watched_at(s, to);
+  if (target == nullptr && watched_at(s, from) == nullptr) return false;
+  require_room(s, to, size, at, "a copy of more bytes than there are");
+  require_room(s, from, size, at, "a copy of more bytes than there are");
+  llvm::LLVMContext& context = module_.getContext();
+  constexpr std::uint64_t word = 8;
+  if (const auto bytes = circuit::value_of(size); bytes && *bytes <= word) {
+    if (*bytes == 0) return true;
+    const auto width = static_cast<unsigned>(byte_bits * *bytes);
+    store(s, to, load(s, from, *bytes, *llvm::Type::getIntNTy(context, width), at), always, at);
+    return true;
   }
+  if (target == nullptr) {
+    const Target& f = from->targets.front();
+    for (std::size_t k = 0; k < most_bytes(s, to, size, at); ++k) {
+      const ValuePtr byte =
+          load_watched(*s.memory.find(f.object), beyond(graph_, f.offset, k), 1);
+      store(s, moved_by(to, circuit::constant(k, pointer_bits)), byte, is_inside(k, size), at);
+    }
+    return true;
+  }
+  require_not_constant(*target, at);
+  const Target& t = to->targets.front();
+  const std::vector<Word> watched = target->watched;
+  std::vector<std::pair<Literal, ValuePtr>> copied;
+  const Literal running = running_;
+  for (const Word& place : watched) {
+    const Literal here = is_inside(place, t.offset, circuit::resized(size, pointer_bits, false));
+    running_ = graph_.both(running, here);
+    const Word by = circuit::difference(graph_, place, t.offset);
+    copied.emplace_back(here, load(s, moved_by(from, by), 1, *llvm::Type::getInt8Ty(context), at));
+  }
+  running_ = running;
+  Object& own = s.memory.writable(t.object);
+  for (std::size_t w = 0; w < watched.size(); ++w)
+    mmverify::source::executor::store(
+        own, w, chosen(graph_, copied[w].first, copied[w].second, loaded(own, w, 1)));
   return true;
 }
 

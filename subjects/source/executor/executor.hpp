@@ -27,8 +27,8 @@ namespace mmverify::source::executor {
 inline constexpr const char* law_attribute = "mmverify-law";
 
 /// The functions that laws call and that no codec may define.
-inline constexpr std::array<const char*, 6> law_functions{"any",   "any_state",  "assume",
-                                                          "check", "stands_for", "watched_memory"};
+inline constexpr std::array<const char*, 7> law_functions{
+    "any", "any_state", "assume", "check", "stands_for", "watched_memory", "only_read"};
 
 /// A number that the law chose: what a counterexample consists of.
 struct Choice {
@@ -166,6 +166,9 @@ class Executor {
             const llvm::Instruction& at);
   void copy_cells(State& s, const Target& to, const Target& from, std::size_t bytes,
                   const llvm::Instruction& at);
+  void require_not_constant(const Object& object, const llvm::Instruction& at);
+  /// k < size.
+  Literal is_inside(std::size_t k, const Word& size);
   void fill(State& s, const ValuePtr& to, const ValuePtr& byte, const Word& size,
             const llvm::Instruction& at);
   ValuePtr compared_bytes(State& s, const ValuePtr& a, const ValuePtr& b, const Word& size,
@@ -179,6 +182,7 @@ class Executor {
   llvm::Function& stand_in(llvm::Function& function, const llvm::Instruction* at) const;
   void put_in_place(State& s, const llvm::CallBase& i);
   ValuePtr watched_memory(State& s, const llvm::CallBase& i);
+  void make_constant(State& s, const llvm::CallBase& i);
   /// The bytes are within the object.
   void require_within(const Object& object, const Word& offset, std::size_t bytes, Literal condition,
                       const llvm::Instruction& at, const char* access);
@@ -187,6 +191,16 @@ class Executor {
   /// Sets bytes of watched memory; false if the pointer leads to other memory.
   bool fill_watched(State& s, const ValuePtr& to, const ValuePtr& byte, const Word& size,
                     const llvm::Instruction& at);
+  /// Copies bytes to or from watched memory; false if both pointers lead to other memory.
+  bool copy_watched(State& s, const ValuePtr& to, const ValuePtr& from, const Word& size,
+                    const llvm::Instruction& at);
+  /// The watched memory that a pointer leads to; null if it leads elsewhere.
+  const Object* watched_at(const State& s, const ValuePtr& p) const;
+  /// So many bytes from the pointer on are within its object.
+  void require_room(const State& s, const ValuePtr& p, const Word& size, const llvm::Instruction& at,
+                    const char* what);
+  /// from <= place < from + size.
+  Literal is_inside(const Word& place, const Word& from, const Word& size);
 
   /// The path is taken, all calls around it included.
   Literal condition(const State& s) const;

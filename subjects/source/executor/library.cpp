@@ -39,7 +39,7 @@ bool Executor::call_instruction(State& s, const llvm::CallBase& i) {
   const std::string name = f->getName().str();
   // A function of the codec's own may have the name of one of the law's, which have no body.
   if (f->isDeclaration() && call_law(s, i, name)) return s.when != never;
-  if (f->isDeclaration()) return call_library(s, i, name);
+  if (f->isDeclaration() && &stand_in(*f, &i) == f) return call_library(s, i, name);
   if (f->doesNotReturn()) return never_called(s, name, i);
   if (f->isVarArg()) throw Unreadable(i, name + " takes any number of arguments");
   std::vector<ValuePtr> arguments;
@@ -103,6 +103,10 @@ bool Executor::call_law(State& s, const llvm::CallBase& i, const std::string& na
   }
   if (name == "watched_memory") {
     s.values[&i] = watched_memory(s, i);
+    return true;
+  }
+  if (name == "only_read") {
+    make_constant(s, i);
     return true;
   }
   if (name != "check" && name != "assume") return false;
@@ -191,14 +195,6 @@ std::size_t Executor::most_bytes(const State& s, const ValuePtr& p, const Word& 
   return std::min<std::uint64_t>(most, circuit::at_most(size));
 }
 
-namespace {
-
-Literal goes_on(Graph& g, const Word& size, std::size_t k) {
-  return circuit::less(g, circuit::constant(k, size.size()), size);
-}
-
-}  // namespace
-
 void Executor::require_apart(const ValuePtr& to, const ValuePtr& from, const Word& size,
                              const llvm::Instruction& at) {
   for (const Target& t : to->targets)
@@ -217,10 +213,11 @@ void Executor::require_apart(const ValuePtr& to, const ValuePtr& from, const Wor
 void Executor::copy(State& s, const ValuePtr& to, const ValuePtr& from, const Word& size, bool may_overlap,
                     const llvm::Instruction& at) {
   if (!is_pointer(to) || !is_pointer(from)) throw Unreadable(at, "a number taken for a pointer");
+  if (!may_overlap) require_apart(to, from, size, at);
+  if (copy_watched(s, to, from, size, at)) return;
   const std::size_t most = std::max(most_bytes(s, to, size, at), most_bytes(s, from, size, at));
   require_never(Duty::bounds, circuit::less(graph_, circuit::constant(most, size.size()), size), at,
                 "a copy of more bytes than there are");
-  if (!may_overlap) require_apart(to, from, size, at);
   // A whole object's bytes may be parts of pointers, which are moved as they are.
   const auto known_size = circuit::value_of(size);
   const auto plain = [&](const ValuePtr& p) {
@@ -233,11 +230,11 @@ void Executor::copy(State& s, const ValuePtr& to, const ValuePtr& from, const Wo
   std::vector<ValuePtr> bytes;
   const Literal running = running_;
   for (std::size_t k = 0; k < most; ++k) {
-    running_ = graph_.both(running, goes_on(graph_, size, k));
+    running_ = graph_.both(running, is_inside(k, size));
     bytes.push_back(load(s, moved_by(from, circuit::constant(k, pointer_bits)), 1, byte, at));
   }
   for (std::size_t k = 0; k < most; ++k) {
-    const Literal here = goes_on(graph_, size, k);
+    const Literal here = is_inside(k, size);
     running_ = graph_.both(running, here);
     store(s, moved_by(to, circuit::constant(k, pointer_bits)), bytes[k], here, at);
   }
@@ -250,8 +247,7 @@ void Executor::copy_cells(State& s, const Target& to, const Target& from, std::s
   const Object *source = object_at(s, from, always, at, "read"),
                *target = object_at(s, to, always, at, "written");
   if (source == nullptr || target == nullptr) return;
-  if (target->constant)
-    require_never(Duty::constants, always, at, "the constant " + target->name + " is written");
+  require_not_constant(*target, at);
   const auto read = offsets(*source, from.offset, bytes, always, at, "read");
   const auto written = offsets(*target, to.offset, bytes, always, at, "written");
   if (read.empty() || written.empty()) return;
@@ -274,7 +270,7 @@ void Executor::fill(State& s, const ValuePtr& to, const ValuePtr& byte, const Wo
                 "more bytes are set than there are");
   const Literal running = running_;
   for (std::size_t k = 0; k < most; ++k) {
-    const Literal here = goes_on(graph_, size, k);
+    const Literal here = is_inside(k, size);
     running_ = graph_.both(running, here);
     store(s, moved_by(to, circuit::constant(k, pointer_bits)), one, here, at);
   }
@@ -290,7 +286,7 @@ ValuePtr Executor::compared_bytes(State& s, const ValuePtr& a, const ValuePtr& b
   Literal same = always, lower = never;
   const Literal running = running_;
   for (std::size_t k = most; k-- > 0;) {
-    const Literal here = goes_on(graph_, size, k);
+    const Literal here = is_inside(k, size);
     running_ = graph_.both(running, here);
     const Word by = circuit::constant(k, pointer_bits);
     const ValuePtr x = load(s, moved_by(a, by), 1, byte, at), y = load(s, moved_by(b, by), 1, byte, at);

@@ -76,7 +76,8 @@ int Executor::object_of(const llvm::GlobalVariable& global, const llvm::Instruct
 }
 
 void Executor::make_globals(State& s, const llvm::Instruction& at) {
-  const bool by_contract = module_.getFunction("stands_for") != nullptr;
+  const bool by_contract =
+      module_.getFunction("stands_for") != nullptr || module_.getFunction("watched_memory") != nullptr;
   // Numbers first: a variable's first value may have the address of another one.
   for (const llvm::GlobalVariable& global : module_.globals())
     if (global.hasInitializer() && !global.isThreadLocal()) globals_[&global] = ++objects_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "impl/tree/pyramid.cpp"
+#include "impl/tree/recursion.cpp"
 #include "impl/tree/stream.cpp"
 #include "subjects/sdk/mmverify_subject.h"
 
@@ -15,21 +16,18 @@ std::span<const std::uint8_t> map_of(uint32_t level, uint32_t format, const uint
   return {map, bytes_of(std::uint64_t{format} << 2 * level)};
 }
 
-/// The stream whose sequences follow each other in a code; no nodes if its tree does not end.
-Stream stream_of(uint32_t format, const uint8_t* code, size_t size) {
-  Stream s;
-  std::uint64_t owed = 1;
-  while (owed > 0) {
-    if (s.nodes == 8 * size) return {};
-    owed += (code[s.nodes / 8] >> s.nodes % 8 & 1) != 0 ? 3 : ~std::uint64_t{0};
-    ++s.nodes;
-  }
-  s.leaves = s.nodes - s.nodes / 4;
-  const std::size_t tree = bytes_of(s.nodes);
-  if (size != tree + bytes_of(s.leaves * format)) return {};
-  s.tree.assign(code, code + tree);
-  s.data.assign(code + tree, code + size);
-  return s;
+/// The sequences of a code: nodes in the first one, and its bytes.
+struct Sequences {
+  std::uint64_t nodes = 0;  ///< 0: no code has that length
+  std::span<const std::uint8_t> tree, data;
+};
+
+Sequences sequences_of(uint32_t level, uint32_t format, const uint8_t* code, size_t size) {
+  detail::Place end;
+  if (!detail::pass_node(code, 8 * size, level, end)) return {};
+  const std::size_t tree = bytes_of(end.node);
+  if (size != tree + bytes_of(end.leaf * format)) return {};
+  return {end.node, {code, tree}, {code + tree, size - tree}};
 }
 
 size_t encode(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* code, size_t capacity) {
@@ -41,17 +39,20 @@ size_t encode(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* code
 }
 
 int decode(uint32_t level, uint32_t format, const uint8_t* code, size_t size, uint8_t* map) {
-  const Stream s = stream_of(format, code, size);
+  const Sequences s = sequences_of(level, format, code, size);
   if (s.nodes == 0) return 0;
-  return decode_stream(level, static_cast<Format>(format), s, {map, map_of(level, format, map).size()}) ? 1
-                                                                                                        : 0;
+  const std::span<std::uint8_t> states(map, map_of(level, format, map).size());
+  return detail::decode(level, static_cast<Format>(format), s.tree, s.nodes, s.data, s.nodes - s.nodes / 4,
+                        states)
+             ? 0
+             : 1;
 }
 
 void lookup(uint32_t level, uint32_t format, const uint8_t* code, size_t size, const uint32_t* index,
             uint8_t* state, size_t count) {
-  const Stream s = stream_of(format, code, size);
+  const Sequences s = sequences_of(level, format, code, size);
   for (size_t k = 0; k < count; ++k)
-    state[k] = lookup_stream(level, static_cast<Format>(format), s, index[k]);
+    state[k] = detail::lookup(level, static_cast<Format>(format), s.tree, s.nodes, s.data, index[k]);
 }
 
 }  // namespace

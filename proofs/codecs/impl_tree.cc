@@ -1,0 +1,697 @@
+/* Laws of the two sequences of impl/tree, from level to level.  LEVEL: of the map.
+ *
+ * The functions of impl/tree/recursion.hpp see the sequences through BitWriter::put, BitReader::peek and within_byte, and
+ * bit_at.  The steps `step_of_put` to `step_of_bit_at` show that these write and read the bits at any place of memory of
+ * any size.  The other steps take them by that contract, and show for an internal node with SIZE levels below, given the
+ * same for its children:
+ *   write_node appends 4 j + 1 nodes, the first a 1, and 3 j + 1 leaves, j being the number of its internal nodes;
+ *   from these bits, wherever they are, read_node makes its states and changes no others, pass_node moves over the node,
+ *   and find_leaf finds a leaf with the state at any index.
+ * Sixteen states, SIZE 2, are run as they are.  The map is a whole one, any, and Pyramid's answers are the library's. */
+#define WATCHES 7
+#include <stdlib.h>
+#include <string.h>
+
+#include <new>
+extern "C" {
+#include "proofs/codecs/contract.h"
+}
+#include "impl/tree/recursion.hpp"
+
+namespace {
+
+namespace impl = mmverify::impl::tree::detail;
+using impl::BitReader, impl::BitWriter, impl::Pyramid, impl::SequenceReader, impl::SequenceWriter;
+using mmverify::impl::tree::Format, mmverify::impl::tree::Level;
+
+constexpr Level depth = LEVEL - SIZE;
+constexpr bool sixteen = SIZE == 2;
+
+/// Member functions by their names in bitcode.
+void put(BitWriter*, uint64_t, uint32_t) asm("_ZN8mmverify4impl4tree6detail9BitWriter3putEmj");
+uint64_t peek(const BitReader*) asm("_ZNK8mmverify4impl4tree6detail9BitReader4peekEv");
+uint32_t within_byte(const BitReader*, uint32_t) asm("_ZNK8mmverify4impl4tree6detail9BitReader11within_byteEj");
+
+void skip(BitReader*, uint32_t) asm("_ZN8mmverify4impl4tree6detail9BitReader4skipEj");
+uint64_t place(const BitReader*) asm("_ZNK8mmverify4impl4tree6detail9BitReader5placeEv");
+uint32_t children(const Pyramid*, Level, uint64_t) asm("_ZNK8mmverify4impl4tree6detail7Pyramid8childrenEjm");
+
+/* ---- the node at hand */
+
+/// The map, and its flags.
+uint8_t states[MAP_BYTES];
+const Pyramid* pyramid;
+/// The node's number in its depth; which of its children are internal; their places, from the node's own on.
+size_t node_number;
+int internal[4];
+/// A byte of the map, any.
+size_t asked_byte;
+uint8_t asked_states;
+/// The state at asked_index of the node, any, and its leaf.
+uint32_t asked_state;
+size_t asked_leaf;
+
+int is_internal(Level d, size_t k) { return (int)(pyramid->mixed(d)[k / 64] >> k % 64 & 1); }
+
+/// Any length of a child: it has `count` internal nodes.
+Place any_length_of(int is_internal_child) {
+  constexpr size_t most = (((size_t)1 << 2 * (SIZE - 1)) - 1) / 3;
+  size_t count = (size_t)is_internal_child;
+  if (!sixteen && is_internal_child) {
+    count = any(2 * SIZE);
+    assume(count >= 1 && count <= most);
+  }
+  return {4 * count + 1, 3 * count + 1};
+}
+
+/// Any internal node of any map.
+void any_node(const Pyramid& flags) {
+  pyramid = &flags;
+  const size_t index = any_below(STATES);
+  asked_state = state_of(states, FORMAT, index);
+  asked_index = index % INSIDE;
+  node_number = index / INSIDE;
+  first_state = node_number * INSIDE;
+  assume(is_internal(depth, node_number));
+  asked_byte = any_below(MAP_BYTES);
+  asked_states = states[asked_byte];
+}
+
+/// Its children, of any length.  `which`: bit c is set if child c is internal.
+void place_children(uint32_t which) {
+  parts = 4;
+  part_level = SIZE - 1;
+  end = {1, 0};
+  for (uint32_t c = 0; c < 4; ++c) {
+    internal[c] = (int)(which >> c & 1);
+    part[c].length = any_length_of(internal[c]);
+    part[c].at = end;
+    move_over(&end, part + c);
+  }
+}
+
+/* ---- the sequences at hand: the bits that were appended, from the node's own place on */
+
+/// Sixteen states: all bits.
+uint64_t tree_word, data_word;
+/// More of them: of a child that is a leaf, its node and its state.
+uint32_t leaf_node[4], leaf_state[4];
+/// The writer, and the next node and leaf.
+SequenceWriter* writer;
+Place next;
+
+uint32_t child_at_node(size_t node) {
+  for (uint32_t c = 0; c < 4; ++c)
+    if (node == part[c].at.nodes) return c;
+  check(0);
+  return 0;
+}
+
+uint32_t child_at_leaf(size_t leaf) {
+  for (uint32_t c = 0; c < 4; ++c)
+    if (leaf == part[c].at.leaves && !internal[c]) return c;
+  check(0);
+  return 0;
+}
+
+/// A node's bit, by its place from the node at hand on.
+uint32_t node_at(size_t node) {
+  if (sixteen) {
+    check(node < end.nodes);
+    return tree_word >> node & 1;
+  }
+  if (node == 0) return 1;
+  const uint32_t c = child_at_node(node);
+  return internal[c] ? 1 : leaf_node[c];
+}
+
+/// A leaf's state, likewise.
+uint32_t leaf_at(size_t leaf) {
+  if (sixteen) {
+    check(leaf < end.leaves);
+    return data_word >> leaf * FORMAT & ((1u << FORMAT) - 1);
+  }
+  return leaf_state[child_at_leaf(leaf)];
+}
+
+void append(BitWriter* to, uint64_t value, uint32_t count) noexcept {
+  check(to == &writer->tree || to == &writer->data);
+  check(count <= 56 && value >> count == 0);
+  const bool nodes = to == &writer->tree;
+  size_t& at = nodes ? next.nodes : next.leaves;
+  if (sixteen) {
+    check((nodes ? at : at * FORMAT) + count <= 56);
+    (nodes ? tree_word : data_word) |= value << (nodes ? at : at * FORMAT);
+  } else if (nodes && at == 0) {
+    check(value == 1);
+  } else if (nodes) {
+    leaf_node[child_at_node(at)] = (uint32_t)value;
+  } else {
+    leaf_state[child_at_leaf(at)] = (uint32_t)value;
+  }
+  check(sixteen || count == (nodes ? 1 : FORMAT));
+  at += nodes ? count : count / FORMAT;
+}
+
+/* ---- reading them, at any place of sequences of any length */
+
+SequenceReader* reader;
+/// The reader's next bits, from the node's own place on: a node, and a bit of a state.
+size_t read_nodes, read_data;
+/// Nodes of the whole sequence.
+size_t all_nodes;
+uint8_t* tree_memory;
+
+bool is_tree(const BitReader* from) {
+  check(from == &reader->tree || from == &reader->data);
+  return from == &reader->tree;
+}
+
+void skip_bits(BitReader* from, uint32_t count) noexcept { (is_tree(from) ? read_nodes : read_data) += count; }
+
+uint64_t place_in_tree(const BitReader* from) noexcept {
+  check(is_tree(from));
+  return start.nodes + read_nodes;
+}
+
+/// All bits that a reader may see: behind the node they may be any.
+uint64_t peek_at(const BitReader* from) noexcept {
+  const bool nodes = is_tree(from);
+  const size_t at = nodes ? read_nodes : read_data, bits = nodes ? end.nodes : end.leaves * FORMAT;
+  check(sixteen && at < bits);
+  return ((nodes ? tree_word : data_word) | any(64) << bits) >> at;
+}
+
+uint32_t read_within_byte(const BitReader* from, uint32_t count) noexcept {
+  const bool nodes = is_tree(from);
+  check(count == (nodes ? 1 : FORMAT) && read_data % FORMAT == 0);
+  return nodes ? node_at(read_nodes) : leaf_at(read_data / FORMAT);
+}
+
+bool read_bit(const uint8_t* bytes, uint64_t k) noexcept {
+  check(bytes == tree_memory && k < all_nodes);
+  return node_at(k - start.nodes) != 0;
+}
+
+/* ---- a child, by contract */
+
+void write_child(SequenceWriter& to, Level d, uint64_t k) noexcept {
+  check(&to == writer && d == depth + 1 && k / 4 == node_number && internal[k % 4]);
+  Subtree* p = part + k % 4;
+  check(same_place(&next, &p->at));
+  p->written = 1;
+  next = end_of(p);
+}
+
+bool read_child(SequenceReader& from, Level d, uint64_t bit) noexcept {
+  const size_t inside = states_of_part(), first = bit / FORMAT, c = first / inside % 4;
+  check(&from == reader && d == depth + 1 && bit % FORMAT == 0 && first == first_state + c * inside);
+  const Subtree* p = part + c;
+  check(internal[c] && p->written);
+  check(read_nodes == p->at.nodes + 1 && read_data == p->at.leaves * FORMAT);
+  if (in(asked_byte, first * FORMAT / 8, (first + inside) * FORMAT / 8)) {
+    check(out[asked_byte] == 0);
+    out[asked_byte] = asked_states;
+  }
+  read_nodes += p->length.nodes - 1;
+  read_data += p->length.leaves * FORMAT;
+  return true;
+}
+
+/// The child at a place.
+uint32_t child_at(const uint8_t* bytes, uint64_t nodes, Level levels, const impl::Place& at) {
+  check(bytes == tree_memory && nodes == all_nodes && levels == part_level);
+  const uint32_t c = child_at_node(at.node - start.nodes);
+  check(at.leaf - start.leaves == part[c].at.leaves);
+  check(internal[c] ? part[c].written : !leaf_node[c]);
+  return c;
+}
+
+bool pass_child(const uint8_t* bytes, uint64_t nodes, Level levels, impl::Place& at) noexcept {
+  const uint32_t c = child_at(bytes, nodes, levels, at);
+  at = {at.node + part[c].length.nodes, at.leaf + part[c].length.leaves};
+  return true;
+}
+
+bool find_child(const uint8_t* bytes, uint64_t nodes, Level levels, uint64_t index, impl::Place& at) noexcept {
+  const uint32_t c = child_at(bytes, nodes, levels, at);
+  check(c == asked_index / states_of_part() && index % states_of_part() == asked_index % states_of_part());
+  if (internal[c]) at = {any(64), start.leaves + asked_leaf};
+  return true;
+}
+
+void by_contract() {
+  stands_for((const void*)put, (const void*)append);
+  stands_for((const void*)peek, (const void*)peek_at);
+  stands_for((const void*)skip, (const void*)skip_bits);
+  stands_for((const void*)place, (const void*)place_in_tree);
+  stands_for((const void*)within_byte, (const void*)read_within_byte);
+  stands_for((const void*)impl::bit_at, (const void*)read_bit);
+  if (sixteen) return;
+  stands_for((const void*)impl::write_node, (const void*)write_child);
+  stands_for((const void*)impl::read_node, (const void*)read_child);
+  stands_for((const void*)impl::pass_node, (const void*)pass_child);
+  stands_for((const void*)impl::find_leaf, (const void*)find_child);
+}
+
+/* ---- the steps of a node */
+
+/// Which children are internal, while that is known.
+uint32_t known_children;
+
+uint32_t answer_known_children(const Pyramid* flags, Level d, uint64_t k) {
+  check(flags == pyramid && d == depth + 1 && k == node_number);
+  return known_children;
+}
+
+/// Runs a step on any internal node of any map.  Of sixteen states, each choice of internal children is a run of its own,
+/// in which the code has a known shape.
+template <class Step>
+void on_any_node(Step step) {
+  any_map(LEVEL, FORMAT, states);
+  const Pyramid flags(LEVEL, Format(FORMAT), {states, MAP_BYTES});
+  any_node(flags);
+  const uint32_t which = flags.children(depth + 1, node_number);
+  by_contract();
+  if (!sixteen) {
+    place_children(which);
+    step();
+    return;
+  }
+  stands_for((const void*)children, (const void*)answer_known_children);
+  for (known_children = 0; known_children < 16; ++known_children)
+    if (which == known_children) {
+      place_children(known_children);
+      step();
+      return;
+    }
+}
+
+void write_the_node() {
+  uint8_t none[16] = {0};
+  SequenceWriter to{*pyramid, {states, MAP_BYTES}, LEVEL, FORMAT, BitWriter(none), BitWriter(none + 8)};
+  writer = &to;
+  next = {0, 0};
+  impl::write_node(to, depth, node_number);
+  check(same_place(&next, &end));
+  check(!sixteen || (tree_word & 1) == 1);
+}
+
+/// Where it is read.
+void any_place_of_node() {
+  start = {any(PLACE_BITS), any(PLACE_BITS)};
+  all_nodes = any(PLACE_BITS);
+  assume(all_nodes >= start.nodes + end.nodes);
+}
+
+int is_inside(size_t byte) {
+  return in(byte, first_state * FORMAT / 8, (first_state + INSIDE) * FORMAT / 8);
+}
+
+void the_reading() {
+  write_the_node();
+  any_place_of_node();
+  out = watched_memory(MAP_BYTES, &asked_byte, 1);
+  if (is_inside(asked_byte)) out[asked_byte] = 0;
+  const uint8_t before = out[asked_byte];
+  SequenceReader from{LEVEL, FORMAT, BitReader({}), BitReader({}), all_nodes, out, {}};
+  reader = &from;
+  read_nodes = 1;
+  read_data = 0;
+  check(impl::read_node(from, depth, first_state * FORMAT));
+  check(!from.fault && read_nodes == end.nodes && read_data == end.leaves * FORMAT);
+  check(out[asked_byte] == (is_inside(asked_byte) ? asked_states : before));
+}
+
+void the_finding() {
+  write_the_node();
+  any_place_of_node();
+  uint8_t memory;
+  tree_memory = &memory;
+  asked_leaf = any(PLACE_BITS);
+  const size_t c = asked_index / states_of_part();
+  const int by_child = !sixteen && internal[c];
+  assume(!by_child || in(asked_leaf, part[c].at.leaves, end_of(part + c).leaves));
+  impl::Place at = {start.nodes, start.leaves};
+  check(impl::pass_node(tree_memory, all_nodes, SIZE, at));
+  check(at.node == start.nodes + end.nodes && at.leaf == start.leaves + end.leaves);
+  at = {start.nodes, start.leaves};
+  check(impl::find_leaf(tree_memory, all_nodes, SIZE, asked_index, at));
+  const size_t leaf = at.leaf - start.leaves;
+  check(leaf < end.leaves);
+  if (by_child)
+    check(leaf == asked_leaf);
+  else
+    check(leaf_at(leaf) == asked_state);
+}
+/// A leaf in place of the node.
+bool read_zero(const uint8_t* bytes, uint64_t k) noexcept {
+  check(bytes == tree_memory && k == start.nodes);
+  return false;
+}
+
+unsigned uniform_state(size_t first, size_t count, int* is_uniform) {
+  const unsigned state = state_of(states, FORMAT, first);
+  int same = 1;
+  for (size_t k = 1; k < count; ++k) same &= state_of(states, FORMAT, first + k) == state;
+  *is_uniform = same;
+  return state;
+}
+
+/// Algorithm 2: a node's bit, then its leaf or its four children.
+void the_writing() {
+  write_the_node();
+  const size_t inside = states_of_part();
+  uint64_t nodes = 1, leaves = 0;
+  for (uint32_t c = 0; c < 4; ++c) {
+    const size_t first = first_state + c * inside;
+    int is_uniform;
+    const unsigned state = uniform_state(first, inside, &is_uniform);
+    check(is_uniform == !internal[c]);
+    if (!sixteen) {
+      check(internal[c] ? part[c].written : leaf_node[c] == 0 && leaf_state[c] == state);
+      continue;
+    }
+    nodes |= (uint64_t)internal[c] << part[c].at.nodes;
+    for (size_t k = 0; k < part[c].length.leaves; ++k)
+      leaves |= (uint64_t)state_of(states, FORMAT, first + k) << (part[c].at.leaves + k) * FORMAT;
+  }
+  check(!sixteen || (tree_word == nodes && data_word == leaves));
+}
+
+/* ---- the entry points, given the contract of the root */
+
+int root_is_internal;
+/// The library's own sequences, from which the code is copied.
+Sequence made_tree, made_data;
+/// The indices that are looked up, and a leaf of each one's state.
+enum { ASKED = 4 };
+size_t lookup_index[ASKED], lookup_leaf[ASKED];
+
+/// Memory for Pyramid, then for either sequence.
+unsigned asked_memory;
+void* new_memory(size_t size) {
+  const unsigned which = asked_memory++;
+  if (which == 0) return malloc(size);
+  check(which < 3);
+  Sequence* s = which == 1 ? &made_tree : &made_data;
+  s->size = size;
+  return s->bytes = watched_memory(size, s->watch, WATCHES);
+}
+void delete_memory(void*) {}
+
+void watch_items(Sequence* s, uint32_t bits, size_t length) {
+  s->bits = bits;
+  s->item = any_below(2 * STATES);
+  assume(s->item < length);
+  for (size_t w = 0; w < WATCHES; ++w) s->watch[w] = 0;
+  s->watch[1] = s->item * bits / 8;
+  s->watch[2] = (length - 1) * bits / 8;
+}
+
+/// Any map, any length of its code, and what is watched of it.
+void any_root(const Pyramid& flags) {
+  pyramid = &flags;
+  root_is_internal = is_internal(0, 0);
+  const size_t count = flags.internal();
+  part[0].length = {4 * count + 1, 3 * count + 1};
+  part[0].at = {0, 0};
+  tree_bytes = bytes_for(part[0].length.nodes, 1);
+  code_size = tree_bytes + bytes_for(part[0].length.leaves, FORMAT);
+  watch_items(&tree, 1, part[0].length.nodes);
+  watch_items(&data, FORMAT, part[0].length.leaves);
+  for (size_t k = 0; k < ASKED; ++k) {
+    lookup_leaf[k] = any_below(2 * STATES);
+    assume(lookup_leaf[k] < part[0].length.leaves);
+    data.watch[3 + k] = lookup_leaf[k] * FORMAT / 8;
+  }
+  made_tree = tree;
+  made_data = data;
+}
+
+void write_root(SequenceWriter& to, Level d, uint64_t k) noexcept {
+  check(d == 0 && k == 0 && root_is_internal && to.n == LEVEL && to.b == FORMAT);
+  check(to.map.data() == states && to.map.size() == MAP_BYTES);
+  for (Level below = 1; below < LEVEL; ++below) {
+    const size_t any_node = any_below((size_t)1 << 2 * (below - 1));
+    check(to.pyramid.children(below, any_node) == pyramid->children(below, any_node));
+    check(to.pyramid.first_states(below, any_node) == pyramid->first_states(below, any_node));
+  }
+  const Place last = part[0].length;
+  check(to.tree == BitWriter(made_tree.bytes, 0) && to.data == BitWriter(made_data.bytes, 0));
+  check(made_tree.size >= bytes_for(last.nodes, 1) + 8);
+  check(made_data.size >= bytes_for(last.leaves, FORMAT) + 8);
+  check(item_of(&made_tree, made_tree.item) == 0 && item_of(&made_data, made_data.item) == 0);
+  become_any(&made_tree, 0, last.nodes);
+  become_any(&made_data, 0, last.leaves);
+  assume(item_of(&made_tree, 0) == 1);
+  part[0].node = item_of(&made_tree, made_tree.item);
+  part[0].state = item_of(&made_data, made_data.item);
+  part[0].written = 1;
+  to.tree = BitWriter(made_tree.bytes, last.nodes);
+  to.data = BitWriter(made_data.bytes, last.leaves * FORMAT);
+}
+
+void open_whole_code(size_t capacity) {
+  size_t places[2 * WATCHES + 1];
+  for (size_t w = 0; w < WATCHES; ++w) {
+    places[w] = tree.watch[w];
+    places[WATCHES + w] = tree_bytes + data.watch[w];
+  }
+  places[2 * WATCHES] = other;
+  tree.bytes = watched_memory(capacity, places, 2 * WATCHES + 1);
+  data.bytes = tree.bytes + (capacity < code_size ? 0 : tree_bytes);
+  tree.size = tree_bytes;
+  data.size = code_size - tree_bytes;
+}
+
+/// The code is the two sequences, each from a whole byte on, and zeros behind them.
+void require_both_sequences() {
+  const Place length = part[0].length;
+  if (root_is_internal) {
+    check(part[0].written);
+    check(item_of(&tree, tree.item) == part[0].node && item_of(&data, data.item) == part[0].state);
+  } else {
+    check(length.nodes == 1 && item_of(&tree, 0) == 0 && item_of(&data, 0) == state_of(states, FORMAT, 0));
+  }
+  for (size_t k = length.nodes; k < 8 * tree_bytes; ++k) check(item_of(&tree, k) == 0);
+  for (size_t k = length.leaves; k * FORMAT < 8 * (code_size - tree_bytes); ++k)
+    check(item_of(&data, k) == 0);
+}
+
+void encoding_by_contract() {
+  stands_for((const void*)impl::write_node, (const void*)write_root);
+  stands_for((const void*)static_cast<void* (*)(size_t)>(operator new), (const void*)new_memory);
+  stands_for((const void*)static_cast<void (*)(void*) noexcept>(operator delete), (const void*)delete_memory);
+}
+
+/// The code of any map, of exactly its size; from then on it is only read.
+void encode_any(const Pyramid& flags) {
+  any_root(flags);
+  encoding_by_contract();
+  other = any(PLACE_BITS);
+  open_whole_code(code_size);
+  check(codec()->tree_encode(LEVEL, FORMAT, states, tree.bytes, code_size) == code_size);
+  only_read(tree.bytes);
+}
+
+bool pass_root(const uint8_t* bytes, uint64_t nodes, Level levels, impl::Place& at) noexcept {
+  check(bytes == tree.bytes && nodes >= part[0].length.nodes && nodes <= 8 * code_size);
+  check(is_small(nodes) && levels == LEVEL && at.node == 0 && at.leaf == 0);
+  check(root_is_internal || item_of(&tree, 0) == 0);
+  at = {part[0].length.nodes, part[0].length.leaves};
+  return true;
+}
+
+bool read_root(SequenceReader& from, Level d, uint64_t bit) noexcept {
+  check(d == 0 && bit == 0 && root_is_internal && from.n == LEVEL && from.b == FORMAT && from.map == out);
+  check(from.tree.bytes().data() == tree.bytes && from.data.bytes().data() == data.bytes);
+  check(from.tree.bytes().size() == tree.size && from.data.bytes().size() == data.size);
+  check(from.tree.place() == 1 && from.data.place() == 0 && from.nodes >= part[0].length.nodes);
+  check(is_small(from.nodes) && !from.fault);
+  for (size_t k = 0; k < MAP_BYTES; ++k) {
+    check(out[k] == 0);
+    out[k] = states[k];
+  }
+  from.tree.skip((uint32_t)part[0].length.nodes - 1);
+  from.data.skip((uint32_t)part[0].length.leaves * FORMAT);
+  return true;
+}
+
+bool find_root(const uint8_t* bytes, uint64_t nodes, Level levels, uint64_t index, impl::Place& at) noexcept {
+  check(bytes == tree.bytes && nodes >= part[0].length.nodes && nodes <= 8 * tree_bytes);
+  check(levels == LEVEL && at.node == 0 && at.leaf == 0);
+  if (!root_is_internal) {
+    check(item_of(&tree, 0) == 0);
+    return true;
+  }
+  for (size_t k = 0; k < ASKED; ++k)
+    if (index == lookup_index[k]) {
+      at = {any(64), lookup_leaf[k]};
+      return true;
+    }
+  check(0);
+  return false;
+}
+
+/// An index, any, and its state: chosen first, as a solver finds it easier.
+size_t any_index;
+unsigned state_of_any_index;
+
+template <class Law>
+void on_any_map(Law law) {
+  any_map(LEVEL, FORMAT, states);
+  any_index = any_below(STATES);
+  state_of_any_index = state_of(states, FORMAT, any_index);
+  const Pyramid flags(LEVEL, Format(FORMAT), {states, MAP_BYTES});
+  law(flags);
+}
+
+}  // namespace
+
+extern "C" {
+
+/* The bits of memory of any size. */
+
+void step_of_put() {
+  const size_t at = any(PLACE_BITS);
+  const uint32_t count = (uint32_t)any(6);
+  const uint64_t value = any(56);
+  assume(count <= 56 && value >> count == 0);
+  Sequence s;
+  s.bits = 1;
+  s.item = any(PLACE_BITS);
+  s.size = bytes_for(at + count, 1) + 8;
+  const size_t places[3] = {at / 8, (at + count) / 8, s.item / 8};
+  for (size_t w = 0; w < WATCHES; ++w) s.watch[w] = places[w < 3 ? w : 0];
+  assume(s.item / 8 < s.size);
+  s.bytes = watched_memory(s.size, s.watch, WATCHES);
+  become_zero(&s, at, 8 * s.size);
+  const unsigned before = item_of(&s, s.item);
+  BitWriter to(s.bytes, at);
+  to.put(value, count);
+  check(to == BitWriter(s.bytes, at + count));
+  check(item_of(&s, s.item) == (in(s.item, at, at + count) ? value >> (s.item - at) & 1 : before));
+}
+
+void step_of_bits() {
+  const size_t at = any(PLACE_BITS), size = any(PLACE_BITS - 3), ahead = any(6);
+  assume(ahead < 57);
+  const size_t places[2] = {(at + ahead) / 8, at / 8};
+  uint8_t* bytes = watched_memory(size, places, 2);
+  only_read(bytes);
+  const auto bit = [bytes](size_t k) { return (unsigned)(bytes[k / 8] >> k % 8 & 1); };
+  BitReader from({bytes, size}, at);
+  check((from.peek() >> ahead & 1) == (at + ahead < 8 * size ? bit(at + ahead) : 0));
+  check(from.place() == at);
+  const uint32_t count = (uint32_t)any(2);
+  if (at / 8 < size) {
+    check(impl::bit_at(bytes, at) == bit(at));
+    if (count >= 1 && at % 8 + count <= 8)
+      check(from.within_byte(count) == (unsigned)(bytes[at / 8] >> at % 8 & ((1u << count) - 1)));
+  }
+  const uint32_t more = (uint32_t)any(PLACE_BITS);
+  from.skip(more);
+  check(from.place() == at + more);
+}
+
+/* A node, given its children. */
+
+void step_of_read() { on_any_node(the_reading); }
+void step_of_find() { on_any_node(the_finding); }
+void step_of_spec() { on_any_node(the_writing); }
+
+void step_of_leaf() {
+  stands_for((const void*)impl::bit_at, (const void*)read_zero);
+  uint8_t memory;
+  tree_memory = &memory;
+  start = {any(PLACE_BITS), any(PLACE_BITS)};
+  all_nodes = any(PLACE_BITS);
+  assume(all_nodes > start.nodes);
+  impl::Place at = {start.nodes, start.leaves};
+  check(impl::pass_node(tree_memory, all_nodes, SIZE, at));
+  check(at.node == start.nodes + 1 && at.leaf == start.leaves + 1);
+  at = {start.nodes, start.leaves};
+  check(impl::find_leaf(tree_memory, all_nodes, SIZE, any(32), at));
+  check(at.leaf == start.leaves);
+}
+
+/* Pyramid counts the flags that are set, and none is set beyond those of a depth. */
+void step_of_count() {
+  on_any_map([](const Pyramid& flags) {
+    size_t all = 0;
+    for (Level d = 0; d < LEVEL; ++d) {
+      size_t ones = 0;
+      for (const uint64_t word : flags.mixed(d)) ones += (size_t)__builtin_popcountll(word);
+      check(flags.internal(d) == ones && flags.mixed(d).size() == ((size_t)1 << 2 * d) / 64 + (d < 3));
+      if (d < 3) check(flags.mixed(d)[0] >> (1 << 2 * d) == 0);
+      all += ones;
+    }
+    check(flags.internal() == all && (flags.mixed(0)[0] == 1) == (all > 0));
+  });
+}
+
+void encode_by_contract() {
+  on_any_map([](const Pyramid& flags) {
+    any_root(flags);
+    encoding_by_contract();
+    const size_t capacity = any(PLACE_BITS);
+    other = any(PLACE_BITS);
+    open_whole_code(capacity);
+    const uint8_t before = other < capacity ? tree.bytes[other] : 0;
+    check(codec()->tree_encode(LEVEL, FORMAT, states, tree.bytes, capacity) == code_size);
+    if (other < capacity && (capacity < code_size || other >= code_size)) check(tree.bytes[other] == before);
+    if (capacity >= code_size) require_both_sequences();
+  });
+}
+
+void spec_by_contract() {
+  on_any_map([](const Pyramid& flags) {
+    encode_any(flags);
+    require_both_sequences();
+    int is_uniform;
+    uniform_state(0, STATES, &is_uniform);
+    check(is_uniform == !root_is_internal);
+  });
+}
+
+void decode_by_contract() {
+  on_any_map([](const Pyramid& flags) {
+    encode_any(flags);
+    uint8_t back[MAP_BYTES];
+    out = back;
+    stands_for((const void*)impl::pass_node, (const void*)pass_root);
+    stands_for((const void*)impl::read_node, (const void*)read_root);
+    check(codec()->tree_decode(LEVEL, FORMAT, tree.bytes, code_size, back));
+    check(equal(states, back, MAP_BYTES));
+  });
+}
+
+/* Any index, at each place of a batch of three, and alone. */
+void lookup_by_contract() {
+  on_any_map([](const Pyramid& flags) {
+    encode_any(flags);
+    const size_t asked[ASKED] = {any_index, STATES - 1, 0, STATES / 2};
+    unsigned due[ASKED];
+    for (size_t k = 0; k < ASKED; ++k) {
+      lookup_index[k] = asked[k];
+      due[k] = k == 0 ? state_of_any_index : state_of(states, FORMAT, asked[k]);
+      if (root_is_internal) assume(item_of(&data, lookup_leaf[k]) == due[k]);
+    }
+    stands_for((const void*)impl::pass_node, (const void*)pass_root);
+    stands_for((const void*)impl::find_leaf, (const void*)find_root);
+    for (size_t place = 0; place < 3; ++place) {
+      uint32_t batch[3] = {STATES - 1, 0, STATES / 2};
+      uint8_t state[3];
+      batch[place] = (uint32_t)asked[0];
+      codec()->tree_lookup(LEVEL, FORMAT, tree.bytes, code_size, batch, state, 3);
+      for (size_t k = 0; k < 3; ++k) check(state[k] == due[k == place ? 0 : k + 1]);
+      check(batch[place] == asked[0]);
+    }
+    const uint32_t alone = (uint32_t)asked[0];
+    uint8_t state;
+    codec()->tree_lookup(LEVEL, FORMAT, tree.bytes, code_size, &alone, &state, 1);
+    check(state == due[0]);
+  });
+}
+}
