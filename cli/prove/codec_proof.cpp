@@ -56,13 +56,10 @@ std::string proof_name(const Result& r, const Question& q) {
                      q.size);
 }
 
-/// The question is about a codec's contract; no case of the law breaks it.
-bool is_about_contract(const Question& q) { return q.file.starts_with("contract"); }
-
 /// The name of a step of a contract, which several laws and levels need; empty for other questions.
 std::string step_name(const Question& q) {
-  if (!is_about_contract(q) || !q.function.starts_with("step_")) return {};
-  return fmt::format("{} {} {}", q.function, q.format, q.size);
+  if (!q.by_contract || !q.function.starts_with("step_")) return {};
+  return fmt::format("{} {} {} {}", q.function, q.level, q.format, q.size);
 }
 
 /// Throws NotValid if a step of the certificate does not follow.
@@ -99,7 +96,9 @@ CodecProof::CodecProof(const std::string& file, const std::vector<std::string>& 
   }
   facts_ = {[library = library_](dock::Call call) { return library->offers(call); },
             library_->description().flags, library_->description().max_level,
-            codec_->bitcode().find("mmverify_contract_v1") != std::string::npos};
+            [bitcode = codec_->bitcode()](const std::string& symbol) {
+              return bitcode.find(symbol) != std::string::npos;
+            }};
 }
 
 std::string CodecProof::replayed_by(const std::string& law) const {
@@ -125,7 +124,7 @@ Result CodecProof::named(const CodecLaw& law, Level level, unsigned format) cons
 
 void CodecProof::refute(Result& r, const Question& question, const source::CodecAnswer& answer,
                         const CodecBudget& budget) {
-  if (is_about_contract(question)) {
+  if (question.by_contract) {
     r.verdict = Verdict::incomplete;
     r.reason = fmt::format(
         "not proved by contract: {} at level {}, with the level below as the contract allows: {}; this is no "

@@ -193,11 +193,24 @@ void add_tree_laws(std::vector<CodecLaw>& all) {
         both,
         hostile,
         code}});
-  all[0].by_contract = {
-      "contract.c", {"step_of_skip", "step_of_read"}, {"encode_by_contract", "decode_by_contract"}};
-  all[1].by_contract = {"contract.c", {"step_of_skip", "step_of_find"}, {"lookup_by_contract"}};
-  all[2].by_contract = {"contract.c", {"step_of_spec"}, {"spec_by_contract"}};
-  all[3].by_contract = all[4].by_contract = {"contract_any.c", {"step_of_any_bits"}, {"decode_any_bytes"}};
+  const auto from = [&](std::size_t law, const char* file, std::vector<const char*> steps,
+                        std::vector<const char*> wholes) {
+    all[law].by_contract.push_back({"mmverify_contract_v1", file, std::move(steps), std::move(wholes)});
+  };
+  from(0, "contract.c", {"step_of_skip", "step_of_read"}, {"encode_by_contract", "decode_by_contract"});
+  from(1, "contract.c", {"step_of_skip", "step_of_find"}, {"lookup_by_contract"});
+  from(2, "contract.c", {"step_of_spec"}, {"spec_by_contract"});
+  from(3, "contract_any.c", {"step_of_any_bits"}, {"decode_any_bytes"});
+  from(4, "contract_any.c", {"step_of_any_bits"}, {"decode_any_bytes"});
+  // Four sibling leaves, or sixteen states, are no step of the library's own: it writes and reads them at once.
+  const auto own = [&](std::size_t law, std::vector<const char*> steps, std::vector<const char*> wholes) {
+    wholes.insert(wholes.begin(), {"step_of_put", "step_of_bits", "step_of_count"});
+    all[law].by_contract.push_back({"_ZN8mmverify4impl4tree6detail10write_nodeERNS2_14SequenceWriterEjm",
+                                    "impl_tree.cc", std::move(steps), std::move(wholes), 2, true});
+  };
+  own(0, {"step_of_leaf", "step_of_find", "step_of_read"}, {"encode_by_contract", "decode_by_contract"});
+  own(1, {"step_of_leaf", "step_of_find"}, {"lookup_by_contract"});
+  own(2, {"step_of_spec"}, {"spec_by_contract"});
 }
 
 void add_micromap_laws(std::vector<CodecLaw>& all) {
@@ -389,13 +402,16 @@ std::vector<Question> questions(const CodecLaw& law, const Facts& facts, Level l
 std::vector<Question> questions_by_contract(const CodecLaw& law, const Facts& facts, Level level,
                                             unsigned format) {
   std::vector<Question> all;
-  if (!facts.has_contract || law.by_contract.wholes.empty() || level < by_contract_from) return all;
-  const auto ask = [&](const char* function, Level n) {
-    all.push_back({law.by_contract.file, function, n, format, n, format_name(format), {}});
+  const auto how = std::find_if(law.by_contract.begin(), law.by_contract.end(), [&](const ByContract& c) {
+    return facts.defines && facts.defines(c.symbol);
+  });
+  if (how == law.by_contract.end() || level < by_contract_from) return all;
+  const auto ask = [&](const char* function, Level n, Level size) {
+    all.push_back({how->file, function, n, format, size, format_name(format), {}, true});
   };
-  for (Level n = 0; n <= level; ++n)
-    for (const char* step : law.by_contract.steps) ask(step, n);
-  for (const char* whole : law.by_contract.wholes) ask(whole, level);
+  for (Level n = how->first; n <= level; ++n)
+    for (const char* step : how->steps) ask(step, how->on_a_map ? level : n, n);
+  for (const char* whole : how->wholes) ask(whole, level, level);
   return all;
 }
 

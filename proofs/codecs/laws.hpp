@@ -32,6 +32,7 @@ struct Question {
   std::uint64_t size = 0;
   std::string begins;  ///< the beginning of its cases' texts: "4-state", "block"
   std::vector<Chosen> chosen;
+  bool by_contract = false;  ///< a step from level to level: no case breaks it
 };
 
 /// The entry points, flags and highest level that a codec declares.
@@ -39,7 +40,7 @@ struct Facts {
   std::function<bool(dock::Call)> offers;
   std::uint32_t flags = 0;
   Level max_level = 0;
-  bool has_contract = false;  ///< it names its recursion: mmverify_contract_v1
+  std::function<bool(const std::string& symbol)> defines;  ///< a function of that name in its bitcode
 };
 
 /// A harness's function as part of a law: it is asked where the codec has the entry points and the flag.
@@ -55,8 +56,10 @@ struct Harness {
 
 /// How a law is proved from level to level: functions of a file, for the subtrees of each level and for the entry points.
 struct ByContract {
-  const char* file = "";
+  const char *symbol, *file;  ///< of codecs that define the symbol
   std::vector<const char*> steps, wholes;
+  Level first = 0;        ///< the lowest level of a subtree
+  bool on_a_map = false;  ///< a step is about a subtree of a map of the level, not about one of any map
 };
 
 struct CodecLaw {
@@ -67,7 +70,7 @@ struct CodecLaw {
   std::function<std::string(Level, unsigned format)> domain;
   const char* sampled;  ///< the law that runs on the compiled codec if the budget is spent
   std::vector<Harness> harnesses;
-  ByContract by_contract = {};
+  std::vector<ByContract> by_contract = {};
 };
 
 const std::vector<CodecLaw>& laws();

@@ -1,5 +1,6 @@
 #include "subjects/source/codec.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
@@ -218,6 +219,12 @@ CodecAnswer Codec::prove(const HarnessCall& call, const ProofLimits& limits) {
   std::string key = call.file;
   std::vector<std::string> words{"-O1",        "-g", "-Xclang",       "-disable-llvm-passes",
                                  "-emit-llvm", "-w", without_folder()};
+  if (is_cpp(call.file)) {
+    // A law of the library itself sees its headers.
+    words.push_back("-std=c++20");
+    std::copy_if(flags_.begin(), flags_.end(), std::back_inserter(words),
+                 [](const std::string& flag) { return flag.starts_with("-I"); });
+  }
   add_macros(words, call);
   for (std::size_t k = words.size() - macros; k < words.size(); ++k) key += words[k];
   std::string& law = made_[key];

@@ -35,13 +35,15 @@ class Made {
     if (handle_ == nullptr) throw std::runtime_error(dlerror());
     const auto* subject =
         reinterpret_cast<const mmverify_subject_t* (*)()>(dlsym(handle_, "mmverify_subject_v1"))();
-    facts = {[subject](dock::Call call) {
-               void* pointer = nullptr;
-               std::memcpy(&pointer, reinterpret_cast<const char*>(subject) + dock::entry_point(call).offset,
-                           sizeof pointer);
-               return pointer != nullptr;
-             },
-             subject->flags, subject->max_level, dlsym(handle_, "mmverify_contract_v1") != nullptr};
+    facts = {
+        [subject](dock::Call call) {
+          void* pointer = nullptr;
+          std::memcpy(&pointer, reinterpret_cast<const char*>(subject) + dock::entry_point(call).offset,
+                      sizeof pointer);
+          return pointer != nullptr;
+        },
+        subject->flags, subject->max_level,
+        [handle = handle_](const std::string& symbol) { return dlsym(handle, symbol.c_str()) != nullptr; }};
   }
   ~Made() { dlclose(handle_); }
   Made(const Made&) = delete;

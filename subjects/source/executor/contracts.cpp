@@ -176,8 +176,7 @@ bool Executor::copy_watched(State& s, const ValuePtr& to, const ValuePtr& from, 
   if (target == nullptr) {
     const Target& f = from->targets.front();
     for (std::size_t k = 0; k < most_bytes(s, to, size, at); ++k) {
-      const ValuePtr byte =
-          load_watched(*s.memory.find(f.object), beyond(graph_, f.offset, k), 1);
+      const ValuePtr byte = load_watched(*s.memory.find(f.object), beyond(graph_, f.offset, k), 1);
       store(s, moved_by(to, circuit::constant(k, pointer_bits)), byte, is_inside(k, size), at);
     }
     return true;
@@ -196,8 +195,8 @@ bool Executor::copy_watched(State& s, const ValuePtr& to, const ValuePtr& from, 
   running_ = running;
   Object& own = s.memory.writable(t.object);
   for (std::size_t w = 0; w < watched.size(); ++w)
-    mmverify::source::executor::store(
-        own, w, chosen(graph_, copied[w].first, copied[w].second, loaded(own, w, 1)));
+    mmverify::source::executor::store(own, w,
+                                      chosen(graph_, copied[w].first, copied[w].second, loaded(own, w, 1)));
   return true;
 }
 

@@ -27,8 +27,8 @@ namespace mmverify::source::executor {
 inline constexpr const char* law_attribute = "mmverify-law";
 
 /// The functions that laws call and that no codec may define.
-inline constexpr std::array<const char*, 7> law_functions{
-    "any", "any_state", "assume", "check", "stands_for", "watched_memory", "only_read"};
+inline constexpr std::array<const char*, 7> law_functions{"any",        "any_state",      "assume",   "check",
+                                                          "stands_for", "watched_memory", "only_read"};
 
 /// A number that the law chose: what a counterexample consists of.
 struct Choice {

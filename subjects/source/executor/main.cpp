@@ -121,6 +121,11 @@ std::unique_ptr<llvm::Module> linked(const Options& o, llvm::LLVMContext& contex
     if (const llvm::Function* f = codec->getFunction(name);
         f != nullptr && !f->hasLocalLinkage() && !f->isDeclaration())
       throw BadFile(o.codec + ": it defines " + name + ", which is a function of the laws; make it static");
+  // A law that sees the codec's headers has inline functions of it; the codec's own are judged.
+  for (llvm::Function& f : *module)
+    if (const llvm::Function* own = codec->getFunction(f.getName());
+        own != nullptr && !own->isDeclaration() && f.hasLinkOnceLinkage())
+      f.deleteBody();
   // Bitcode that is given as such may say of itself what it likes.
   for (llvm::Function& f : *codec) f.removeFnAttr(executor::law_attribute);
   for (llvm::GlobalVariable& g : codec->globals()) g.setAttributes({});
