@@ -51,9 +51,9 @@ class BitWriter {
     word_ |= value << used_;
     used_ += count;
     std::memcpy(bytes_, &word_, sizeof word_);
-    const std::uint32_t whole = used_ / 8;
+    const std::uint32_t whole = used_ / 8;  // at most 7
     bytes_ += whole;
-    word_ = whole == 8 ? 0 : word_ >> (8 * whole);
+    word_ >>= 8 * whole;
     used_ %= 8;
   }
 
