@@ -4,11 +4,13 @@
 
 #include <bit>
 #include <cmath>
+#include <mutex>
 #include <sstream>
 #include <variant>
 
 #include "proofs/points/narrow.hpp"
 #include "spec/bake/state.hpp"
+#include "spec/bake/whole/state.hpp"
 
 namespace mmverify::proofs::scene {
 namespace {
@@ -211,6 +213,25 @@ class ExactSurfaces::OfSurface {
 
   bool near_change(const scene::UvTriangle& uv, Level n, std::uint32_t index) const;
 
+  /// The texture in whole numbers, made at the first call.
+  const whole::WholeTexture& in_whole_numbers() const {
+    std::call_once(made_, [this] {
+      std::visit(
+          [this](const auto& t) {
+            in_mode<spec::Rational>(
+                [&](const auto& mode) { whole_ = std::make_unique<const whole::WholeTexture>(t, mode); });
+          },
+          texture_);
+    });
+    return *whole_;
+  }
+  /// A micro-triangle for whole numbers.
+  whole::Place place_of(const scene::UvTriangle& uv, Level n, std::uint32_t index) const {
+    whole::Place place{{}, n, index, bits(margin_), {bits(surface_.travel[0]), bits(surface_.travel[1])}};
+    for (std::size_t k = 0; k < 3; ++k) place.uv[k] = {bits(uv[k][0]), bits(uv[k][1])};
+    return place;
+  }
+
   /// The UV of a micro-triangle's centroid, rounded.
   static scene::Uv middle(const scene::UvTriangle& uv, Level n, std::uint32_t index) {
     double i = 0, j = 0;
@@ -249,6 +270,8 @@ class ExactSurfaces::OfSurface {
   scene::Surface surface_;
   float margin_;
   std::variant<TextureOf<std::uint8_t>, TextureOf<std::uint16_t>, TextureOf<Binary32>> texture_;
+  mutable std::once_flag made_;
+  mutable std::unique_ptr<const whole::WholeTexture> whole_;
 };
 
 bool ExactSurfaces::OfSurface::near_change(const scene::UvTriangle& uv, Level n, std::uint32_t index) const {
@@ -305,7 +328,10 @@ const ExactSurfaces::OfSurface& ExactSurfaces::of(std::size_t triangle) const {
 std::optional<State> ExactSurfaces::state(std::size_t triangle, Level n, std::uint32_t index) const {
   const OfSurface& surface = of(triangle);
   if (plan_.triangles[triangle].varies()) return seen(triangle, n, index).state;
-  return in_few_bits([&]<class Q>() { return surface.state<Q>(plan_.triangles[triangle].uvs, n, index); });
+  const auto& uvs = plan_.triangles[triangle].uvs;
+  if (const auto state = whole::state(surface.in_whole_numbers(), surface.place_of(uvs, n, index)))
+    return state;
+  return in_few_bits([&]<class Q>() { return surface.state<Q>(uvs, n, index); });
 }
 
 Seen ExactSurfaces::seen(std::size_t triangle, Level n, std::uint32_t index) const {
@@ -319,8 +345,11 @@ bool ExactSurfaces::denies(std::size_t triangle, Level n, std::uint32_t index, b
 
 bool ExactSurfaces::rather_opaque(std::size_t triangle, Level n, std::uint32_t index) const {
   const OfSurface& surface = of(triangle);
+  const auto& uvs = plan_.triangles[triangle].uvs;
+  if (const auto leans = whole::leans(surface.in_whole_numbers(), surface.place_of(uvs, n, index)))
+    return *leans;
   return in_few_bits([&]<class Q>() {
-    const Q alpha = surface.at_centroid<Q>(plan_.triangles[triangle].uvs, n, index);
+    const Q alpha = surface.at_centroid<Q>(uvs, n, index);
     return surface.in_mode<Q>([&](const auto& mode) { return mode.rather_opaque(alpha); });
   });
 }
