@@ -38,6 +38,12 @@ class BitRows {
   std::vector<std::uint64_t> bits_;
 };
 
+/// wrapped(), at once for an index that every mode leaves as it is.
+inline std::optional<std::uint32_t> texel_index(Wrap wrap, std::int64_t i, std::uint32_t size) {
+  if (i >= 0 && i < std::int64_t{size}) return static_cast<std::uint32_t>(i);
+  return wrapped(wrap, i, size);
+}
+
 /// The wrapped indices first..last; none is the border.
 struct Run {
   std::optional<std::uint32_t> first, last;
@@ -46,12 +52,14 @@ struct Run {
 /// Calls take(run) for runs that together mean the texels of an interval, each at most twice.
 template <class Take>
 void for_each_run(Wrap wrap, const Interval& indices, std::uint32_t size, Take take) {
-  const Interval all = distinct(wrap, indices, size);
   const std::int64_t n = size;
+  if (indices.first >= 0 && indices.last < n)
+    return take(Run{static_cast<std::uint32_t>(indices.first), static_cast<std::uint32_t>(indices.last)});
+  const Interval all = distinct(wrap, indices, size);
   for (std::int64_t i = all.first; i <= all.last;) {
     const std::int64_t tile = i >= 0 ? i / n : -((n - 1 - i) / n), last = std::min(all.last, tile * n + n - 1);
     // Within a tile the wrapped indices go up or down by one, or stay.
-    const auto p = wrapped(wrap, i, size), q = wrapped(wrap, last, size);
+    const auto p = texel_index(wrap, i, size), q = texel_index(wrap, last, size);
     take(Run{std::min(p, q), std::max(p, q)});
     i = last + 1;
   }
@@ -87,18 +95,18 @@ class WholeTexture {
 
   /// The stored number of a texel, wrapped.
   std::int64_t stored_at(std::int64_t i, std::int64_t j) const {
-    const auto x = wrapped(wrap_x_, i, width_), y = wrapped(wrap_y_, j, height_);
+    const auto x = texel_index(wrap_x_, i, width_), y = texel_index(wrap_y_, j, height_);
     return x && y ? stored_at(*x + std::size_t{*y} * width_) : border_;
   }
   /// The marks of a texel, wrapped.
   Marks marks_at(std::int64_t i, std::int64_t j) const {
-    const auto x = wrapped(wrap_x_, i, width_), y = wrapped(wrap_y_, j, height_);
+    const auto x = texel_index(wrap_x_, i, width_), y = texel_index(wrap_y_, j, height_);
     return x && y ? (sets_[0].at(*x, *y) ? not_opaque : 0u) | (sets_[1].at(*x, *y) ? not_transparent : 0u)
                   : border_marks_;
   }
   /// The marks that some of the texels of a row have.
   Marks marks_in_row(std::int64_t j, const Interval& columns) const {
-    const auto row = wrapped(wrap_y_, j, height_);
+    const auto row = texel_index(wrap_y_, j, height_);
     if (!row) return border_marks_;
     Marks found = 0;
     for_each_run(wrap_x_, columns, width_, [&](const Run& run) {
