@@ -143,8 +143,7 @@ Functions sampled_at(const std::vector<CornerWeights>& points) {
     with_textures(one, [&](const auto& mips) {
       for (std::uint32_t k = 0; k < states.size(); ++k)
         states[k] = in_smallest([&]<class Q>() {
-          const auto corners =
-              spec::bake::micro_triangle(base_triangle<Q>(one), n, k, one.width, one.height);
+          const auto corners = spec::bake::micro_triangle(base_triangle<Q>(one), n, k, one.width, one.height);
           const bool first = opaque_at<Q>(one, mips.front(), corners, points.front());
           for (const CornerWeights& weights : points)
             if (opaque_at<Q>(one, mips.front(), corners, weights) != first)

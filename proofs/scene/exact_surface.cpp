@@ -290,6 +290,7 @@ std::optional<State> ExactSurfaces::state(std::size_t triangle, Level n, std::ui
   const auto& uvs = plan_.triangles[triangle].uvs;
   if (const auto state = whole::state(surface.in_whole_numbers(), surface.place_of(uvs, n, index)))
     return state;
+  ++in_rationals_;
   return in_few_bits([&]<class Q>() { return surface.state<Q>(uvs, n, index); });
 }
 

@@ -52,8 +52,7 @@ class NearChange {
     for (std::int64_t j = whole(top - 1); j <= whole(bottom + 1); ++j) {
       const auto row = spec::bake::whole::texel_index(wrap_y_, j, height_);
       spec::bake::whole::for_each_run(wrap_x_, columns, width_, [&](const spec::bake::whole::Run& run) {
-        for (std::size_t k = 0; k < 3; ++k)
-          found[k] = found[k] || sets_[k].any(*row, *run.first, *run.last);
+        for (std::size_t k = 0; k < 3; ++k) found[k] = found[k] || sets_[k].any(*row, *run.first, *run.last);
       });
       if (found[partial] || (found[below] && found[at_least])) return true;
     }
@@ -70,9 +69,9 @@ class NearChange {
     double low = 1e300, high = -1e300;
     for (const spec::index::Vertex& v : spec::index::corners(index, n)) {
       const double i = v.i * step, j = v.j * step;
-      const double x = (uv[0][axis] + i * (double{uv[1][axis]} - uv[0][axis]) +
-                        j * (double{uv[2][axis]} - uv[0][axis])) *
-                       size;
+      const double x =
+          (uv[0][axis] + i * (double{uv[1][axis]} - uv[0][axis]) + j * (double{uv[2][axis]} - uv[0][axis])) *
+          size;
       low = std::min(low, x), high = std::max(high, x);
     }
     const double travel = double{travel_[axis]} * size;

@@ -17,6 +17,7 @@
 #include "proofs/engine/random.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/registry/registry.hpp"
+#include "spec/bake/whole/texture.hpp"
 
 namespace bake_whole_test {
 
@@ -90,6 +91,7 @@ float any_number(Random& random) { return static_cast<float>(random.between(-409
 void draw_texture(Random& random, Case& one) {
   one.width = static_cast<std::uint32_t>(random.below(4) == 0 ? 1 : random.between(2, 9));
   one.height = static_cast<std::uint32_t>(random.below(4) == 0 ? 1 : random.between(2, 9));
+  if (random.below(16) == 0) one.width = static_cast<std::uint32_t>(random.between(60, 200));
   one.texel = static_cast<Texel>(random.below(3));
   one.mips = random.below(4) == 0 && (one.width > 1 || one.height > 1) ? 2 : 1;
   const auto stored = [&](std::uint64_t of_eight) -> std::uint32_t {
@@ -218,7 +220,10 @@ constexpr Fault faults[] = {
     {"a tie is the other side's", [](Case& one) { one.rules.above = !one.rules.above; }},
     {"the other filter",
      [](Case& one) { one.filter = one.filter == Filter::nearest ? Filter::bilinear : Filter::nearest; }},
-    {"a cutoff of 0 at blending", [](Case& one) { one.blend ? one.cutoff = {0, 1}, one.blend = false : false; }},
+    {"a cutoff of 0 at blending",
+     [](Case& one) {
+       one.blend ? one.cutoff = {0, 1}, one.blend = false : false;
+     }},
     {"a corner an ulp off", [](Case& one) { one.uv[0] = std::nextafter(one.uv[0], 1e9f); }},
     {"another corner an ulp off", [](Case& one) { one.uv[5] = std::nextafter(one.uv[5], -1e9f); }},
     {"u below 0 is 0", [](Case& one) { one.uv[2] = std::max(one.uv[2], 0.0f); }},
@@ -235,6 +240,26 @@ TEST(BakeWhole, EachFaultIsSeen) {
       differences += found && found != true_state(right.one, right.level, right.index) ? 1 : 0;
     }
     EXPECT_NE(differences, 0u) << fault.name;
+  }
+}
+
+TEST(BakeWhole, RowsOfBitsAreSingleBits) {
+  Random random(12, 3, 0);
+  for (std::uint32_t width = 1; width <= 200; width += 1 + width / 8) {
+    mmverify::spec::bake::whole::BitRows rows(width, 2);
+    std::vector<bool> bits(width);
+    for (int k = 0; k < 2; ++k) {
+      const auto i = static_cast<std::uint32_t>(random.below(width));
+      bits[i] = true;
+      rows.set(i, 1);
+    }
+    for (std::uint32_t first = 0; first < width; ++first)
+      for (std::uint32_t last = first; last < width; ++last) {
+        ASSERT_EQ(rows.any(1, first, last),
+                  std::any_of(bits.begin() + first, bits.begin() + last + 1, [](bool bit) { return bit; }))
+            << first << ".." << last << " of " << width;
+        ASSERT_FALSE(rows.any(0, first, last));
+      }
   }
 }
 
@@ -260,7 +285,8 @@ TEST(BakeWhole, WhatTheyDoNotHoldHasNoState) {
   EXPECT_EQ(whole_states(open, 0, {0}).front(), std::nullopt);
   EXPECT_EQ(whole_states(one, 0, {0}, WholeWidth::bits128).front(), true_state(one, 0, 0));
   one.uv[0] = std::numeric_limits<float>::denorm_min();
-  EXPECT_EQ(whole_states(one, 0, {0}, WholeWidth::bits128).front(), std::nullopt) << "150 bits below the point";
+  EXPECT_EQ(whole_states(one, 0, {0}, WholeWidth::bits128).front(), std::nullopt)
+      << "150 bits below the point";
   EXPECT_EQ(whole_states(one, 0, {0}).front(), true_state(one, 0, 0));
 }
 

@@ -66,13 +66,13 @@ double wrong_share(const Case& one, Level n, std::uint32_t index, State got, std
     const auto& t = mips.at(mip);
     for (std::uint32_t k = 0; k < places; ++k)
       wrong += in_smallest([&]<class Q>() {
-                 const auto at = spec::bake::centroid(spec::bake::micro_triangle(
-                     base_triangle<Q>(one), n + finer, index * places + k, t.width, t.height));
-                 return with_mode<Q>(one, [&](const auto& mode) {
-                   const Q alpha = spec::bake::alpha(t, at);
-                   return got == State::O ? !mode.opaque(alpha) : !mode.transparent(alpha);
-                 });
-               })
+        const auto at = spec::bake::centroid(spec::bake::micro_triangle(
+            base_triangle<Q>(one), n + finer, index * places + k, t.width, t.height));
+        return with_mode<Q>(one, [&](const auto& mode) {
+          const Q alpha = spec::bake::alpha(t, at);
+          return got == State::O ? !mode.opaque(alpha) : !mode.transparent(alpha);
+        });
+      })
                    ? 1
                    : 0;
   });

@@ -14,9 +14,8 @@
 namespace mmverify::spec::bake::whole {
 
 template <unsigned bits>
-using Checked = boost::multiprecision::number<
-    boost::multiprecision::cpp_int_backend<bits, bits, boost::multiprecision::signed_magnitude,
-                                           boost::multiprecision::checked, void>>;
+using Checked = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
+    bits, bits, boost::multiprecision::signed_magnitude, boost::multiprecision::checked, void>>;
 
 /// A width, and one that holds the product of two numbers of it.
 template <class Narrow, class Wide, int narrow_bits>
@@ -31,12 +30,14 @@ using Width512 = Width<Checked<512>, Checked<1024>, 512>;
 
 /// The number of bits of a magnitude: 0 for 0, else k with 2^(k-1) <= |x| < 2^k.
 inline int bit_length(std::int64_t x) {
-  return static_cast<int>(std::bit_width(x < 0 ? 0 - static_cast<std::uint64_t>(x) : static_cast<std::uint64_t>(x)));
+  return static_cast<int>(
+      std::bit_width(x < 0 ? 0 - static_cast<std::uint64_t>(x) : static_cast<std::uint64_t>(x)));
 }
 inline int bit_length(Int128 x) {
   const Int128 size = x < 0 ? -x : x;
   const auto high = static_cast<std::uint64_t>(size >> 64);
-  return static_cast<int>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(static_cast<std::uint64_t>(size)));
+  return static_cast<int>(high != 0 ? 64 + std::bit_width(high)
+                                    : std::bit_width(static_cast<std::uint64_t>(size)));
 }
 template <class N>
 int bit_length(const N& x) {

@@ -65,8 +65,7 @@ void reduce(WholePolygon<N>& p, TexturePoint<N>& dilation) {
   for (auto* q : {&p.sum, &dilation}) q->x /= divisor, q->y /= divisor;
   p.d -= zeros;
   N greatest = 0;
-  for (const auto& q : p.corners)
-    greatest = std::max({greatest, N(q.x + dilation.x), N(q.y + dilation.y)});
+  for (const auto& q : p.corners) greatest = std::max({greatest, N(q.x + dilation.x), N(q.y + dilation.y)});
   p.bits = bit_length(N(greatest + (N(1) << p.d)));
 }
 
@@ -97,8 +96,7 @@ std::optional<WholePolygon<N>> polygon_of(const WholeTexture& t, const Place& pl
   const int n = static_cast<int>(place.level),
             size_bits = bit_length(std::int64_t{std::max(t.width(), t.height())});
   constexpr int most_column_bits = 60, slack = 4;  // slack: sums of a few
-  if (scale.bits + size_bits > most_column_bits ||
-      scale.bits + size_bits + scale.shift + n + slack > bits)
+  if (scale.bits + size_bits > most_column_bits || scale.bits + size_bits + scale.shift + n + slack > bits)
     return std::nullopt;
   const auto whole = [&](Binary32 x) {
     const Dyadic q = dyadic(x);
@@ -114,9 +112,8 @@ std::optional<WholePolygon<N>> polygon_of(const WholeTexture& t, const Place& pl
   };
   for (const index::Vertex& v : index::corners(place.index, place.level))
     p.corners.push_back({corner(v, 0, t.width()), corner(v, 1, t.height())});
-  TexturePoint<N> dilation{
-      N(side * (whole(place.margin) + whole(place.travel[0]) * N(t.width()))),
-      N(side * (whole(place.margin) + whole(place.travel[1]) * N(t.height())))};
+  TexturePoint<N> dilation{N(side * (whole(place.margin) + whole(place.travel[0]) * N(t.width()))),
+                           N(side * (whole(place.margin) + whole(place.travel[1]) * N(t.height())))};
   if (dilation.x < 0 || dilation.y < 0) throw std::invalid_argument("bake: a margin below 0");
   move_to_corner(p, dilation);
   reduce(p, dilation);

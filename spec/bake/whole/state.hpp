@@ -30,7 +30,8 @@ class Judge {
   using W = typename Numbers::W;
 
  public:
-  Judge(const WholeTexture& t, const WholePolygon<N>& polygon) : t_(t), p_(polygon), unit_(N(1) << polygon.d) {
+  Judge(const WholeTexture& t, const WholePolygon<N>& polygon)
+      : t_(t), p_(polygon), unit_(N(1) << polygon.d) {
     for (std::size_t k = 0; k < 3; ++k) sides_[k] = {N(t.side(k).a), N(t.side(k).b), t.side(k).is_closed};
   }
 
@@ -63,7 +64,8 @@ class Judge {
     // Three times as many units, so that the centroid is the sum.
     const N unit = 3 * unit_;
     const N column = floor_div(p_.sum.x, unit), row = floor_div(p_.sum.y, unit);
-    const std::int64_t i = p_.column + static_cast<std::int64_t>(column), j = p_.row + static_cast<std::int64_t>(row);
+    const std::int64_t i = p_.column + static_cast<std::int64_t>(column),
+                       j = p_.row + static_cast<std::int64_t>(row);
     if (t_.filter() == Filter::nearest) return holds(2, height(2, i, j));
     return holds(2, bilinear(heights(2, i, j), N(p_.sum.x - column * unit), N(p_.sum.y - row * unit), unit));
   }
@@ -134,7 +136,8 @@ class Judge {
   /// Takes the texels whose centres on row j's line are in the polygon.
   void take_centres(std::int64_t j) {
     const N y = N(j) * unit_;
-    std::int64_t first = std::numeric_limits<std::int64_t>::max(), last = std::numeric_limits<std::int64_t>::min();
+    std::int64_t first = std::numeric_limits<std::int64_t>::max(),
+                 last = std::numeric_limits<std::int64_t>::min();
     const auto take = [&](std::int64_t low, std::int64_t high) {
       first = std::min(first, low);
       last = std::max(last, high);
@@ -152,7 +155,8 @@ class Judge {
   /// only ends the interval of x, and its own column is met if the interval goes beyond it.
   void take_squares(std::int64_t j) {
     const N low = N(j) * unit_, high = low + unit_;
-    std::int64_t first = std::numeric_limits<std::int64_t>::max(), last = std::numeric_limits<std::int64_t>::min();
+    std::int64_t first = std::numeric_limits<std::int64_t>::max(),
+                 last = std::numeric_limits<std::int64_t>::min();
     const auto take = [&](std::int64_t floor, std::int64_t at_most) {
       first = std::min(first, floor);
       last = std::max(last, at_most);
@@ -191,7 +195,8 @@ class Judge {
   /// Takes the part of an edge in the closed cell (i, j).  Domain: the edge meets the cell.
   void take_cell(const Point& a, const Point& b, std::int64_t i, std::int64_t j) {
     const std::int64_t x = p_.column + i, y = p_.row + j;
-    const Marks m[4] = {t_.marks_at(x, y), t_.marks_at(x + 1, y), t_.marks_at(x, y + 1), t_.marks_at(x + 1, y + 1)};
+    const Marks m[4] = {t_.marks_at(x, y), t_.marks_at(x + 1, y), t_.marks_at(x, y + 1),
+                        t_.marks_at(x + 1, y + 1)};
     seen_ |= m[0] & m[1] & m[2] & m[3];  // a mean of numbers on one side is on it
     const Marks open = (m[0] | m[1] | m[2] | m[3]) & ~seen_;
     if (open == 0) return;
@@ -235,8 +240,10 @@ class Judge {
                   const Quotient<N>& to) const {
     const N bend = h[0] - h[1] - h[2] + h[3];
     if (bend == 0 || d.x == 0 || d.y == 0 || ((bend > 0) == ((d.x > 0) == (d.y > 0)))) return false;
-    const W unit(unit_), e(bend), b = W(h[1] - h[0]) * unit, c = W(h[2] - h[0]) * unit, x(p.x), y(p.y), dx(d.x), dy(d.y);
-    const W k = e * dx * dy, l = b * dx + c * dy + e * (x * dy + y * dx), m = W(h[0]) * unit * unit + b * x + c * y + e * x * y;
+    const W unit(unit_), e(bend), b = W(h[1] - h[0]) * unit, c = W(h[2] - h[0]) * unit, x(p.x), y(p.y),
+                                  dx(d.x), dy(d.y);
+    const W k = e * dx * dy, l = b * dx + c * dy + e * (x * dy + y * dx),
+            m = W(h[0]) * unit * unit + b * x + c * y + e * x * y;
     const W twice = -2 * k;
     if (l * W(from.q) <= twice * W(from.p) || l * W(to.q) >= twice * W(to.p)) return false;
     const W over = l * l - 4 * k * m;
@@ -255,7 +262,8 @@ class Judge {
 
 /// Calls ask(judge) in numbers of a width; none where they are too narrow.
 template <class Numbers, class Ask>
-auto in_width(const WholeTexture& t, const Place& place, Ask ask) -> decltype(ask(std::declval<Judge<Numbers>&>())) {
+auto in_width(const WholeTexture& t, const Place& place, Ask ask)
+    -> decltype(ask(std::declval<Judge<Numbers>&>())) {
   const auto polygon = polygon_of<typename Numbers::N, Numbers::bits>(t, place);
   // A height times two coordinates, each of three times as many units for the centroid, in sums of four.
   if (!polygon || t.height_bits() + 2 * (polygon->bits + 2) + 2 > Numbers::bits) return std::nullopt;
@@ -266,7 +274,8 @@ auto in_width(const WholeTexture& t, const Place& place, Ask ask) -> decltype(as
 /// Calls ask(judge) in the narrowest numbers that hold all on the way; none where none do, or the texture has no whole
 /// numbers.
 template <class Ask>
-auto in_narrowest(const WholeTexture& t, const Place& place, Ask ask) -> decltype(in_width<Width128>(t, place, ask)) {
+auto in_narrowest(const WholeTexture& t, const Place& place, Ask ask)
+    -> decltype(in_width<Width128>(t, place, ask)) {
   if (!t.is_supported()) return std::nullopt;
   if (auto found = in_width<Width128>(t, place, ask)) return found;
   if (auto found = in_width<Width256>(t, place, ask)) return found;

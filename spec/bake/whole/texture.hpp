@@ -57,7 +57,8 @@ void for_each_run(Wrap wrap, const Interval& indices, std::uint32_t size, Take t
     return take(Run{static_cast<std::uint32_t>(indices.first), static_cast<std::uint32_t>(indices.last)});
   const Interval all = distinct(wrap, indices, size);
   for (std::int64_t i = all.first; i <= all.last;) {
-    const std::int64_t tile = i >= 0 ? i / n : -((n - 1 - i) / n), last = std::min(all.last, tile * n + n - 1);
+    const std::int64_t tile = i >= 0 ? i / n : -((n - 1 - i) / n),
+                       last = std::min(all.last, tile * n + n - 1);
     // Within a tile the wrapped indices go up or down by one, or stay.
     const auto p = texel_index(wrap, i, size), q = texel_index(wrap, last, size);
     take(Run{std::min(p, q), std::max(p, q)});
@@ -72,7 +73,12 @@ class WholeTexture {
   /// finite.
   template <class Texel, class Mode>
   WholeTexture(const TextureOf<Texel>& t, const Mode& mode)
-      : width_(t.width), height_(t.height), wrap_x_(t.wrap_x), wrap_y_(t.wrap_y), filter_(t.filter), texels_(t.alpha) {
+      : width_(t.width),
+        height_(t.height),
+        wrap_x_(t.wrap_x),
+        wrap_y_(t.wrap_y),
+        filter_(t.filter),
+        texels_(t.alpha) {
     if (t.alpha.empty() || t.alpha.size() != static_cast<std::size_t>(t.width) * t.height)
       throw std::invalid_argument("bake: the texels are not width x height");
     Rational unit = stored_unit(t);
@@ -179,7 +185,8 @@ class WholeTexture {
       for (const std::int64_t v : {least, greatest})
         height_bits_ = std::max(height_bits_, bit_length(side.height(v)));
     for (const StoredSide& side : sides_)
-      height_bits_ = std::max({height_bits_, bit_length(side.a) + most_stored_bits_of(least, greatest), bit_length(side.b)});
+      height_bits_ = std::max(
+          {height_bits_, bit_length(side.a) + most_stored_bits_of(least, greatest), bit_length(side.b)});
   }
   static int most_stored_bits_of(std::int64_t least, std::int64_t greatest) {
     return std::max(bit_length(least), bit_length(greatest));
