@@ -18,7 +18,8 @@ inline constexpr Level piece = 4;
 struct BakeSample {
   std::optional<std::uint64_t> size = {};
   std::optional<std::uint64_t> work = {};
-  std::uint64_t whole = 0;  ///< beside `work`: all micro-triangles if they take no more than this; see work_of_a_minute
+  std::uint64_t whole =
+      0;  ///< beside `work`: all micro-triangles if they take no more than this; see work_of_a_minute
 };
 
 /// The work below which all of a file's maps are looked at: less than a minute on two cores.  Where vertex alpha varies,

@@ -104,13 +104,12 @@ SceneLaws scene_laws(const Data& data, const BakeSample& sample, const std::stri
 }
 
 std::optional<std::string> rationals_text(const SceneLaws& laws) {
-  namespace whole = spec::bake::whole;
   const std::uint64_t count = laws.exact ? laws.exact->in_rationals() : 0;
   if (count == 0) return std::nullopt;
   return fmt::format(
-      "{} exact states took rationals: their numbers exceed {} bits, or their micro-triangles lie "
-      "over more than {} rows and columns of texels",
-      count, whole::Width512::bits, whole::most_squares);
+      "{} of the exact states took rationals: numbers of too many bits, or micro-triangles over "
+      "more than {} rows and columns of texels",
+      count, spec::bake::whole::most_squares);
 }
 
 SceneLaws map_laws(const Data& data, const BakeSample& sample, const std::string& name,

@@ -263,6 +263,19 @@ TEST(BakeWhole, RowsOfBitsAreSingleBits) {
   }
 }
 
+TEST(BakeWhole, NumbersOfBinary32AreTheRationals) {
+  Random random(13, 3, 0);
+  for (std::uint32_t exponent = 0; exponent < 255; ++exponent)
+    for (const std::uint32_t fraction :
+         {0u, 1u, 0x400000u, 0x7fffffu, static_cast<std::uint32_t>(random.below(1u << 23))})
+      for (const std::uint32_t sign : {0u, 1u}) {
+        const mmverify::spec::bake::Binary32 x{sign << 31 | exponent << 23 | fraction};
+        const auto found = mmverify::spec::bake::whole::dyadic(x);
+        ASSERT_EQ(mmverify::spec::scaled(found.m, found.e), mmverify::spec::bake::number<Rational>(x))
+            << x.bits;
+      }
+}
+
 // ---- What whole numbers leave to the rationals
 
 TEST(BakeWhole, WhatTheyDoNotHoldHasNoState) {

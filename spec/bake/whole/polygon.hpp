@@ -110,6 +110,7 @@ std::optional<WholePolygon<N>> polygon_of(const WholeTexture& t, const Place& pl
             second = whole(place.uv[2][axis]) - at;
     return N(N(texels) * (side * at + N(v.i) * first + N(v.j) * second) - half);
   };
+  p.corners.reserve(3);
   for (const index::Vertex& v : index::corners(place.index, place.level))
     p.corners.push_back({corner(v, 0, t.width()), corner(v, 1, t.height())});
   TexturePoint<N> dilation{N(side * (whole(place.margin) + whole(place.travel[0]) * N(t.width()))),

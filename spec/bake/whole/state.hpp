@@ -51,7 +51,6 @@ class Judge {
         if (adds(of_row_[static_cast<std::size_t>(j)])) take_squares(j);
       return seen_;
     }
-    take_at(p_.corners[0]);
     for (std::int64_t j = 0; j < rows_ && seen_ != both; ++j)
       if (adds(of_row_[static_cast<std::size_t>(j)])) take_centres(j);
     for (std::size_t k = 0; k < p_.corners.size() && seen_ != both; ++k)
@@ -66,13 +65,14 @@ class Judge {
     const N column = floor_div(p_.sum.x, unit), row = floor_div(p_.sum.y, unit);
     const std::int64_t i = p_.column + static_cast<std::int64_t>(column),
                        j = p_.row + static_cast<std::int64_t>(row);
-    if (t_.filter() == Filter::nearest) return holds(2, height(2, i, j));
-    return holds(2, bilinear(heights(2, i, j), N(p_.sum.x - column * unit), N(p_.sum.y - row * unit), unit));
+    if (t_.filter() == Filter::nearest) return holds(2, height(2, t_.stored_at(i, j)));
+    return holds(2, bilinear(heights(2, stored_of(i, j)), N(p_.sum.x - column * unit),
+                             N(p_.sum.y - row * unit), unit));
   }
 
  private:
   using Point = TexturePoint<N>;
-  /// The side's heights of a cell's texels: (i, j), (i+1, j), (i, j+1), (i+1, j+1).
+  /// The side's heights of a cell's texels, in the order of stored_of().
   using Heights = std::array<N, 4>;
   struct Side {
     N a, b;
@@ -84,11 +84,16 @@ class Judge {
   bool holds(std::size_t side, const Height& height) const {
     return height > 0 || (sides_[side].is_closed && height == 0);
   }
-  N height(std::size_t side, std::int64_t i, std::int64_t j) const {
-    return sides_[side].a * N(t_.stored_at(i, j)) - sides_[side].b;
+  N height(std::size_t side, std::int64_t stored) const {
+    return sides_[side].a * N(stored) - sides_[side].b;
   }
-  Heights heights(std::size_t side, std::int64_t i, std::int64_t j) const {
-    return {height(side, i, j), height(side, i + 1, j), height(side, i, j + 1), height(side, i + 1, j + 1)};
+  /// The stored numbers of a cell's texels: (i, j), (i+1, j), (i, j+1), (i+1, j+1).
+  std::array<std::int64_t, 4> stored_of(std::int64_t i, std::int64_t j) const {
+    return {t_.stored_at(i, j), t_.stored_at(i + 1, j), t_.stored_at(i, j + 1), t_.stored_at(i + 1, j + 1)};
+  }
+  Heights heights(std::size_t side, const std::array<std::int64_t, 4>& stored) const {
+    return {height(side, stored[0]), height(side, stored[1]), height(side, stored[2]),
+            height(side, stored[3])};
   }
   /// The height at (x, y) of a cell with sides of `unit`, times unit^2.
   static N bilinear(const Heights& h, const N& x, const N& y, const N& unit) {
@@ -170,14 +175,6 @@ class Judge {
     take_row(j, first, last);
   }
 
-  /// Takes one place.
-  void take_at(const Point& p) {
-    const std::int64_t i = floored(p.x), j = floored(p.y);
-    const N x = p.x - N(i) * unit_, y = p.y - N(j) * unit_;
-    for (std::size_t side = 0; side < 2; ++side)
-      if (holds(side, bilinear(heights(side, p_.column + i, p_.row + j), x, y, unit_))) seen_ |= 1u << side;
-  }
-
   void take_edge(const Point& from, const Point& to) {
     const Point &a = from.y <= to.y ? from : to, &b = from.y <= to.y ? to : from;
     const std::int64_t top = floored(a.y), bottom = floored(b.y);
@@ -205,9 +202,10 @@ class Judge {
     clip(local.x, along.x, from, to);
     clip(local.y, along.y, from, to);
     if (to < from) return;
+    const auto stored = stored_of(x, y);
     for (std::size_t side = 0; side < 2; ++side) {
       if ((open & 1u << side) == 0) continue;
-      const Heights h = heights(side, x, y);
+      const Heights h = heights(side, stored);
       if (holds(side, at(h, local, along, from)) || holds(side, at(h, local, along, to)) ||
           turns_over(side, h, local, along, from, to))
         seen_ |= 1u << side;
