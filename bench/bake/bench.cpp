@@ -86,6 +86,37 @@ std::vector<std::uint32_t> chosen(const States& states, std::mt19937_64& random)
   return at;
 }
 
+/// A texture for the specification, in rationals and in whole numbers.
+struct Specified {
+  const std::string& file;
+  const spec::bake::Texture& rational;
+  const spec::bake::whole::WholeTexture& whole;
+};
+
+/// Times the specification in both kinds of numbers on some micro-triangles, and compares their states with ours; returns
+/// how many.
+std::uint64_t compare(const Specified& t, const BaseTriangle& uv, const States& ours,
+                      const std::vector<std::uint32_t>& at, std::size_t rounds, BakeLevel& result) {
+  BakeFigure& rational = result.by[static_cast<std::size_t>(Baker::rational)];
+  std::vector<std::optional<std::uint8_t>> in_whole(at.size());
+  result.whole_ns += median_ns(rounds, [&] {
+    for (std::size_t k = 0; k < at.size(); ++k)
+      in_whole[k] = in_whole_numbers(t.whole, uv, result.level, at[k]);
+  });
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const double start = thread_ns();
+    const std::uint8_t state = specified<spec::Rational128>(t.rational, uv, result.level, at[k]);
+    rational.ns += thread_ns() - start;
+    ++rational.micro_triangles;
+    if (state != ours[at[k]] || in_whole[k] != state)
+      throw std::runtime_error(std::string("bake bench: ") +
+                               (state != ours[at[k]] ? "ours is" : "whole numbers are") + " wrong on " +
+                               t.file + ", level " + std::to_string(result.level) + ", micro-triangle " +
+                               std::to_string(at[k]));
+  }
+  return at.size();
+}
+
 void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds, std::mt19937_64& random,
                    BakeLevel& result, std::uint64_t& compared) {
   const std::uint32_t level = result.level;
@@ -111,22 +142,8 @@ void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds
       exact += o.counts.exact;
       all += truth.size();
       mixed += static_cast<std::uint64_t>(std::count_if(truth.begin(), truth.end(), unknown));
-      BakeFigure& rational = figure(Baker::rational);
-      for (const std::uint32_t k : chosen(truth, random)) {
-        const double start = thread_ns();
-        const std::uint8_t state = specified<spec::Rational128>(specification, uv, level, k);
-        const double middle = thread_ns();
-        const auto in_whole = in_whole_numbers(whole, uv, level, k);
-        result.whole_ns += thread_ns() - middle;
-        rational.ns += middle - start;
-        ++rational.micro_triangles;
-        ++compared;
-        if (state != truth[k] || in_whole != state)
-          throw std::runtime_error(std::string("bake bench: ") +
-                                   (state != truth[k] ? "ours is" : "whole numbers are") + " wrong on " +
-                                   texture.file + ", level " + std::to_string(level) + ", micro-triangle " +
-                                   std::to_string(k));
-      }
+      compared +=
+          compare({texture.file, specification, whole}, uv, truth, chosen(truth, random), rounds, result);
       States states(truth.size());
       for (const auto& [which, into] : obvious) {
         BakeFigure& f = figure(which);
