@@ -1,4 +1,4 @@
-// Where texels on both sides of the cutoff lie next to a micro-triangle: a choice for samples, no proof.
+// A search for micro-triangles next to texels of both sides of the cutoff: a choice for samples, no proof.
 #pragma once
 
 #include <algorithm>

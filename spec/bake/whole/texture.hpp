@@ -68,7 +68,7 @@ void for_each_run(Wrap wrap, const Interval& indices, std::uint32_t size, Take t
 
 class WholeTexture {
  public:
-  /// Of a mode in rationals: Mask, MaskAbove or Blend.  Domain: a texture that outlives this object.
+  /// The mode is Mask, MaskAbove or Blend, in rationals.  Domain: a texture that outlives this object.
   /// Errors: std::invalid_argument for a texture whose texels are not width x height or none, or a factor that is not
   /// finite.
   template <class Texel, class Mode>
