@@ -99,7 +99,7 @@ void draw_texture(Random& random, Case& one) {
     if (one.texel == Texel::unorm16) return static_cast<std::uint32_t>(of_eight * 13107 % 65536);
     return std::bit_cast<std::uint32_t>(static_cast<float>(of_eight) / 4 - 0.25f);
   };
-  const std::uint64_t few = random.between(2, 8);
+  const std::uint64_t few = 2 + random.below(7);
   one.alpha.clear();
   for (std::uint64_t k = texels_of(one.width, one.height, one.mips); k-- > 0;)
     one.alpha.push_back(stored(random.below(few)));
