@@ -131,23 +131,22 @@ Result bake_tables(const BakeFigures& figures, const BakeBenchOptions& options) 
         "states of ours compared with the specification's, all the same"},
        [](const BakeFigures& f) { return f.compared; }},
   };
-  return {
-      .topic = "bake",
-      .description = "mmverify bench bake: what bakers get wrong, against what they take",
-      .settings = {{seed_of_all(), options.seed},
-                   {positive("rounds", setting, "of the timing; a time is their median"),
-                    std::uint64_t{options.rounds}},
-                   {one_of("maps", setting, {"generated", "textures"}, "textures: those of --textures"),
-                    options.textures.empty() ? "generated" : "textures"}},
-      .about =
-          "Textures are repeated, bilinear, cutoff 1/2; one thread. wrong: O or T, and not so on all of "
-          "it; needless: unknown, and O or T\non all of it. Judged by ours, of which some are compared "
-          "with the specification's, half of them unknown where there are as many.\nunknown: share of "
-          "the exact states; in whole numbers: share of our leaves that took them; by whole numbers: time "
-          "of the specification's state in them",
-      .tables = {table_of<BakeFigures>({.form = Form::members}, loose, {figures}), levels_table(figures),
-                 sizes_table(figures), margins_table(figures), updates_table(figures)},
-      .drawn = bake_picture(figures)};
+  return {.topic = "bake",
+          .description = "mmverify bench bake: what bakers get wrong, against what they take",
+          .settings = {{seed_of_all(), options.seed},
+                       {positive("rounds", setting, "of the timing; a time is their median"),
+                        std::uint64_t{options.rounds}},
+                       {one_of("maps", setting, {"generated", "textures"}, "textures: those of --textures"),
+                        options.textures.empty() ? "generated" : "textures"}},
+          .about =
+              "Textures are repeated, bilinear, cutoff 1/2; one thread. wrong: O or T, and not so on all of "
+              "it; needless: unknown, and O or T\non all of it. Judged by ours, of which some are compared "
+              "with the specification's, half of them unknown where there are as many.\nunknown: share of "
+              "the exact states; in whole numbers: share of our leaves that took them\nby whole numbers: the "
+              "specification's time of a state in them; rational / whole: that of exact rational over it",
+          .tables = {table_of<BakeFigures>({.form = Form::members}, loose, {figures}), levels_table(figures),
+                     sizes_table(figures), margins_table(figures), updates_table(figures)},
+          .drawn = bake_picture(figures)};
 }
 
 }  // namespace mmverify::bench
