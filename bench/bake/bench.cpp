@@ -10,6 +10,7 @@
 #include "bench/timing.hpp"
 #include "impl/bake/triangles.hpp"
 #include "spec/bake/state.hpp"
+#include "spec/bake/whole/state.hpp"
 
 namespace mmverify::bench {
 namespace {
@@ -60,6 +61,20 @@ std::uint8_t specified(const spec::bake::Texture& t, const BaseTriangle& uv, std
   return static_cast<std::uint8_t>(spec::bake::micro_state(t, base, level, index, mask));
 }
 
+/// The state in whole numbers; none where these find none.
+std::optional<std::uint8_t> in_whole_numbers(const spec::bake::whole::WholeTexture& t, const BaseTriangle& uv,
+                                             std::uint32_t level, std::uint32_t index) {
+  using spec::bake::State;
+  const auto bits = [](float x) { return spec::bake::Binary32{std::bit_cast<std::uint32_t>(x)}; };
+  spec::bake::whole::Place place{{}, level, index};
+  for (std::size_t k = 0; k < 3; ++k) place.uv[k] = {bits(uv[k].u), bits(uv[k].v)};
+  const auto state = spec::bake::whole::state(t, place);
+  if (!state || *state != State::C)
+    return state ? std::optional<std::uint8_t>(*state == State::O ? 1 : 0) : std::nullopt;
+  const auto leans = spec::bake::whole::leans(t, place);
+  return leans ? std::optional<std::uint8_t>(*leans ? 3 : 2) : std::nullopt;
+}
+
 /// Random micro-triangles to compare, half of them unknown if there are enough: those are next to a change of
 /// state.
 std::vector<std::uint32_t> chosen(const States& states, std::mt19937_64& random) {
@@ -69,6 +84,37 @@ std::vector<std::uint32_t> chosen(const States& states, std::mt19937_64& random)
     if (at.size() < compared_a_map / 2 || unknown(states[k]) || tries > 2048) at.push_back(k);
   }
   return at;
+}
+
+/// A texture for the specification, in rationals and in whole numbers.
+struct Specified {
+  const std::string& file;
+  const spec::bake::Texture& rational;
+  const spec::bake::whole::WholeTexture& whole;
+};
+
+/// Times the specification in both kinds of numbers on some micro-triangles, and compares their states with ours; returns
+/// how many.
+std::uint64_t compare(const Specified& t, const BaseTriangle& uv, const States& ours,
+                      const std::vector<std::uint32_t>& at, std::size_t rounds, BakeLevel& result) {
+  BakeFigure& rational = result.by[static_cast<std::size_t>(Baker::rational)];
+  std::vector<std::optional<std::uint8_t>> in_whole(at.size());
+  result.whole_ns += median_ns(rounds, [&] {
+    for (std::size_t k = 0; k < at.size(); ++k)
+      in_whole[k] = in_whole_numbers(t.whole, uv, result.level, at[k]);
+  });
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const double start = thread_ns();
+    const std::uint8_t state = specified<spec::Rational128>(t.rational, uv, result.level, at[k]);
+    rational.ns += thread_ns() - start;
+    ++rational.micro_triangles;
+    if (state != ours[at[k]] || in_whole[k] != state)
+      throw std::runtime_error(std::string("bake bench: ") +
+                               (state != ours[at[k]] ? "ours is" : "whole numbers are") + " wrong on " +
+                               t.file + ", level " + std::to_string(result.level) + ", micro-triangle " +
+                               std::to_string(at[k]));
+  }
+  return at.size();
 }
 
 void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds, std::mt19937_64& random,
@@ -85,6 +131,8 @@ void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds
     const fast::TriangleBaker baker(v, cutoff);
     const spec::bake::Texture specification{v.width, v.height, texture.alpha, spec::bake::Wrap::repeat,
                                             spec::bake::Wrap::repeat};
+    const spec::bake::whole::WholeTexture whole(
+        specification, spec::bake::Mask<spec::Rational>{{cutoff.numerator, cutoff.denominator}});
     for (const BaseTriangle& uv : halves) {
       Ours o;
       figure(Baker::ours).ns += median_ns(rounds, [&] { o = ours(baker, uv, level); });
@@ -94,17 +142,8 @@ void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds
       exact += o.counts.exact;
       all += truth.size();
       mixed += static_cast<std::uint64_t>(std::count_if(truth.begin(), truth.end(), unknown));
-      BakeFigure& rational = figure(Baker::rational);
-      for (const std::uint32_t k : chosen(truth, random)) {
-        const double start = thread_ns();
-        const std::uint8_t state = specified<spec::Rational128>(specification, uv, level, k);
-        rational.ns += thread_ns() - start;
-        ++rational.micro_triangles;
-        ++compared;
-        if (state != truth[k])
-          throw std::runtime_error("bake bench: ours is wrong on " + texture.file + ", level " +
-                                   std::to_string(level) + ", micro-triangle " + std::to_string(k));
-      }
+      compared +=
+          compare({texture.file, specification, whole}, uv, truth, chosen(truth, random), rounds, result);
       States states(truth.size());
       for (const auto& [which, into] : obvious) {
         BakeFigure& f = figure(which);
@@ -118,6 +157,8 @@ void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds
       }
     }
   }
+  result.whole_ns /=
+      static_cast<double>(std::max<std::uint64_t>(1, result.of(Baker::rational).micro_triangles));
   for (BakeFigure& f : result.by) f.ns /= static_cast<double>(std::max<std::uint64_t>(1, f.micro_triangles));
   result.unknown = static_cast<double>(mixed) / static_cast<double>(all);
   result.exact = leaves == 0 ? 0 : static_cast<double>(exact) / static_cast<double>(leaves);

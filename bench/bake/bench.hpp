@@ -41,9 +41,11 @@ struct BakeFigure {
 struct BakeLevel {
   std::uint32_t level = 0;
   std::array<BakeFigure, bakers> by{};
-  double unknown = 0;  ///< unknown micro-triangles over all, exactly
-  double exact = 0;    ///< the share of our leaves that took whole numbers
+  double unknown = 0;   ///< unknown micro-triangles over all, exactly
+  double exact = 0;     ///< the share of our leaves that took whole numbers
+  double whole_ns = 0;  ///< a micro-triangle by spec/bake/whole, of those that the rationals judge
 
+  double rational_over_whole() const { return of(Baker::rational).ns / whole_ns; }
   const BakeFigure& of(Baker b) const { return by[static_cast<std::size_t>(b)]; }
 };
 
@@ -71,7 +73,7 @@ struct BakeFigures {
 
 /// The figures over both halves of each texture's unit square, repeated, bilinear, cutoff 1/2.
 /// Throws std::invalid_argument unless maps > 0, rounds > 0 and 0 <= first <= last <= 12; std::runtime_error
-/// if a state of ours differs from the specification's, and as alpha_textures does.
+/// if a state of ours, or one in whole numbers, differs from the specification's, and as alpha_textures does.
 BakeFigures bake_figures(const BakeBenchOptions& options = {});
 
 }  // namespace mmverify::bench

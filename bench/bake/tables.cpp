@@ -54,6 +54,13 @@ Table levels_table(const BakeFigures& figures) {
        [](const L& l) { return l.unknown; }},
       {{share("exact", less, "of our leaves, those that took whole numbers"), "in whole numbers", "", shares},
        [](const L& l) { return l.exact; }},
+      {{time("whole_ns",
+             "ns a micro-triangle by the specification in whole numbers, of those that exact "
+             "rational judges"),
+        "by whole numbers", "ns"},
+       [](const L& l) { return l.whole_ns; }},
+      {{ratio("times_rational", speed_more, "ns of exact rational / whole_ns"), "rational / whole"},
+       [](const L& l) { return l.rational_over_whole(); }},
       within<L, BakerOf>({.key = list("bakers", "", {6, 6}), .heading = "bakers"}, baker_fields(), bakers_of),
   };
   return table_of<L>({.key = "rows", .row = "one level"}, fields, figures.levels);
@@ -135,7 +142,8 @@ Result bake_tables(const BakeFigures& figures, const BakeBenchOptions& options) 
               "Textures are repeated, bilinear, cutoff 1/2; one thread. wrong: O or T, and not so on all of "
               "it; needless: unknown, and O or T\non all of it. Judged by ours, of which some are compared "
               "with the specification's, half of them unknown where there are as many.\nunknown: share of "
-              "the exact states; in whole numbers: share of our leaves that took them",
+              "the exact states; in whole numbers: share of our leaves that took them\nby whole numbers: the "
+              "specification's time of a state in them; rational / whole: that of exact rational over it",
           .tables = {table_of<BakeFigures>({.form = Form::members}, loose, {figures}), levels_table(figures),
                      sizes_table(figures), margins_table(figures), updates_table(figures)},
           .drawn = bake_picture(figures)};

@@ -100,14 +100,12 @@ Json states_of(const bake::BakeSubject& subject, const std::string& at, Level n)
   const bake::Case one = bake::case_from(at);
   const auto baked = subject.functions.bake(one, n, bake::Format::four_state);
   if (!baked) return nullptr;
-  std::vector<bake::State> right;
-  for (std::uint32_t k = 0; k < baked->states.size(); ++k) {
-    right.push_back(bake::true_state(one, n, k));
+  std::vector<bake::State> right = bake::true_map(one, n);
+  for (std::size_t k = 0; k < right.size(); ++k)
     // A baker need not tell the two unknown states apart.
     if (!subject.functions.centroid && spec::micromap::unknown(right[k]) &&
         spec::micromap::unknown(baked->states[k]))
       right[k] = baked->states[k];
-  }
   return {{"level", n}, {"expected", digits(right)}, {"got", digits(baked->states)}};
 }
 

@@ -277,6 +277,7 @@ void judge(Checked& checked, const Scene& scene, const StoredMaps& maps, std::FI
   run.mutants = false;
   checked.report = run_jobs(laws.jobs, run, [&](const proofs::Result& r) { text.add(r); });
   text.finish(checked.report, false);
+  if (const auto note = proofs::scene::rationals_text(laws)) say(out, "note: {}\n", *note);
   if (!checked.report.interrupted)
     checked.cause_json = print_why(out, options, checked.two_state, scene, maps, checked.report, picture);
   add_findings(checked, laws, judged);

@@ -365,6 +365,7 @@ int reported(const proofs::scene::Data& data, const SceneMicromaps& made, double
   std::fflush(output.text());
   const Report report =
       options.no_laws ? Report() : ran(laws.jobs, options, output.text(), word_of(options.effort));
+  if (const auto note = proofs::scene::rationals_text(laws)) say(output.text(), "note: {}\n", *note);
   if (!options.details) {
     print_summary(output.text(), figures, report, options.asks, options.file,
                   {options.moving, baking(options)});

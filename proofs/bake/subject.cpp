@@ -21,20 +21,18 @@ Baked in_format(std::vector<State> states, Format format) {
   return {std::move(states)};
 }
 
-/// A baker of 4-state maps, state by state.
-template <class One>
-Functions state_by_state(One state) {
+/// A baker of 4-state maps.
+template <class Map>
+Functions map_by_map(Map map) {
   Functions functions;
-  functions.bake = [state](const Case& one, Level n, Format format) -> std::optional<Baked> {
-    std::vector<State> states(count_at(n));
-    for (std::uint32_t k = 0; k < states.size(); ++k) states[k] = state(one, n, k);
-    return in_format(std::move(states), format);
+  functions.bake = [map](const Case& one, Level n, Format format) -> std::optional<Baked> {
+    return in_format(map(one, n), format);
   };
   return functions;
 }
 
 Functions specified() {
-  Functions functions = state_by_state(true_state);
+  Functions functions = map_by_map(true_map);
   functions.centroid = true;
   functions.support.moving = true;
   return functions;
@@ -123,29 +121,37 @@ Functions this_projects() {
 
 // ---- Bakers that sample
 
+using CornerWeights = std::array<int, 3>;
+
 /// Whether alpha is opaque at a place given by its weights of a micro-triangle's corners, over their sum.
-template <class Q>
-bool opaque_at(const Case& one, const spec::bake::Polygon<Q>& corners, const std::array<int, 3>& weights) {
+template <class Q, class Stored>
+bool opaque_at(const Case& one, const spec::bake::TextureOf<Stored>& texture,
+               const spec::bake::Polygon<Q>& corners, const CornerWeights& weights) {
   const Q share = spec::bake::fraction<Q>(1, weights[0] + weights[1] + weights[2]);
   spec::bake::TexturePoint<Q> p{0, 0};
   for (std::size_t k = 0; k < 3; ++k) {
     p.x += corners[k].x * Q(weights[k]) * share;
     p.y += corners[k].y * Q(weights[k]) * share;
   }
-  return with_textures(one, [&](const auto& mips) {
-    return with_mode<Q>(one,
-                        [&](const auto& mode) { return mode.opaque(spec::bake::alpha(mips.front(), p)); });
-  });
+  return with_mode<Q>(one, [&](const auto& mode) { return mode.opaque(spec::bake::alpha(texture, p)); });
 }
 
 /// O or T as the points say, where they agree; else the first one's unknown.
-State sampled(const Case& one, Level n, std::uint32_t index, const std::vector<std::array<int, 3>>& points) {
-  return in_smallest([&]<class Q>() {
-    const auto corners = spec::bake::micro_triangle(base_triangle<Q>(one), n, index, one.width, one.height);
-    const bool first = opaque_at(one, corners, points.front());
-    for (const auto& weights : points)
-      if (opaque_at(one, corners, weights) != first) return first ? State::UO : State::UT;
-    return first ? State::O : State::T;
+Functions sampled_at(const std::vector<CornerWeights>& points) {
+  return map_by_map([points](const Case& one, Level n) {
+    std::vector<State> states(count_at(n));
+    with_textures(one, [&](const auto& mips) {
+      for (std::uint32_t k = 0; k < states.size(); ++k)
+        states[k] = in_smallest([&]<class Q>() {
+          const auto corners = spec::bake::micro_triangle(base_triangle<Q>(one), n, k, one.width, one.height);
+          const bool first = opaque_at<Q>(one, mips.front(), corners, points.front());
+          for (const CornerWeights& weights : points)
+            if (opaque_at<Q>(one, mips.front(), corners, weights) != first)
+              return first ? State::UO : State::UT;
+          return first ? State::O : State::T;
+        });
+    });
+    return states;
   });
 }
 
@@ -167,13 +173,9 @@ const std::vector<BakeSubjectPtr>& built_in_subjects() {
               of_meshes(specified(), "array-spec")),
       subject("bake", "this project's library", of_meshes(this_projects(), "array")),
       subject("centre-sample", "O or T as alpha at the centroid is; not conservative",
-              state_by_state([](const Case& one, Level n, std::uint32_t k) {
-                return sampled(one, n, k, {{1, 1, 1}});
-              })),
+              sampled_at({{1, 1, 1}})),
       subject("corner-samples", "O or T where alpha at all three corners is; not conservative",
-              state_by_state([](const Case& one, Level n, std::uint32_t k) {
-                return sampled(one, n, k, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-              })),
+              sampled_at({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})),
   };
   return all;
 }

@@ -183,7 +183,7 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
                                               "draws find one");
   };
   law.how = [levels](Level n) {
-    return std::string(levels.at(n).whole() ? "exhaustive, rational" : "sample, rational");
+    return std::string(levels.at(n).whole() ? "exhaustive, exact" : "sample, exact");
   };
   const bool passes_over = std::any_of(data.baked.triangles.begin(), data.baked.triangles.end(),
                                        [&](const BakedTriangle& t) { return claim.passes_over(t); });
@@ -218,8 +218,7 @@ Law law(const Claim& claim, const Data& data, const std::shared_ptr<const ExactS
 
 }  // namespace
 
-std::vector<Law> bake_laws(const Data& data, const BakeSample& sample) {
-  const auto exact = std::make_shared<const ExactSurfaces>(data.scene, data.plan, data.margin);
+std::vector<Law> bake_laws(const Data& data, const ExactSurfacesPtr& exact, const BakeSample& sample) {
   if (data.two_state) return {law(forced, data, exact, sample)};
   return {law(conservative, data, exact, sample), law(tight, data, exact, sample)};
 }

@@ -40,6 +40,7 @@ std::uint64_t states_of_whole(const Claim& claim, const mmverify::scene::BakedTr
 /// The micro-triangles of a level that a claim is about, and the work of all of its maps.
 struct LevelWork {
   std::uint64_t all = 0, work = 0, states = 0;
+  std::uint64_t whole = 0;  ///< the work, with states_of_rationals
   std::uint64_t of_sample() const {
     return states_of_sample * std::max<std::uint64_t>(1, states == 0 ? 1 : work / states);
   }
@@ -55,7 +56,9 @@ WorkByLevel work_by_level(const Claim& claim, const Data& data) {
     const std::uint64_t states = states_of_whole(claim, t);
     level.all += claim.count(t);
     level.states += states;
-    level.work += states * work_of_state(data, k);
+    const std::uint64_t work = states * work_of_state(data, k);
+    level.work += work;
+    level.whole += work * (data.plan.triangles[k].varies() ? states_of_rationals : 1);
   }
   return levels;
 }
@@ -94,7 +97,7 @@ LookedByLevel looked_at(const Claim& claim, const Data& data, const BakeSample& 
   std::uint64_t whole = 0;
   std::vector<Level> by_work;
   for (Level n = 0; n < levels.size(); ++n) {
-    whole += levels[n].work;
+    whole += levels[n].whole;
     if (levels[n].all != 0) by_work.push_back(n);
   }
   std::stable_sort(by_work.begin(), by_work.end(),

@@ -18,11 +18,13 @@ inline constexpr Level piece = 4;
 struct BakeSample {
   std::optional<std::uint64_t> size = {};
   std::optional<std::uint64_t> work = {};
-  std::uint64_t whole = 0;  ///< beside `work`: all micro-triangles if they take no more than this
+  std::uint64_t whole =
+      0;  ///< beside `work`: all micro-triangles if they take no more than this; see work_of_a_minute
 };
 
-/// The work below which all of a file's maps are looked at: less than a minute on two cores.
-inline constexpr std::uint64_t work_of_a_minute = 4'000'000;
+/// The work below which all of a file's maps are looked at: less than a minute on two cores.  Where vertex alpha varies,
+/// each state counts as many, as it takes rationals.
+inline constexpr std::uint64_t states_of_rationals = 16, work_of_a_minute = states_of_rationals * 4'000'000;
 
 /// The work that takes about as long as loading and baking do, by the texels and micro-triangles that these read.
 /// The same on every machine.

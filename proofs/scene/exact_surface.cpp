@@ -4,11 +4,14 @@
 
 #include <bit>
 #include <cmath>
+#include <mutex>
 #include <sstream>
 #include <variant>
 
 #include "proofs/points/narrow.hpp"
+#include "proofs/scene/near_change.hpp"
 #include "spec/bake/state.hpp"
+#include "spec/bake/whole/state.hpp"
 
 namespace mmverify::proofs::scene {
 namespace {
@@ -40,15 +43,6 @@ BaseTriangle<Q> base(const scene::UvTriangle& uv) {
 /// The specification's texel of a stored number.
 template <class Stored>
 using TexelOf = std::conditional_t<std::is_same_v<Stored, float>, Binary32, Stored>;
-
-double stored_number(Binary32 texel) { return std::bit_cast<float>(texel.bits); }
-double stored_number(std::uint32_t texel) { return texel; }
-
-/// The stored number of alpha 1.
-template <class Texel>
-constexpr double stored_one = std::is_same_v<Texel, Binary32>       ? 1
-                              : std::is_same_v<Texel, std::uint8_t> ? 255
-                                                                    : 65535;
 
 template <class Stored>
 TextureOf<TexelOf<Stored>> texture_of(const scene::Image& image, const std::vector<Stored>& alpha,
@@ -209,7 +203,33 @@ class ExactSurfaces::OfSurface {
                                                    : what(Blend<Q>{});
   }
 
-  bool near_change(const scene::UvTriangle& uv, Level n, std::uint32_t index) const;
+  /// The search for micro-triangles near a change, made at the first call.
+  const NearChange& changes() const {
+    std::call_once(changes_made_, [this] {
+      std::visit([this](const auto& t) { changes_ = std::make_unique<const NearChange>(t, surface_); },
+                 texture_);
+    });
+    return *changes_;
+  }
+
+  /// The texture in whole numbers, made at the first call.
+  const whole::WholeTexture& in_whole_numbers() const {
+    std::call_once(made_, [this] {
+      std::visit(
+          [this](const auto& t) {
+            in_mode<spec::Rational>(
+                [&](const auto& mode) { whole_ = std::make_unique<const whole::WholeTexture>(t, mode); });
+          },
+          texture_);
+    });
+    return *whole_;
+  }
+  /// A micro-triangle for whole numbers.
+  whole::Place place_of(const scene::UvTriangle& uv, Level n, std::uint32_t index) const {
+    whole::Place place{{}, n, index, bits(margin_), {bits(surface_.travel[0]), bits(surface_.travel[1])}};
+    for (std::size_t k = 0; k < 3; ++k) place.uv[k] = {bits(uv[k][0]), bits(uv[k][1])};
+    return place;
+  }
 
   /// The UV of a micro-triangle's centroid, rounded.
   static scene::Uv middle(const scene::UvTriangle& uv, Level n, std::uint32_t index) {
@@ -249,48 +269,10 @@ class ExactSurfaces::OfSurface {
   scene::Surface surface_;
   float margin_;
   std::variant<TextureOf<std::uint8_t>, TextureOf<std::uint16_t>, TextureOf<Binary32>> texture_;
+  mutable std::once_flag made_, changes_made_;
+  mutable std::unique_ptr<const whole::WholeTexture> whole_;
+  mutable std::unique_ptr<const NearChange> changes_;
 };
-
-bool ExactSurfaces::OfSurface::near_change(const scene::UvTriangle& uv, Level n, std::uint32_t index) const {
-  return std::visit(
-      [&]<class Texel>(const TextureOf<Texel>& t) {
-        const double step = 1.0 / spec::side(n);
-        double low_x = 1e300, high_x = -1e300, low_y = 1e300, high_y = -1e300;
-        for (const spec::index::Vertex& v : spec::index::corners(index, n)) {
-          const double i = v.i * step, j = v.j * step;
-          const auto along = [&](std::size_t axis) {
-            return uv[0][axis] + i * (double{uv[1][axis]} - uv[0][axis]) +
-                   j * (double{uv[2][axis]} - uv[0][axis]);
-          };
-          const double x = along(0) * t.width, y = along(1) * t.height;
-          low_x = std::min(low_x, x), high_x = std::max(high_x, x);
-          low_y = std::min(low_y, y), high_y = std::max(high_y, y);
-        }
-        const double across = double{surface_.travel[0]} * t.width,
-                     down = double{surface_.travel[1]} * t.height;
-        low_x -= across, high_x += across, low_y -= down, high_y += down;
-        const auto whole = [](double x) { return static_cast<std::int64_t>(std::floor(x)); };
-        if (high_x - low_x > 64 || high_y - low_y > 64)
-          return true;  // of so many texels hardly one side alone
-        const double most = stored_one<Texel>;
-        const double limit =
-            surface_.mode == scene::AlphaMode::mask
-                ? surface_.cutoff * most / (double{surface_.base_color_alpha} * surface_.vertex_alpha)
-                : most / 2;
-        const bool blend = surface_.mode == scene::AlphaMode::blend;
-        bool some = false, others = false;
-        for (std::int64_t j = whole(low_y - 1); j <= whole(high_y + 1); ++j)
-          for (std::int64_t i = whole(low_x - 1); i <= whole(high_x + 1); ++i) {
-            const auto x = wrapped(t.wrap_x, i, t.width), y = wrapped(t.wrap_y, j, t.height);
-            const double alpha = stored_number(t.alpha[*x + std::size_t{*y} * t.width]);
-            if (blend && alpha > 0 && alpha < most) return true;
-            (alpha >= limit ? some : others) = true;
-            if (some && others) return true;
-          }
-        return false;
-      },
-      texture_);
-}
 
 ExactSurfaces::ExactSurfaces(const scene::Scene& scene, const scene::Plan& plan, float margin) : plan_(plan) {
   for (const scene::Surface& surface : plan.surfaces)
@@ -305,7 +287,11 @@ const ExactSurfaces::OfSurface& ExactSurfaces::of(std::size_t triangle) const {
 std::optional<State> ExactSurfaces::state(std::size_t triangle, Level n, std::uint32_t index) const {
   const OfSurface& surface = of(triangle);
   if (plan_.triangles[triangle].varies()) return seen(triangle, n, index).state;
-  return in_few_bits([&]<class Q>() { return surface.state<Q>(plan_.triangles[triangle].uvs, n, index); });
+  const auto& uvs = plan_.triangles[triangle].uvs;
+  if (const auto state = whole::state(surface.in_whole_numbers(), surface.place_of(uvs, n, index)))
+    return state;
+  ++in_rationals_;
+  return in_few_bits([&]<class Q>() { return surface.state<Q>(uvs, n, index); });
 }
 
 Seen ExactSurfaces::seen(std::size_t triangle, Level n, std::uint32_t index) const {
@@ -319,8 +305,11 @@ bool ExactSurfaces::denies(std::size_t triangle, Level n, std::uint32_t index, b
 
 bool ExactSurfaces::rather_opaque(std::size_t triangle, Level n, std::uint32_t index) const {
   const OfSurface& surface = of(triangle);
+  const auto& uvs = plan_.triangles[triangle].uvs;
+  if (const auto leans = whole::leans(surface.in_whole_numbers(), surface.place_of(uvs, n, index)))
+    return *leans;
   return in_few_bits([&]<class Q>() {
-    const Q alpha = surface.at_centroid<Q>(plan_.triangles[triangle].uvs, n, index);
+    const Q alpha = surface.at_centroid<Q>(uvs, n, index);
     return surface.in_mode<Q>([&](const auto& mode) { return mode.rather_opaque(alpha); });
   });
 }
@@ -344,7 +333,7 @@ std::string ExactSurfaces::text(std::size_t triangle, Level n, std::uint32_t ind
 }
 
 bool ExactSurfaces::near_change(std::size_t triangle, Level n, std::uint32_t index) const {
-  return of(triangle).near_change(plan_.triangles[triangle].uvs, n, index);
+  return of(triangle).changes().at(plan_.triangles[triangle].uvs, n, index);
 }
 
 }  // namespace mmverify::proofs::scene

@@ -1,6 +1,7 @@
 // The specification's view of a plan: the exact state of any of its micro-triangles.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,8 +24,9 @@ class ExactSurfaces {
   ExactSurfaces(const mmverify::scene::Scene& scene, const mmverify::scene::Plan& plan, float margin);
   ~ExactSurfaces();
 
-  /// The state of micro-triangle `index` of level n of a planned triangle: spec::bake in rationals.  If vertex alpha
-  /// varies, T and O by bounds of parts of it, C by two points; none if neither decides.
+  /// The state of micro-triangle `index` of level n of a planned triangle: spec::bake in whole numbers, or in
+  /// rationals where these find none.  If vertex alpha varies, in rationals, T and O by bounds of parts of it, C by two
+  /// points; none if neither decides.
   /// Domain: triangle below Plan::triangles.size(), index < 4^n, n in 0..16.
   std::optional<spec::bake::State> state(std::size_t triangle, Level n, std::uint32_t index) const;
 
@@ -41,12 +43,16 @@ class ExactSurfaces {
   /// Whether texels on both sides of the cutoff lie less than a texel from it; a choice for samples, no proof.
   bool near_change(std::size_t triangle, Level n, std::uint32_t index) const;
 
+  /// The number of calls of state() so far that took rationals because whole numbers find no state.
+  std::uint64_t in_rationals() const { return in_rationals_; }
+
  private:
   class OfSurface;
   Seen seen(std::size_t triangle, Level n, std::uint32_t index) const;
   const OfSurface& of(std::size_t triangle) const;
 
   const mmverify::scene::Plan& plan_;
+  mutable std::atomic<std::uint64_t> in_rationals_ = 0;
   std::vector<std::unique_ptr<const OfSurface>> surfaces_;
 };
 

@@ -2,7 +2,9 @@
 
 #include <variant>
 
+#include "proofs/scene/exact_surface.hpp"
 #include "proofs/scene/law_parts.hpp"
+#include "spec/bake/whole/state.hpp"
 
 namespace mmverify::proofs::scene {
 namespace {
@@ -75,10 +77,11 @@ std::string SceneSubject::fingerprint() const {
 
 SceneLaws scene_laws(const Data& data, const BakeSample& sample, const std::string& command) {
   SceneLaws all;
-  append_all(all.laws, bake_laws(data, sample));
+  all.exact = std::make_shared<const ExactSurfaces>(data.scene, data.plan, data.margin);
+  append_all(all.laws, bake_laws(data, all.exact, sample));
   append_all(all.laws, array_laws(data));
   append_all(all.laws, tree_laws(data));
-  append_all(all.laws, vq_laws(data));
+  append_all(all.laws, vq_laws(data, all.exact));
   std::map<std::string, SubjectPtr> subjects;
   for (Law& law : all.laws) {
     law.replayed_by = fmt::format("{} --replay {}", command, law.id);
@@ -100,10 +103,20 @@ SceneLaws scene_laws(const Data& data, const BakeSample& sample, const std::stri
   return all;
 }
 
+std::optional<std::string> rationals_text(const SceneLaws& laws) {
+  const std::uint64_t count = laws.exact ? laws.exact->in_rationals() : 0;
+  if (count == 0) return std::nullopt;
+  return fmt::format(
+      "{} of the exact states took rationals: numbers of too many bits, or micro-triangles over "
+      "more than {} rows and columns of texels",
+      count, spec::bake::whole::most_squares);
+}
+
 SceneLaws map_laws(const Data& data, const BakeSample& sample, const std::string& name,
                    const std::string& command) {
   SceneLaws all;
-  all.laws = bake_laws(data, sample);
+  all.exact = std::make_shared<const ExactSurfaces>(data.scene, data.plan, data.margin);
+  all.laws = bake_laws(data, all.exact, sample);
   const auto subject = std::make_shared<const SceneSubject>(data, "bake", name);
   for (Law& law : all.laws) {
     law.replayed_by = fmt::format("{} --replay {}", command, law.id);

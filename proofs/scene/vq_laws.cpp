@@ -58,8 +58,7 @@ constexpr std::uint64_t regions = 32;
 
 }  // namespace
 
-std::vector<Law> vq_laws(const Data& data) {
-  const auto exact = std::make_shared<const ExactSurfaces>(data.scene, data.plan, data.margin);
+std::vector<Law> vq_laws(const Data& data, const ExactSurfacesPtr& exact) {
   const auto pairs = [&data] { return std::uint64_t{data.pairs.distinct.size()}; };
   std::vector<Law> laws{
       on_cases(

@@ -135,6 +135,15 @@ State true_state(const Case& one, Level n, std::uint32_t index) {
   });
 }
 
+std::vector<State> true_map(const Case& one, Level n) {
+  std::vector<State> states(std::size_t{1} << 2 * n);
+  with_textures(one, [&](const auto& mips) {
+    for (std::uint32_t k = 0; k < states.size(); ++k)
+      states[k] = in_smallest([&]<class Q>() { return state_in<Q>(one, mips, n, k, Threshold::exact); });
+  });
+  return states;
+}
+
 std::vector<std::uint32_t> judged_at(const Case& one, Level n) {
   // The specification's time is that of cells: of all mips, under margins.
   const double across = 2 + 2 * (double{one.margin} + double{one.travel[0]} * one.width),

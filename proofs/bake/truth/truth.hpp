@@ -11,6 +11,8 @@ using TexturePoint = spec::bake::TexturePoint<Rational>;
 
 /// The state of micro-triangle `index` by spec/bake/state.hpp.
 State true_state(const Case& one, Level n, std::uint32_t index);
+/// The states of all micro-triangles of a level, in the order of the curve.
+std::vector<State> true_map(const Case& one, Level n);
 
 /// The true states of some micro-triangles, with the cutoff less the slack and with the cutoff plus the slack.  Both
 /// are the same without a slack.
