@@ -20,7 +20,12 @@ constexpr const char* declarations = R"(#include <stdint.h>
 uint64_t any(uint32_t bits);
 void check(int holds);
 void assume(int holds);
+uint8_t* watched_memory(size_t size, const size_t* places, size_t count);
+void only_read(uint8_t* memory);
 )";
+
+// Memory of 16 bytes, of which byte `at`, any, is watched.
+#define WATCHED "size_t at = any(4); uint8_t* m = watched_memory(16, &at, 1); m[at] = 7; "
 
 class Executor : public testing::Test {
  protected:
@@ -178,6 +183,17 @@ const std::array undefined{
     Undefined{"constants", "static const uint8_t b[2] = {1, 2}; ((uint8_t*)b)[any(1)] = 3;", "the constant"},
     Undefined{"promises", "uint64_t n = any(3); __builtin_assume(n < 7); check(n < 8);", "promise"},
     Undefined{"ends", "if (any(9) == 300) abort();", "abort is called"},
+    Undefined{"checks", WATCHED "size_t k = any(4); check(k == at || m[k] == m[(k + 1) % 16]);",
+              "the check fails"},
+    Undefined{"checks", WATCHED "size_t k = any(4); m[k] = 1; check(m[k] == 1);", "the check fails"},
+    Undefined{"bounds", WATCHED "check(m[any(5)] < 256);", "a pointer outside of the memory"},
+    Undefined{"bounds", WATCHED "memset(m + 12, 1, any(3));", "more bytes are set than there are"},
+    Undefined{"bounds", WATCHED "uint8_t b[9] = {0}; memcpy(m + 9, b, any(4) % 10);",
+              "a copy of more bytes than there are"},
+    Undefined{"bounds", WATCHED "uint8_t b[9]; memcpy(b, m + 9, any(4) % 10);",
+              "a copy of more bytes than there are"},
+    Undefined{"constants", WATCHED "only_read(m); if (any(1)) m[3] = 1;", "the constant"},
+    Undefined{"constants", WATCHED "only_read(m); memset(m, 1, 1 + any(1));", "the constant"},
     Undefined{"ends", "if (any(9) == 300) __builtin_unreachable();",
               "code that is never reached is reached"}};
 
@@ -204,6 +220,19 @@ TEST_F(Executor, ProvesWhatIsDefined) {
         "}",
         "uint64_t w[2] = {0}; uint32_t* p = (uint32_t*)((uint8_t*)w + 4 * any(2)); check(*p == 0);",
         "uint8_t b[9] = {0}; uint32_t x; memcpy(&x, b + any(2), 4); check(x == 0);",
+        WATCHED "size_t k = any(4); m[k] = 1; check(m[at] == (k == at ? 1 : 7));",
+        WATCHED "size_t n = any(2), k = any(3); memset(m + k, 1, n); "
+                "check(m[at] == (at >= k && at < k + n ? 1 : 7));",
+        WATCHED "uint8_t b[16]; for (int k = 0; k < 16; ++k) b[k] = k; size_t n = any(4); "
+                "memcpy(m, b, n); check(m[at] == (at < n ? at : 7));",
+        WATCHED "uint8_t b[8] = {0}; size_t n = any(3); memcpy(b, m, n); "
+                "check(at >= 8 || b[at] == (at < n ? 7 : 0));",
+        WATCHED "uint64_t w; size_t k = any(3); memcpy(&w, m + k, 8); "
+                "check(at < k || at >= k + 8 || (w >> 8 * (at - k) & 255) == 7);",
+        WATCHED "size_t p[2] = {at, at + any(1)}; uint8_t* o = watched_memory(32, p, 2); size_t n = any(4); "
+                "o[at] = 5; memmove(o, m, n); check(o[at] == (at < n ? 7 : 5));",
+        WATCHED "size_t p[2] = {at, any(4)}; uint8_t* o = watched_memory(16, p, 2); only_read(o); "
+                "check(p[1] != at || o[at] == o[p[1]]);",
         "struct { uint8_t tag; uint32_t x; } a, b; a.x = (uint32_t)any(32); b = a; check(b.x == a.x);"}) {
     const std::string said = answer(fmt::format("{}void law(void) {{ {} }}\n", declarations, body));
     EXPECT_NE(said.find("proved "), std::string::npos) << body << "\n" << said;
@@ -234,7 +263,7 @@ TEST_F(Executor, RefusesALawThatSaysNothing) {
 
 TEST_F(Executor, NamesWhatItCannotFollow) {
   for (const auto& [body, says] :
-       {std::pair{"volatile float x = (float)any(3); check(x >= 0);", "law.c:7: the conversion uitofp"},
+       {std::pair{"volatile float x = (float)any(3); check(x >= 0);", "law.c:9: the conversion uitofp"},
         std::pair{"check(atoi(\"7\") == 7);", "a call of strtol"},
         std::pair{"static int calls; check(++calls == 1);", "calls, which outlives the call"},
         std::pair{"static uint8_t b[2]; uint8_t c[2] = {1, 2}; memcpy(b, c, 2); check(b[0] == 1);",

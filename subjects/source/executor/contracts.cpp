@@ -147,8 +147,10 @@ Literal Executor::is_inside(const Word& place, const Word& from, const Word& siz
 
 bool Executor::fill_watched(State& s, const ValuePtr& to, const ValuePtr& byte, const Word& size,
                             const llvm::Instruction& at) {
-  if (watched_at(s, to) == nullptr) return false;
+  const Object* object = watched_at(s, to);
+  if (object == nullptr) return false;
   require_room(s, to, size, at, "more bytes are set than there are");
+  require_not_constant(*object, at);
   const Target& t = to->targets.front();
   Object& own = s.memory.writable(t.object);
   for (std::size_t w = 0; w < own.watched.size(); ++w)
