@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -42,6 +43,7 @@ struct State {
   std::unordered_map<const llvm::Value*, ValuePtr> values;
   Memory memory;
   std::map<const llvm::Loop*, unsigned> turns;  ///< of the loops around the block
+  ValuePtr exception;                           ///< on its way from a throw to where it lands; else null
 };
 
 class Executor {
@@ -67,6 +69,7 @@ class Executor {
     ValuePtr result = nullptr;
     bool has_returned = false;
     bool lost = false;  ///< a path ended without a return
+    std::optional<State> thrown = {};  ///< the paths that an exception ended
   };
 
   // run.cpp: calls, blocks and edges.
@@ -143,6 +146,24 @@ class Executor {
   ValuePtr load_from(const Object& object, const Target& t, std::size_t bytes, const llvm::Type& type,
                      Literal condition, const llvm::Instruction& at);
 
+  // exceptions.cpp
+  /// A function of C++ that does not promise to throw nothing.
+  static bool may_throw(const llvm::Function& f);
+  /// The number by which a landing pad's program tells types apart; "" is any type.
+  unsigned number_of_type(const std::string& type);
+  unsigned number_of_type(const llvm::Value& info, const llvm::Instruction& at);
+  bool is_derived(const std::string& type, const std::string& base, const llvm::Instruction& at) const;
+  /// The number of the type as which the pad catches an exception, 0 if it only cleans up; nothing if it passes.
+  std::optional<unsigned> caught_as(const llvm::LandingPadInst& pad, const std::string& type);
+  /// The path ends here, and goes on as thrown_.
+  void throws(State& s, ValuePtr exception, const std::string& type, const llvm::Instruction& at);
+  /// A thrown path goes on at the pad of the call that it came from, or leaves the function.
+  void unwind(Call& c, State thrown, const llvm::Instruction& at);
+  void leave(Call& c, State thrown, const llvm::Instruction& at);
+  ValuePtr landed(State& s, const llvm::LandingPadInst& pad);
+  /// As call_instruction; nothing if the function is none of exceptions.
+  std::optional<bool> call_of_exceptions(State& s, const llvm::CallBase& i, const std::string& name);
+
   // library.cpp, intrinsics.cpp: functions without a body.
   bool call_instruction(State& s, const llvm::CallBase& i);
   bool call_library(State& s, const llvm::CallBase& i, const std::string& name);
@@ -204,6 +225,13 @@ class Executor {
   std::map<int, llvm::Function*> functions_;
   std::map<const llvm::Function*, int> function_numbers_;
   std::map<const llvm::Function*, llvm::Function*> stand_ins_;
+  /// An exception's type, and the place where it is thrown.
+  struct Thrown {
+    std::string name, thrown_at;
+  };
+  std::map<int, Thrown> thrown_types_;  ///< by the exception's object
+  std::map<std::string, unsigned> type_numbers_;
+  std::optional<State> thrown_;  ///< the path on which the last instruction threw
   std::vector<Choice> choices_;
   std::function<void()> each_step_;
   Literal outer_ = always;    ///< the calls around are made

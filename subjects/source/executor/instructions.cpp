@@ -129,6 +129,8 @@ bool Executor::step(Call& c, State& s, const llvm::Instruction& i) {
     s.values[&i] = moved(s, *llvm::cast<llvm::GEPOperator>(gep), i);
   } else if (const auto* call = llvm::dyn_cast<llvm::CallBase>(&i)) {
     return call_instruction(s, *call);
+  } else if (const auto* pad = llvm::dyn_cast<llvm::LandingPadInst>(&i)) {
+    s.values[&i] = landed(s, *pad);
   } else {
     return step_on_numbers(s, i);
   }

@@ -39,8 +39,11 @@ bool Executor::call_instruction(State& s, const llvm::CallBase& i) {
   const std::string name = f->getName().str();
   // A function of the codec's own may have the name of one of the law's, which have no body.
   if (f->isDeclaration() && call_law(s, i, name)) return s.when != never;
-  if (f->isDeclaration()) return call_library(s, i, name);
-  if (f->doesNotReturn()) return never_called(s, name, i);
+  if (f->isDeclaration()) {
+    const std::optional<bool> goes_on = call_of_exceptions(s, i, name);
+    return goes_on ? *goes_on : call_library(s, i, name);
+  }
+  if (f->doesNotReturn() && !may_throw(*f)) return never_called(s, name, i);
   if (f->isVarArg()) throw Unreadable(i, name + " takes any number of arguments");
   std::vector<ValuePtr> arguments;
   for (unsigned k = 0; k < i.arg_size(); ++k) {

@@ -81,6 +81,12 @@ ValuePtr Executor::call(llvm::Function& called, const std::vector<ValuePtr>& arg
   --depth_;
   outer_ = outer;
   describes_ = described;
+  if (c.thrown) {
+    thrown_ = std::move(c.thrown);
+    thrown_->values = state.values;
+    thrown_->turns = state.turns;
+    thrown_->when = graph_.both(state.when, thrown_->when);
+  }
   if (!c.has_returned) {
     state.when = never;
     return nullptr;
@@ -97,7 +103,9 @@ void Executor::run_block(Call& c, const llvm::BasicBlock& block, State state) {
     running_ = condition(state);
     if (each_step_) each_step_();
     if (i.isTerminator() && !llvm::isa<llvm::InvokeInst>(i)) return end_block(c, i, std::move(state));
-    if (!step(c, state, i)) {
+    const bool goes_on = step(c, state, i);
+    if (thrown_) unwind(c, *std::exchange(thrown_, std::nullopt), i);
+    if (!goes_on) {
       c.lost = true;
       return;
     }
@@ -110,6 +118,10 @@ void Executor::end_block(Call& c, const llvm::Instruction& end, State state) {
   if (const auto* i = llvm::dyn_cast<llvm::ReturnInst>(&end)) return come_back(c, *i, std::move(state));
   if (const auto* i = llvm::dyn_cast<llvm::BranchInst>(&end)) return branch(c, *i, std::move(state));
   if (const auto* i = llvm::dyn_cast<llvm::SwitchInst>(&end)) return choose_case(c, *i, std::move(state));
+  if (const auto* i = llvm::dyn_cast<llvm::ResumeInst>(&end)) {
+    state.exception = value(state, i->getValue(), end)->parts[0];
+    return leave(c, std::move(state), end);
+  }
   if (!llvm::isa<llvm::UnreachableInst>(end))
     throw Unreadable(end, std::string("the end of a block is ") + end.getOpcodeName());
   require_never(Duty::ends, always, end, "code that is never reached is reached");
@@ -173,6 +185,8 @@ void Executor::merge(State& into, State&& other) {
     if (!fresh) at->second = chosen(graph_, side(other.when), v, at->second);
   }
   into.memory.choose(graph_, side(other.when), other.memory);
+  if (into.exception != nullptr)
+    into.exception = chosen(graph_, side(other.when), other.exception, into.exception);
   into.when = graph_.either(into.when, other.when);
 }
 
