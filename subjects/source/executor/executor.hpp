@@ -16,6 +16,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "subjects/source/executor/memory.hpp"
@@ -109,7 +110,9 @@ class Executor {
   ValuePtr on_pointers(const llvm::BinaryOperator& i, const ValuePtr& a, const ValuePtr& b);
   void require_no_overflow(const llvm::BinaryOperator& i, const ValuePtr& a, const ValuePtr& b);
   ValuePtr compared(State& s, const llvm::ICmpInst& i);
-  ValuePtr compared_pointers(const llvm::ICmpInst& i, const ValuePtr& a, const ValuePtr& b);
+  ValuePtr compared_pointers(State& s, const llvm::ICmpInst& i, const ValuePtr& a, const ValuePtr& b);
+  /// The order of the addresses of two objects, as numbers: any order, the same at each comparison.
+  Literal in_order(const State& s, llvm::CmpInst::Predicate p, const Target& x, const Target& y);
   ValuePtr cast(State& s, const llvm::CastInst& i);
 
   // accesses.cpp: pointers, loads and stores.
@@ -191,6 +194,7 @@ class Executor {
             const llvm::Instruction& at);
   ValuePtr compared_bytes(State& s, const ValuePtr& a, const ValuePtr& b, const Word& size,
                           const llvm::Instruction& at);
+  ValuePtr length_of_text(State& s, const ValuePtr& p, const llvm::Instruction& at);
   void require_apart(const ValuePtr& to, const ValuePtr& from, const Word& size, const llvm::Instruction& at);
   std::size_t most_bytes(const State& s, const ValuePtr& p, const Word& size,
                          const llvm::Instruction& at) const;
@@ -232,6 +236,7 @@ class Executor {
   std::map<int, Thrown> thrown_types_;  ///< by the exception's object
   std::map<std::string, unsigned> type_numbers_;
   std::optional<State> thrown_;  ///< the path on which the last instruction threw
+  std::map<std::pair<int, int>, Literal> orders_;  ///< the first object, of the lesser number, lies below the second
   std::vector<Choice> choices_;
   std::function<void()> each_step_;
   Literal outer_ = always;    ///< the calls around are made

@@ -139,6 +139,8 @@ bool Executor::call_library(State& s, const llvm::CallBase& i, const std::string
     s.values[&i] = argument(0);
   } else if (name == "memcmp" || name == "bcmp") {
     s.values[&i] = compared_bytes(s, argument(0), argument(1), size(2), i);
+  } else if (name == "strlen") {
+    s.values[&i] = length_of_text(s, argument(0), i);
   } else if (i.doesNotReturn()) {
     return never_called(s, name, i);
   } else {
@@ -282,6 +284,26 @@ void Executor::fill(State& s, const ValuePtr& to, const ValuePtr& byte, const Wo
     store(s, moved_by(to, circuit::constant(k, pointer_bits)), one, here, at);
   }
   running_ = running;
+}
+
+ValuePtr Executor::length_of_text(State& s, const ValuePtr& p, const llvm::Instruction& at) {
+  if (!is_pointer(p)) throw Unreadable(at, "a number taken for a pointer");
+  const llvm::Type& byte = *llvm::Type::getInt8Ty(module_.getContext());
+  const std::size_t most = most_bytes(s, p, Word(pointer_bits, always), at);
+  Word length = circuit::constant(0, pointer_bits);
+  const Literal running = running_;
+  Literal goes_on = always;
+  for (std::size_t k = 0; k <= most && goes_on != never; ++k) {
+    running_ = graph_.both(running, goes_on);
+    const Word here = circuit::constant(k, pointer_bits);
+    const ValuePtr x = load(s, moved_by(p, here), 1, byte, at);
+    require_set(x, at, "a byte of a text that was never set");
+    if (is_pointer(x)) throw Unreadable(at, "a pointer's bytes taken for a text");
+    length = circuit::chosen(graph_, goes_on, here, length);
+    goes_on = graph_.both(goes_on, circuit::not_zero(graph_, x->bits));
+  }
+  running_ = running;
+  return number(length);
 }
 
 ValuePtr Executor::compared_bytes(State& s, const ValuePtr& a, const ValuePtr& b, const Word& size,
