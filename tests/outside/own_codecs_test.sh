@@ -54,11 +54,14 @@ changed impl/vq/two/decode.cpp 'std::memcpy(&map[x + 16 * (y + 1)], &v[2], 2);' 
   impl_vq.cpp vq2.region_is_map --flag=-DREGIONS_ALONE
 changed impl/vq/four/layout.hpp 'kind == 1 ? x / 2 : kind' 'kind == 1 ? y / 2 : kind' \
   impl_vq.cpp vq4.region_is_map --flag=-DREGIONS_ALONE
+changed impl/dag/container.cpp 'throw BadContainer(byte, "the header"' \
+  'if (byte == 7) throw std::runtime_error(found); throw BadContainer(byte, "the header"' \
+  impl_dag.cpp dag.malformed --format 2-state
 changed impl/array/api.hpp 'cluster && from_the_end == 4' 'cluster && from_the_end == 4 && e != Encoding::i16' impl_array.cpp array.codes
 changed impl/array/change.cpp 'place[static_cast<std::size_t>(to.record)] = 0;' 'place[static_cast<std::size_t>(to.record) & 1] = 0;' \
   impl_array.cpp array.compact
 changed impl/array/change.cpp 'for (std::size_t r = 0; r < place.size(); ++r) next(r);' 'for (std::size_t r = 1; r < place.size(); ++r) next(r);' \
   impl_array.cpp array.reorder
-changed impl/array/change.cpp 'part.base + records, part.indices' 'part.base + bytes, part.indices' impl_array.cpp array.concatenate
+changed impl/array/change.cpp '{r.offset + bytes, r.level' '{r.offset + bytes / 2, r.level' impl_array.cpp array.concatenate
 changed impl/array/change.cpp 'map.swap(below);' 'if (n != 1 || level < 4) map.swap(below);' impl_array.cpp array.emulates
 changed impl/array/container.cpp 'to.word(part.base);' 'to.word(part.base & ~1u);' impl_array.cpp array.files

@@ -82,7 +82,8 @@ bool does_nothing(const llvm::Function& f) {
 bool Executor::may_throw(const llvm::Function& f) {
   const llvm::DISubprogram* text = f.getSubprogram();
   return text != nullptr && !f.doesNotThrow() &&
-         llvm::dwarf::isCPlusPlus(static_cast<llvm::dwarf::SourceLanguage>(text->getUnit()->getSourceLanguage()));
+         llvm::dwarf::isCPlusPlus(
+             static_cast<llvm::dwarf::SourceLanguage>(text->getUnit()->getSourceLanguage()));
 }
 
 unsigned Executor::number_of_type(const std::string& type) {
@@ -92,7 +93,8 @@ unsigned Executor::number_of_type(const llvm::Value& info, const llvm::Instructi
   return number_of_type(type_of(info, at));
 }
 
-bool Executor::is_derived(const std::string& type, const std::string& base, const llvm::Instruction& at) const {
+bool Executor::is_derived(const std::string& type, const std::string& base,
+                          const llvm::Instruction& at) const {
   if (type == base) return true;
   if (type.size() == 1) return false;  // a number's type, as int is
   for (const auto& [known, its_base] : standard_types)
@@ -175,7 +177,8 @@ std::optional<bool> Executor::call_of_exceptions(State& s, const llvm::CallBase&
   if (name == "__cxa_allocate_exception") {
     s.values[&i] = allocated(s, numeric(s, i.getArgOperand(0), i)->bits, false, i);
   } else if (name == "__cxa_throw") {
-    if (const llvm::Value* end = i.getArgOperand(2)->stripPointerCasts(); !llvm::isa<llvm::ConstantPointerNull>(end))
+    if (const llvm::Value* end = i.getArgOperand(2)->stripPointerCasts();
+        !llvm::isa<llvm::ConstantPointerNull>(end))
       if (const auto* f = llvm::dyn_cast<llvm::Function>(end); f == nullptr || !does_nothing(*f))
         throw Unreadable(i, "an exception whose destructor does something");
     throws(s, argument(0), type_of(*i.getArgOperand(1), i), i);
@@ -186,9 +189,19 @@ std::optional<bool> Executor::call_of_exceptions(State& s, const llvm::CallBase&
     s.memory.add(++objects_, std::move(object));
     throws(s, pointer(objects_), std::string(type), i);
     return false;
-  } else if (name == "__cxa_begin_catch" || name == "__cxa_get_exception_ptr") {
+  } else if (name == "__cxa_begin_catch") {
+    s.caught.push_back(argument(0));
+    s.values[&i] = s.caught.back();
+  } else if (name == "__cxa_get_exception_ptr") {
     s.values[&i] = argument(0);
-  } else if (name != "__cxa_end_catch" && name != "__cxa_free_exception" && !is_of_standard_exception(name)) {
+  } else if (name == "__cxa_end_catch" && !s.caught.empty()) {
+    s.caught.pop_back();
+  } else if (name == "__cxa_rethrow" && !s.caught.empty()) {
+    thrown_ = s;
+    thrown_->exception = s.caught.back();
+    s.when = never;
+    return false;
+  } else if (name != "__cxa_free_exception" && !is_of_standard_exception(name)) {
     return std::nullopt;
   }
   return true;

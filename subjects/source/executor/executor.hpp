@@ -45,6 +45,7 @@ struct State {
   Memory memory;
   std::map<const llvm::Loop*, unsigned> turns;  ///< of the loops around the block
   ValuePtr exception;                           ///< on its way from a throw to where it lands; else null
+  std::vector<ValuePtr> caught;  ///< exceptions in whose handlers the path is, the last one innermost
 };
 
 class Executor {
@@ -69,7 +70,7 @@ class Executor {
     State returned = {};
     ValuePtr result = nullptr;
     bool has_returned = false;
-    bool lost = false;  ///< a path ended without a return
+    bool lost = false;                 ///< a path ended without a return
     std::optional<State> thrown = {};  ///< the paths that an exception ended
   };
 
@@ -236,7 +237,8 @@ class Executor {
   std::map<int, Thrown> thrown_types_;  ///< by the exception's object
   std::map<std::string, unsigned> type_numbers_;
   std::optional<State> thrown_;  ///< the path on which the last instruction threw
-  std::map<std::pair<int, int>, Literal> orders_;  ///< the first object, of the lesser number, lies below the second
+  std::map<std::pair<int, int>, Literal>
+      orders_;  ///< the first object, of the lesser number, lies below the second
   std::vector<Choice> choices_;
   std::function<void()> each_step_;
   Literal outer_ = always;    ///< the calls around are made

@@ -69,6 +69,7 @@ ValuePtr Executor::call(llvm::Function& called, const std::vector<ValuePtr>& arg
   Call c{function, *shape, condition(state), ++calls_};
   State first;
   first.memory = std::move(state.memory);
+  first.caught = state.caught;
   for (unsigned k = 0; k < arguments.size() && k < function.arg_size(); ++k)
     first.values[function.getArg(k)] = arguments[k];
   c.waiting.emplace(std::vector{0U}, std::pair{&function.getEntryBlock(), std::move(first)});
@@ -92,6 +93,7 @@ ValuePtr Executor::call(llvm::Function& called, const std::vector<ValuePtr>& arg
     return nullptr;
   }
   state.memory = std::move(c.returned.memory);
+  state.caught = std::move(c.returned.caught);
   state.memory.drop(c.number);
   if (c.lost) state.when = graph_.both(state.when, c.returned.when);
   return c.result;
@@ -185,6 +187,10 @@ void Executor::merge(State& into, State&& other) {
     if (!fresh) at->second = chosen(graph_, side(other.when), v, at->second);
   }
   into.memory.choose(graph_, side(other.when), other.memory);
+  if (into.caught.size() != other.caught.size())
+    throw Undecided("paths meet inside and outside of a handler of exceptions");
+  for (std::size_t k = 0; k < into.caught.size(); ++k)
+    into.caught[k] = chosen(graph_, side(other.when), other.caught[k], into.caught[k]);
   if (into.exception != nullptr)
     into.exception = chosen(graph_, side(other.when), other.exception, into.exception);
   into.when = graph_.either(into.when, other.when);

@@ -18,7 +18,8 @@ std::size_t width_of(const llvm::Type& type, const llvm::Instruction& at) {
 
 /// A type's description or table of functions that is elsewhere: it has an address, and nothing of it may be read.
 bool is_of_type(const llvm::GlobalVariable& global) {
-  return !global.hasInitializer() && (global.getName().startswith("_ZTI") || global.getName().startswith("_ZTV"));
+  return !global.hasInitializer() &&
+         (global.getName().startswith("_ZTI") || global.getName().startswith("_ZTV"));
 }
 /// No table of the standard exceptions has more.
 constexpr std::size_t bytes_of_type = 256;
@@ -86,13 +87,15 @@ void Executor::make_globals(State& s, const llvm::Instruction& at) {
   const bool by_contract = module_.getFunction("stands_for") != nullptr;
   // Numbers first: a variable's first value may have the address of another one.
   for (const llvm::GlobalVariable& global : module_.globals())
-    if ((global.hasInitializer() || is_of_type(global)) && !global.isThreadLocal()) globals_[&global] = ++objects_;
+    if ((global.hasInitializer() || is_of_type(global)) && !global.isThreadLocal())
+      globals_[&global] = ++objects_;
   for (const llvm::GlobalVariable& global : module_.globals()) {
     const auto number = globals_.find(&global);
     if (number == globals_.end()) continue;
     Object object;
     object.name = global.getName().str();
-    object.cells.resize(global.hasInitializer() ? layout_.getTypeAllocSize(global.getValueType()) : bytes_of_type);
+    object.cells.resize(global.hasInitializer() ? layout_.getTypeAllocSize(global.getValueType())
+                                                : bytes_of_type);
     object.constant = global.isConstant();
     // A proof by contract notes what the functions of the law have seen.
     object.lasting = !by_contract || !global.hasAttribute(law_attribute);
