@@ -54,6 +54,12 @@ changed impl/vq/two/decode.cpp 'std::memcpy(&map[x + 16 * (y + 1)], &v[2], 2);' 
   impl_vq.cpp vq2.region_is_map --flag=-DREGIONS_ALONE
 changed impl/vq/four/layout.hpp 'kind == 1 ? x / 2 : kind' 'kind == 1 ? y / 2 : kind' \
   impl_vq.cpp vq4.region_is_map --flag=-DREGIONS_ALONE
+changed impl/tree/expand.cpp 'four_each >>= 4 * width * block;' 'four_each >>= 4 * width;' \
+  impl_form.cpp tree.round_trip --levels 2 --format 2-state
+changed impl/tree/lookup.cpp '(l.blocks << l.in_block) + p - at.ones;' '(l.blocks << l.in_block) + p - at.ones + (p == 3 ? 1 : 0);' \
+  impl_form.cpp tree.lookup_is_decode --levels 2 --format 2-state
+changed impl/tree/container.cpp 's.data.begin(), s.data.end());' 's.data.begin(), s.data.end() - (internal == 1 ? 1 : 0));' \
+  impl_form.cpp tree.round_trip --levels 2 --format 4-state --flag=-DCONTAINER
 changed impl/dag/container.cpp 'throw BadContainer(byte, "the header"' \
   'if (byte == 7) throw std::runtime_error(found); throw BadContainer(byte, "the header"' \
   impl_dag.cpp dag.malformed --format 2-state

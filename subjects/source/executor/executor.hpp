@@ -174,7 +174,7 @@ class Executor {
   /// A call of a function that does not return is an obligation. Returns false.
   bool never_called(State& s, const std::string& symbol, const llvm::Instruction& i);
   /// The next call's own copy of the variable.
-  ValuePtr copied(State& s, const ValuePtr& p, llvm::Type& type, const llvm::Instruction& at);
+  ValuePtr copied(State& s, const ValuePtr& p, const llvm::CallBase& at, unsigned argument);
   bool call_law(State& s, const llvm::CallBase& i, const std::string& name);
   bool call_intrinsic(State& s, const llvm::CallBase& i);
   /// A variable has no value, and while it does not live, none may be read or written.

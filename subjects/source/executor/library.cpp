@@ -48,9 +48,8 @@ bool Executor::call_instruction(State& s, const llvm::CallBase& i) {
   std::vector<ValuePtr> arguments;
   for (unsigned k = 0; k < i.arg_size(); ++k) {
     const ValuePtr given = value(s, i.getArgOperand(k), i);
-    arguments.push_back(i.isByValArgument(k) && planted != Mistake::shared_by_value
-                            ? copied(s, given, *i.getParamByValType(k), i)
-                            : given);
+    arguments.push_back(i.isByValArgument(k) && planted != Mistake::shared_by_value ? copied(s, given, i, k)
+                                                                                    : given);
   }
   if (name == "any_map" && arguments.size() == 3)
     if (const auto level = known(arguments[0]), bits = known(arguments[1]); level && bits && *level <= 8)
@@ -61,7 +60,8 @@ bool Executor::call_instruction(State& s, const llvm::CallBase& i) {
   return true;
 }
 
-ValuePtr Executor::copied(State& s, const ValuePtr& p, llvm::Type& type, const llvm::Instruction& at) {
+ValuePtr Executor::copied(State& s, const ValuePtr& p, const llvm::CallBase& at, unsigned argument) {
+  llvm::Type& type = *at.getParamByValType(argument);
   if (!is_pointer(p) || p->targets.size() != 1 || !circuit::value_of(p->targets.front().offset))
     throw Unreadable(at, "a struct of one variable or another is passed by value");
   const Target& t = p->targets.front();
@@ -73,7 +73,8 @@ ValuePtr Executor::copied(State& s, const ValuePtr& p, llvm::Type& type, const l
   const auto first = object->cells.begin() + static_cast<long>(*circuit::value_of(t.offset));
   copy.cells.assign(first, first + static_cast<long>(bytes));
   copy.call = calls_ + 1;
-  copy.align = layout_.getABITypeAlign(&type).value();
+  copy.align =
+      std::max(layout_.getABITypeAlign(&type).value(), at.getParamAlign(argument).valueOrOne().value());
   s.memory.add(++objects_, std::move(copy));
   return pointer(objects_);
 }
