@@ -68,6 +68,6 @@ changed impl/array/change.cpp 'place[static_cast<std::size_t>(to.record)] = 0;' 
   impl_array.cpp array.compact
 changed impl/array/change.cpp 'for (std::size_t r = 0; r < place.size(); ++r) next(r);' 'for (std::size_t r = 1; r < place.size(); ++r) next(r);' \
   impl_array.cpp array.reorder
-changed impl/array/change.cpp '{r.offset + bytes, r.level' '{r.offset + bytes / 2, r.level' impl_array.cpp array.concatenate
+changed impl/array/change.cpp 'part.base + records, part.indices' 'part.base + bytes, part.indices' impl_array.cpp array.concatenate
 changed impl/array/change.cpp 'map.swap(below);' 'if (n != 1 || level < 4) map.swap(below);' impl_array.cpp array.emulates
 changed impl/array/container.cpp 'to.word(part.base);' 'to.word(part.base & ~1u);' impl_array.cpp array.files
