@@ -64,7 +64,7 @@ class Executor : public testing::Test {
     printed(fmt::format(compiled, "", c + ".bc", c));
     return printed(fmt::format("{} {}.bc {}.bc law {}", MMVERIFY_CODEC, cpp, c, more));
   }
-  /// What f() of C++ gives for the numbers from 0 on, by the compiled program.
+  /// The compiled program's values f(0), f(1), ... of a function in C++.
   std::vector<int> values_of_cpp(const std::string& f, unsigned count) const {
     const std::string cpp = written(
         "main.cpp", f + fmt::format("\n#include <cstdio>\nint main() {{ for (unsigned x = 0; x < {}; ++x) "

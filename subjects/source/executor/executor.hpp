@@ -165,7 +165,7 @@ class Executor {
   void unwind(Call& c, State thrown, const llvm::Instruction& at);
   void leave(Call& c, State thrown, const llvm::Instruction& at);
   ValuePtr landed(State& s, const llvm::LandingPadInst& pad);
-  /// As call_instruction; nothing if the function is none of exceptions.
+  /// Whether the path goes on behind a call of the runtime's for exceptions; nothing if the call is none.
   std::optional<bool> call_of_exceptions(State& s, const llvm::CallBase& i, const std::string& name);
 
   // library.cpp, intrinsics.cpp: functions without a body.

@@ -52,7 +52,8 @@ int decode(uint32_t level, uint32_t format, const uint8_t* code, size_t, uint8_t
   mmverify::impl::tree::detail::decode_form(code, {map, map_bytes(level, format)});
   return 1;
 }
-void lookup(uint32_t, uint32_t, const uint8_t* code, size_t, const uint32_t* index, uint8_t* state, size_t count) {
+void lookup(uint32_t, uint32_t, const uint8_t* code, size_t, const uint32_t* index, uint8_t* state,
+            size_t count) {
   mmverify::impl::tree::detail::find_each(code, index, state, count);
 }
 
