@@ -1,13 +1,23 @@
 /* Laws of arrays of one geometry, 2 triangles and 1 to 3 records, whose maps take a byte each.  SIZE: the records, 4
- * added for each type of index before.  A record's map may be of level 0 or 1, in either format, anywhere in the data. */
+ * added for each type of index before.  A record's map may be of level 0 or 1, in either format, anywhere in the data
+ * but in the last byte, which is no record's. */
 #include "proofs/codecs/law.h"
 
-enum { RECORDS = SIZE % 4, TYPE = SIZE / 4, TRIANGLES = 2, HEAD = 12, GEOMETRY = 12, RECORD = 8 };
+enum {
+  RECORDS = SIZE % 4,
+  DATA = RECORDS + 1,
+  TYPE = SIZE / 4,
+  TRIANGLES = 2,
+  HEAD = 12,
+  GEOMETRY = 12,
+  RECORD = 8,
+  OF_NO_RECORD = 0xa5
+};
 enum {
   WIDTH = TYPE == MMVERIFY_INDEX_U8                                  ? 1
           : TYPE == MMVERIFY_INDEX_U16 || TYPE == MMVERIFY_INDEX_I16 ? 2
                                                                      : 4,
-  ARRAY_BYTES = HEAD + GEOMETRY + RECORDS * RECORD + TRIANGLES * WIDTH + RECORDS,
+  ARRAY_BYTES = HEAD + GEOMETRY + RECORDS * RECORD + TRIANGLES * WIDTH + DATA,
   FILE_BYTES = 2 * ARRAY_BYTES + 64
 };
 
@@ -27,7 +37,7 @@ static void any_array(uint8_t* at) {
   any_bytes(triangles, TRIANGLES);
   any_bytes(records, RECORDS);
   any_bytes(maps, RECORDS);
-  put(&at, RECORDS, 4), put(&at, RECORDS, 4), put(&at, 1, 4);
+  put(&at, RECORDS, 4), put(&at, DATA, 4), put(&at, 1, 4);
   put(&at, TYPE, 4), put(&at, base, 4), put(&at, TRIANGLES, 4);
   for (uint32_t r = 0; r < RECORDS; ++r) {
     const uint32_t place = records[r] & 3;
@@ -39,6 +49,7 @@ static void any_array(uint8_t* at) {
     put(&at, triangles[t] & 4 ? ~low : low + base < RECORDS ? low : 0, WIDTH);
   }
   for (uint32_t r = 0; r < RECORDS; ++r) put(&at, maps[r], 1);
+  put(&at, OF_NO_RECORD, 1);
 }
 
 /* The map of a triangle of a geometry: its level, format and states; or a special index. */
@@ -116,7 +127,7 @@ void concatenate(void) {
   any_array(arrays + ARRAY_BYTES);
   const size_t size = codec()->array_concatenate(arrays, 2 * ARRAY_BYTES, changed, 2 * ARRAY_BYTES);
   check(size >= HEAD && size <= 2 * ARRAY_BYTES);
-  check(number(changed, 4) == 2 * RECORDS && number(changed + 4, 4) <= 2 * RECORDS);
+  check(number(changed, 4) == 2 * RECORDS && number(changed + 4, 4) <= 2 * DATA);
   check(number(changed + 8, 4) == 2);
   check(size == size_of(changed, 2));
   for (uint32_t g = 0; g < 2; ++g)

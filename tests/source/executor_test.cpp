@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -53,6 +54,32 @@ class Executor : public testing::Test {
         "clang -w -O1 -g -fno-discard-value-names -Xclang -disable-llvm-passes -emit-llvm -c -o {} {}", bc,
         c));
     return printed(fmt::format("{} {} {} law {}", MMVERIFY_CODEC, none, bc, more));
+  }
+
+  /// The answer for a law in C about f(), which is in C++.
+  std::string answer_of_cpp(const std::string& f, const std::string& body,
+                            const std::string& more = {}) const {
+    constexpr const char* compiled =
+        "clang{} -w -O1 -g -fno-discard-value-names -Xclang -disable-llvm-passes -emit-llvm -c -o {} {}";
+    const std::string cpp = (folder_ / "f.cpp").string(),
+                      c = written("law.c", fmt::format("{}int f(unsigned x);\nvoid law(void) {{ {} }}\n",
+                                                       declarations, body));
+    if (!std::filesystem::exists(cpp) || tests::text_of(cpp) != f)
+      printed(fmt::format(compiled, "++ -std=c++20", cpp + ".bc", written("f.cpp", f)));
+    printed(fmt::format(compiled, "", c + ".bc", c));
+    return printed(fmt::format("{} {}.bc {}.bc law {}", MMVERIFY_CODEC, cpp, c, more));
+  }
+  /// The compiled program's values f(0), f(1), ... of a function in C++.
+  std::vector<int> values_of_cpp(const std::string& f, unsigned count) const {
+    const std::string cpp = written(
+        "main.cpp", f + fmt::format("\n#include <cstdio>\nint main() {{ for (unsigned x = 0; x < {}; ++x) "
+                                    "std::printf(\"%d\\n\", f(x)); }}\n",
+                                    count));
+    printed(fmt::format("clang++ -w -std=c++20 -O2 -o {0}.exe {0}", cpp));
+    std::istringstream said(printed(cpp + ".exe"));
+    std::vector<int> values;
+    for (int v; said >> v;) values.push_back(v);
+    return values;
   }
 
   tests::Folder folder_;
@@ -150,6 +177,9 @@ const std::array undefined{
               "a copy of more bytes than there are"},
     Undefined{"pointers", "uint8_t b = 0; uint8_t* p = any(1) ? &b : 0; check(*p == 0);",
               "a null pointer is read"},
+    Undefined{"pointers", "uint8_t* p = 0; p += any(1); check(p == 0);", "a null pointer moved"},
+    Undefined{"bounds", "char t[3] = {1, (char)any(8), 1}; check(strlen(t) == 1);",
+              "is read outside of its 3 bytes"},
     Undefined{"pointers", "uint8_t b[2], c[2]; uint8_t* p = any(1) ? b : c; check(p - b >= 0);",
               "the distance of pointers into different objects"},
     Undefined{"pointers", "uint8_t b[2], c[2]; check((any(1) ? b : c) <= b);",
@@ -219,6 +249,10 @@ TEST_F(Executor, ProvesWhatIsDefined) {
         "uint64_t n = any(40); if (n < 9) { uint8_t* p = malloc(n + 1); p[n] = 1; check(p[n] == 1); free(p); "
         "}",
         "uint64_t w[2] = {0}; uint32_t* p = (uint32_t*)((uint8_t*)w + 4 * any(2)); check(*p == 0);",
+        "char t[4] = {1, (char)any(8), (char)any(8), 0}; uint64_t n = strlen(t); check(n >= 1 && n <= 3 && "
+        "!t[n]);",
+        "uint8_t b[2], c[2]; uintptr_t x = (uintptr_t)(b + any(1)), y = (uintptr_t)c; check((x < y) == !(y < "
+        "x));",
         "uint8_t b[9] = {0}; uint32_t x; memcpy(&x, b + any(2), 4); check(x == 0);",
         WATCHED "size_t k = any(4); m[k] = 1; check(m[at] == (k == at ? 1 : 7));",
         WATCHED "size_t n = any(2), k = any(3); memset(m + k, 1, n); "
@@ -252,6 +286,98 @@ TEST_F(Executor, FollowsStructsInRegisters) {
   };
   EXPECT_NE(answer(law("x + 1")).find("proved "), std::string::npos);
   EXPECT_NE(answer(law("x + 2")).find("the check fails"), std::string::npos);
+}
+
+/// Throws at a number, at its own type, at a type of the standard library, or not; each path counts what it destroys.
+constexpr const char* thrower = R"(#include <stdexcept>
+#include <string>
+#include <vector>
+struct Counts { int* n; ~Counts() { ++*n; } };
+struct Mine : std::runtime_error {
+  int at;
+  explicit Mine(int a) : std::runtime_error("mine"), at(a) {}
+};
+static void thrower(unsigned x, int* n) {
+  const Counts one{n};
+  std::vector<unsigned> some(x);
+  if (x == 3) throw Mine(static_cast<int>(some.size()) + 4);
+  try {
+    const Counts two{n};
+    if (x == 5) throw std::invalid_argument("five");
+    if (x == 9) throw 4;
+    if (x == 10) throw std::length_error("ten");
+    if (x == 11) some.resize(~std::size_t{0});
+  } catch (const std::length_error&) {
+    *n += 50;
+  } catch (...) {
+    *n += 20;
+    throw;
+  }
+}
+extern "C" int f(unsigned x) {
+  int n = 0;
+  try {
+    thrower(x, &n);
+    return 100 + n;
+  } catch (const Mine& mine) {
+    return 200 + mine.at + n;
+  } catch (const std::runtime_error&) {
+    return 300;
+  } catch (const std::logic_error&) {
+    return 400 + n;
+  }
+#ifndef LEAVES
+  catch (...) {
+    return 500 + n;
+  }
+#endif
+}
+)";
+
+TEST_F(Executor, FollowsExceptions) {
+  constexpr unsigned bits = 4;
+  const std::vector<int> values = values_of_cpp(thrower, 1U << bits);
+  ASSERT_EQ(values.size(), 1U << bits);
+  std::string law = "static const int due[] = {";
+  for (const int v : values) law += std::to_string(v) + ",";
+  law += "}; unsigned x = (unsigned)any(4); int is = f(x); ";
+  EXPECT_NE(answer_of_cpp(thrower, law + "check(is == due[x]);").find("proved "), std::string::npos);
+  for (const char* x : {"0", "3", "5", "9", "10", "11"})
+    EXPECT_NE(answer_of_cpp(thrower, law + "check(is == due[x] && x != " + x + ");")
+                  .find("choice 4 " + std::string(x)),
+              std::string::npos)
+        << x;
+  const std::string said =
+      answer_of_cpp("#define LEAVES\n" + std::string(thrower), law + "check(is == due[x]);");
+  EXPECT_NE(said.find("f.cpp:17 leaves an entry point\nchoice 4 9\n"), std::string::npos) << said;
+  EXPECT_EQ(answer_of_cpp("#define LEAVES\n" + std::string(thrower), law + "check(x == 9 || is == due[x]);",
+                          "--plant ends")
+                .find("leaves an entry point"),
+            std::string::npos);
+}
+
+TEST_F(Executor, NamesExceptionsThatItCannotFollow) {
+  for (const auto& [f, says] :
+       {std::pair{
+            "int n; struct E { ~E() { n = 1; } }; extern \"C\" int f(unsigned x) { try { if (x) throw E(); } "
+            "catch (...) { return 1; } return 0; }",
+            "an exception whose destructor does something"},
+        std::pair{"struct A { int a; }; struct B { int b; }; struct E : A, B {}; extern \"C\" int f(unsigned "
+                  "x) { try { "
+                  "if (x) throw E(); } catch (const B&) { return 1; } return 0; }",
+                  "an exception with several bases"}})
+    EXPECT_NE(answer_of_cpp(f, "check(f((unsigned)any(1)) == 0);", "; test $? = 3").find(says),
+              std::string::npos)
+        << answer_of_cpp(f, "check(f((unsigned)any(1)) == 0);", "; test $? = 3");
+}
+
+TEST_F(Executor, MovesNullPointersByNothingInCpp) {
+  const char* f =
+      "#include <vector>\nextern \"C\" int f(unsigned x) { std::vector<unsigned char> v; if (x) "
+      "v.push_back(1); "
+      "int n = 0; for (unsigned char c : v) n += c; return n; }";
+  EXPECT_NE(answer_of_cpp(f, "unsigned x = (unsigned)any(1); check(f(x) == (int)x);").find("proved "),
+            std::string::npos);
 }
 
 TEST_F(Executor, RefusesALawThatSaysNothing) {

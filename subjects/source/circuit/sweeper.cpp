@@ -9,8 +9,8 @@ namespace {
 
 /// Members of a class that are tried for one node.
 constexpr int tried_most = 2;
-/// Models that make a new word of patterns.
-constexpr std::size_t models_a_word = 16;
+/// Models that make a new word of patterns: more in large graphs, in which a word costs more.
+constexpr std::size_t least_models = 16, most_models = 64, nodes_a_model = 8192;
 
 constexpr std::uint64_t ones = ~std::uint64_t{0};
 
@@ -35,14 +35,17 @@ Values Sweeper::values_of(Literal a, Literal b) const {
 }
 
 // A literal and its negation have one signature: the first pattern's value is taken for false.
-std::uint64_t Sweeper::signature(const Values& values) const {
+std::uint64_t Sweeper::share(const Values& values, std::size_t w) const {
   const std::uint64_t flip = (values.words[0] & 1) != 0 ? ones : 0;
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (std::size_t w = 0; w < pattern_words; ++w) {
-    hash ^= (values.words[w] ^ flip) & counts_.words[w];
-    hash *= 0x100000001b3;
-    hash ^= hash >> 29;
-  }
+  std::uint64_t hash = ((values.words[w] ^ flip) & counts_.words[w]) + (w + 1) * 0x9e3779b97f4a7c15;
+  hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9;
+  hash = (hash ^ hash >> 27) * 0x94d049bb133111eb;
+  return hash ^ hash >> 31;
+}
+
+std::uint64_t Sweeper::signature(const Values& values) const {
+  std::uint64_t hash = 0;
+  for (std::size_t w = 0; w < pattern_words; ++w) hash ^= share(values, w);
   return hash;
 }
 
@@ -54,7 +57,7 @@ bool Sweeper::same(const Values& values, Node other, bool& inverted) const {
   return true;
 }
 
-void Sweeper::keep(Node n, const Values& values) { classes_[signature(values)].push_back(n); }
+void Sweeper::keep(Node n, const Values& values) { classes_.add(n, signature(values)); }
 
 void Sweeper::input_made(Node n) {
   values_.resize(n);
@@ -79,8 +82,7 @@ Literal Sweeper::equal_to(Node n, Literal a, Literal b) {
   if (merging_) {
     int tried = 0;
     // A model may refine the classes, so a candidate is found anew each time.
-    std::vector<Node> candidates;
-    if (const auto at = classes_.find(signature(values)); at != classes_.end()) candidates = at->second;
+    const std::vector<Node> candidates = classes_.of(signature(values));
     for (const Node other : candidates) {
       bool inverted = false;
       if (!same(values, other, inverted)) continue;
@@ -112,12 +114,13 @@ void Sweeper::take_model() {
   for (std::size_t k = 0; k < inputs.size(); ++k)
     model[k] = solver_.needed(inputs[k]) ? solver_.value(inputs[k]) : (patterns_.random() & 1) != 0;
   models_.push_back(std::move(model));
-  if (models_.size() >= models_a_word) refine();
+  if (models_.size() >= std::min(most_models, least_models + values_.size() / nodes_a_model)) refine();
 }
 
 void Sweeper::refine() {
   const std::size_t w = pattern_words / 2 + refined_++ % (pattern_words / 2);
   const std::vector<Node>& inputs = graph_.inputs();
+  classes_.change([&](Node n, std::uint64_t all) { return all ^ share(values_[n], w); });
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     std::uint64_t word = 0;
     for (std::size_t k = 0; k < 64; ++k) {
@@ -135,8 +138,8 @@ void Sweeper::refine() {
       values_[n].words[w] = word_of(graph_.first(n), w) & word_of(graph_.second(n), w);
   counts_.words[w] = ones;
   for (const Literal l : assumed_) counts_.words[w] &= word_of(l, w);
-  classes_.clear();
-  for (Node n = 0; n < values_.size(); ++n) keep(n, values_[n]);
+  classes_.change([&](Node n, std::uint64_t rest) { return rest ^ share(values_[n], w); });
+  classes_.sort();
 }
 
 Answer Sweeper::both_possible(Literal a, Literal b, int conflicts) {
@@ -180,8 +183,8 @@ void Sweeper::assume(Literal holds) {
   assumed_.push_back(holds);
   solver_.assume(holds);
   for (std::size_t w = 0; w < pattern_words; ++w) counts_.words[w] &= word_of(holds, w);
-  classes_.clear();
-  for (Node n = 0; n < values_.size(); ++n) keep(n, values_[n]);
+  classes_.change([&](Node n, std::uint64_t) { return signature(values_[n]); });
+  classes_.sort();
 }
 
 }  // namespace mmverify::source::circuit

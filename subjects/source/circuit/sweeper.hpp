@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "subjects/source/circuit/classes.hpp"
 #include "subjects/source/circuit/graph.hpp"
 #include "subjects/source/circuit/patterns.hpp"
 #include "subjects/source/circuit/solver.hpp"
@@ -50,6 +51,8 @@ class Sweeper : public Watcher {
  private:
   Values values_of(Literal a, Literal b) const;
   std::uint64_t signature(const Values& values) const;
+  /// The part of one word of a node's values in its signature.
+  std::uint64_t share(const Values& values, std::size_t w) const;
   bool same(const Values& values, Node other, bool& inverted) const;
   /// Whether a AND b equals l.
   Answer equals(Literal a, Literal b, Literal l);
@@ -68,7 +71,7 @@ class Sweeper : public Watcher {
   std::vector<Values> values_;  ///< by node
   Values counts_;               ///< patterns that keep all assumptions
   std::vector<Literal> assumed_;
-  std::unordered_map<std::uint64_t, std::vector<Node>> classes_;
+  Classes classes_;
   std::unordered_map<std::uint64_t, Answer> asked_;
   std::vector<Inputs> models_;
   std::size_t refined_ = 0;

@@ -1,4 +1,5 @@
 // Pointers, loads and stores.
+#include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/GetElementPtrTypeIterator.h>
 
 #include <bit>
@@ -14,6 +15,16 @@ constexpr std::size_t most_places = 1 << 16;
 /// Bytes that a program may reach: the size where it is known, else what the inputs make it.
 Word size_of(const Object& object) {
   return object.size.empty() ? circuit::constant(object.cells.size(), pointer_bits) : object.size;
+}
+
+/// The instruction is of C, in which a null pointer may not even be moved by 0.
+bool is_c(const llvm::Instruction& at) {
+  namespace dwarf = llvm::dwarf;
+  const llvm::DISubprogram* function = at.getFunction()->getSubprogram();
+  if (function == nullptr) return false;
+  const unsigned language = function->getUnit()->getSourceLanguage();
+  return language == dwarf::DW_LANG_C || language == dwarf::DW_LANG_C89 || language == dwarf::DW_LANG_C99 ||
+         language == dwarf::DW_LANG_C11;
 }
 
 }  // namespace
@@ -55,7 +66,9 @@ ValuePtr Executor::moved(State& s, const llvm::GEPOperator& gep, const llvm::Ins
       require_never(Duty::bounds, graph_.both(t.when, circuit::less(graph_, size_of(*object), t.offset)), at,
                     "a pointer outside of " + object->name);
     else if (t.object == null_object)
-      require_never(Duty::pointers, t.when, at, "a null pointer moved");
+      require_never(Duty::pointers,
+                    is_c(at) ? t.when : graph_.both(t.when, circuit::not_zero(graph_, t.offset)), at,
+                    "a null pointer moved");
   }
   return made;
 }

@@ -13,8 +13,10 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "subjects/source/executor/memory.hpp"
@@ -42,6 +44,8 @@ struct State {
   std::unordered_map<const llvm::Value*, ValuePtr> values;
   Memory memory;
   std::map<const llvm::Loop*, unsigned> turns;  ///< of the loops around the block
+  ValuePtr exception;                           ///< on its way from a throw to where it lands; else null
+  std::vector<ValuePtr> caught;  ///< exceptions in whose handlers the path is, the last one innermost
 };
 
 class Executor {
@@ -66,7 +70,8 @@ class Executor {
     State returned = {};
     ValuePtr result = nullptr;
     bool has_returned = false;
-    bool lost = false;  ///< a path ended without a return
+    bool lost = false;                 ///< a path ended without a return
+    std::optional<State> thrown = {};  ///< the paths that an exception ended
   };
 
   // run.cpp: calls, blocks and edges.
@@ -106,7 +111,9 @@ class Executor {
   ValuePtr on_pointers(const llvm::BinaryOperator& i, const ValuePtr& a, const ValuePtr& b);
   void require_no_overflow(const llvm::BinaryOperator& i, const ValuePtr& a, const ValuePtr& b);
   ValuePtr compared(State& s, const llvm::ICmpInst& i);
-  ValuePtr compared_pointers(const llvm::ICmpInst& i, const ValuePtr& a, const ValuePtr& b);
+  ValuePtr compared_pointers(State& s, const llvm::ICmpInst& i, const ValuePtr& a, const ValuePtr& b);
+  /// The order of the addresses of two objects, as numbers: any order, the same at each comparison.
+  Literal in_order(const State& s, llvm::CmpInst::Predicate p, const Target& x, const Target& y);
   ValuePtr cast(State& s, const llvm::CastInst& i);
 
   // accesses.cpp: pointers, loads and stores.
@@ -143,13 +150,31 @@ class Executor {
   ValuePtr load_from(const Object& object, const Target& t, std::size_t bytes, const llvm::Type& type,
                      Literal condition, const llvm::Instruction& at);
 
+  // exceptions.cpp
+  /// A function of C++ that does not promise to throw nothing.
+  static bool may_throw(const llvm::Function& f);
+  /// The number by which a landing pad's program tells types apart; "" is any type.
+  unsigned number_of_type(const std::string& type);
+  unsigned number_of_type(const llvm::Value& info, const llvm::Instruction& at);
+  bool is_derived(const std::string& type, const std::string& base, const llvm::Instruction& at) const;
+  /// The number of the type as which the pad catches an exception, 0 if it only cleans up; nothing if it passes.
+  std::optional<unsigned> caught_as(const llvm::LandingPadInst& pad, const std::string& type);
+  /// The path ends here, and goes on as thrown_.
+  void throws(State& s, ValuePtr exception, const std::string& type, const llvm::Instruction& at);
+  /// A thrown path goes on at the pad of the call that it came from, or leaves the function.
+  void unwind(Call& c, State thrown, const llvm::Instruction& at);
+  void leave(Call& c, State thrown, const llvm::Instruction& at);
+  ValuePtr landed(State& s, const llvm::LandingPadInst& pad);
+  /// Whether the path goes on behind a call of the runtime's for exceptions; nothing if the call is none.
+  std::optional<bool> call_of_exceptions(State& s, const llvm::CallBase& i, const std::string& name);
+
   // library.cpp, intrinsics.cpp: functions without a body.
   bool call_instruction(State& s, const llvm::CallBase& i);
   bool call_library(State& s, const llvm::CallBase& i, const std::string& name);
   /// A call of a function that does not return is an obligation. Returns false.
   bool never_called(State& s, const std::string& symbol, const llvm::Instruction& i);
   /// The next call's own copy of the variable.
-  ValuePtr copied(State& s, const ValuePtr& p, llvm::Type& type, const llvm::Instruction& at);
+  ValuePtr copied(State& s, const ValuePtr& p, const llvm::CallBase& at, unsigned argument);
   bool call_law(State& s, const llvm::CallBase& i, const std::string& name);
   bool call_intrinsic(State& s, const llvm::CallBase& i);
   /// A variable has no value, and while it does not live, none may be read or written.
@@ -173,6 +198,7 @@ class Executor {
             const llvm::Instruction& at);
   ValuePtr compared_bytes(State& s, const ValuePtr& a, const ValuePtr& b, const Word& size,
                           const llvm::Instruction& at);
+  ValuePtr length_of_text(State& s, const ValuePtr& p, const llvm::Instruction& at);
   void require_apart(const ValuePtr& to, const ValuePtr& from, const Word& size, const llvm::Instruction& at);
   std::size_t most_bytes(const State& s, const ValuePtr& p, const Word& size,
                          const llvm::Instruction& at) const;
@@ -218,6 +244,15 @@ class Executor {
   std::map<int, llvm::Function*> functions_;
   std::map<const llvm::Function*, int> function_numbers_;
   std::map<const llvm::Function*, llvm::Function*> stand_ins_;
+  /// An exception's type, and the place where it is thrown.
+  struct Thrown {
+    std::string name, thrown_at;
+  };
+  std::map<int, Thrown> thrown_types_;  ///< by the exception's object
+  std::map<std::string, unsigned> type_numbers_;
+  std::optional<State> thrown_;  ///< the path on which the last instruction threw
+  std::map<std::pair<int, int>, Literal>
+      orders_;  ///< the first object, of the lesser number, lies below the second
   std::vector<Choice> choices_;
   std::function<void()> each_step_;
   Literal outer_ = always;    ///< the calls around are made

@@ -1,6 +1,8 @@
 // Instructions on numbers and pointers.
 #include <llvm/IR/InstrTypes.h>
 
+#include <algorithm>
+
 #include "subjects/source/executor/executor.hpp"
 
 namespace mmverify::source::executor {
@@ -129,6 +131,8 @@ bool Executor::step(Call& c, State& s, const llvm::Instruction& i) {
     s.values[&i] = moved(s, *llvm::cast<llvm::GEPOperator>(gep), i);
   } else if (const auto* call = llvm::dyn_cast<llvm::CallBase>(&i)) {
     return call_instruction(s, *call);
+  } else if (const auto* pad = llvm::dyn_cast<llvm::LandingPadInst>(&i)) {
+    s.values[&i] = landed(s, *pad);
   } else {
     return step_on_numbers(s, i);
   }
@@ -290,7 +294,7 @@ ValuePtr Executor::divided(const llvm::BinaryOperator& i, const ValuePtr& a, con
 ValuePtr Executor::compared(State& s, const llvm::ICmpInst& i) {
   const ValuePtr a = value(s, i.getOperand(0), i), b = value(s, i.getOperand(1), i);
   if (is_pointer(a) || is_pointer(b)) {
-    if (is_pointer(a) && is_pointer(b)) return compared_pointers(i, a, b);
+    if (is_pointer(a) && is_pointer(b)) return compared_pointers(s, i, a, b);
     throw Unreadable(i, "a pointer compared with a number");
   }
   if (a->kind != Value::Kind::number) throw Unreadable(i, "a comparison of vectors");
@@ -298,7 +302,28 @@ ValuePtr Executor::compared(State& s, const llvm::ICmpInst& i) {
                 a->unset.empty() && b->unset.empty() ? Word{} : Word{unset_wholly(graph_, *a, *b)[0]});
 }
 
-ValuePtr Executor::compared_pointers(const llvm::ICmpInst& i, const ValuePtr& a, const ValuePtr& b) {
+Literal Executor::in_order(const State& s, Predicate p, const Target& x, const Target& y) {
+  const bool less = p == Predicate::ICMP_ULT || p == Predicate::ICMP_ULE;
+  const Literal any = graph_.input();
+  if (!llvm::CmpInst::isUnsigned(p)) return any;
+  if (x.object == null_object || y.object == null_object)
+    return less == (x.object == null_object) ? always : never;
+  const Object *a = s.memory.find(x.object), *b = s.memory.find(y.object);
+  if (a == nullptr || b == nullptr) return any;
+  // A place behind an object's last byte may be another's first one, and memory is used again.
+  const auto inside = [&](const Object& object, const Word& offset) {
+    const Word size =
+        object.size.empty() ? circuit::constant(object.cells.size(), pointer_bits) : object.size;
+    return graph_.both(negated(object.gone), circuit::less(graph_, offset, size));
+  };
+  const auto [at, fresh] = orders_.emplace(std::minmax(x.object, y.object), never);
+  if (fresh) at->second = graph_.input();
+  return graph_.chosen(graph_.both(inside(*a, x.offset), inside(*b, y.offset)),
+                       less == (x.object < y.object) ? at->second : negated(at->second), any);
+}
+
+ValuePtr Executor::compared_pointers(State& s, const llvm::ICmpInst& i, const ValuePtr& a,
+                                     const ValuePtr& b) {
   Literal holds = never;
   for (const Target& x : a->targets)
     for (const Target& y : b->targets) {
@@ -317,6 +342,8 @@ ValuePtr Executor::compared_pointers(const llvm::ICmpInst& i, const ValuePtr& a,
         throw Unreadable(i, "a comparison of pointers into different memory, in a proof by contract");
       else if (i.isEquality())
         holds = graph_.either(holds, i.getPredicate() == Predicate::ICMP_NE ? here : never);
+      else if (i.getOperand(0)->getType()->isIntegerTy())
+        holds = graph_.either(holds, graph_.both(here, in_order(s, i.getPredicate(), x, y)));
       else
         require_never(Duty::pointers, here, i, "the order of pointers into different objects");
     }

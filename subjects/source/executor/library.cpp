@@ -39,15 +39,17 @@ bool Executor::call_instruction(State& s, const llvm::CallBase& i) {
   const std::string name = f->getName().str();
   // A function of the codec's own may have the name of one of the law's, which have no body.
   if (f->isDeclaration() && call_law(s, i, name)) return s.when != never;
-  if (f->isDeclaration() && &stand_in(*f, &i) == f) return call_library(s, i, name);
-  if (f->doesNotReturn()) return never_called(s, name, i);
+  if (f->isDeclaration() && &stand_in(*f, &i) == f) {
+    const std::optional<bool> goes_on = call_of_exceptions(s, i, name);
+    return goes_on ? *goes_on : call_library(s, i, name);
+  }
+  if (f->doesNotReturn() && !may_throw(*f)) return never_called(s, name, i);
   if (f->isVarArg()) throw Unreadable(i, name + " takes any number of arguments");
   std::vector<ValuePtr> arguments;
   for (unsigned k = 0; k < i.arg_size(); ++k) {
     const ValuePtr given = value(s, i.getArgOperand(k), i);
-    arguments.push_back(i.isByValArgument(k) && planted != Mistake::shared_by_value
-                            ? copied(s, given, *i.getParamByValType(k), i)
-                            : given);
+    arguments.push_back(i.isByValArgument(k) && planted != Mistake::shared_by_value ? copied(s, given, i, k)
+                                                                                    : given);
   }
   if (name == "any_map" && arguments.size() == 3)
     if (const auto level = known(arguments[0]), bits = known(arguments[1]); level && bits && *level <= 8)
@@ -58,7 +60,8 @@ bool Executor::call_instruction(State& s, const llvm::CallBase& i) {
   return true;
 }
 
-ValuePtr Executor::copied(State& s, const ValuePtr& p, llvm::Type& type, const llvm::Instruction& at) {
+ValuePtr Executor::copied(State& s, const ValuePtr& p, const llvm::CallBase& at, unsigned argument) {
+  llvm::Type& type = *at.getParamByValType(argument);
   if (!is_pointer(p) || p->targets.size() != 1 || !circuit::value_of(p->targets.front().offset))
     throw Unreadable(at, "a struct of one variable or another is passed by value");
   const Target& t = p->targets.front();
@@ -70,7 +73,8 @@ ValuePtr Executor::copied(State& s, const ValuePtr& p, llvm::Type& type, const l
   const auto first = object->cells.begin() + static_cast<long>(*circuit::value_of(t.offset));
   copy.cells.assign(first, first + static_cast<long>(bytes));
   copy.call = calls_ + 1;
-  copy.align = layout_.getABITypeAlign(&type).value();
+  copy.align =
+      std::max(layout_.getABITypeAlign(&type).value(), at.getParamAlign(argument).valueOrOne().value());
   s.memory.add(++objects_, std::move(copy));
   return pointer(objects_);
 }
@@ -140,6 +144,8 @@ bool Executor::call_library(State& s, const llvm::CallBase& i, const std::string
     s.values[&i] = argument(0);
   } else if (name == "memcmp" || name == "bcmp") {
     s.values[&i] = compared_bytes(s, argument(0), argument(1), size(2), i);
+  } else if (name == "strlen") {
+    s.values[&i] = length_of_text(s, argument(0), i);
   } else if (i.doesNotReturn()) {
     return never_called(s, name, i);
   } else {
@@ -275,6 +281,26 @@ void Executor::fill(State& s, const ValuePtr& to, const ValuePtr& byte, const Wo
     store(s, moved_by(to, circuit::constant(k, pointer_bits)), one, here, at);
   }
   running_ = running;
+}
+
+ValuePtr Executor::length_of_text(State& s, const ValuePtr& p, const llvm::Instruction& at) {
+  if (!is_pointer(p)) throw Unreadable(at, "a number taken for a pointer");
+  const llvm::Type& byte = *llvm::Type::getInt8Ty(module_.getContext());
+  const std::size_t most = most_bytes(s, p, Word(pointer_bits, always), at);
+  Word length = circuit::constant(0, pointer_bits);
+  const Literal running = running_;
+  Literal goes_on = always;
+  for (std::size_t k = 0; k <= most && goes_on != never; ++k) {
+    running_ = graph_.both(running, goes_on);
+    const Word here = circuit::constant(k, pointer_bits);
+    const ValuePtr x = load(s, moved_by(p, here), 1, byte, at);
+    require_set(x, at, "a byte of a text that was never set");
+    if (is_pointer(x)) throw Unreadable(at, "a pointer's bytes taken for a text");
+    length = circuit::chosen(graph_, goes_on, here, length);
+    goes_on = graph_.both(goes_on, circuit::not_zero(graph_, x->bits));
+  }
+  running_ = running;
+  return number(length);
 }
 
 ValuePtr Executor::compared_bytes(State& s, const ValuePtr& a, const ValuePtr& b, const Word& size,

@@ -69,6 +69,7 @@ ValuePtr Executor::call(llvm::Function& called, const std::vector<ValuePtr>& arg
   Call c{function, *shape, condition(state), ++calls_};
   State first;
   first.memory = std::move(state.memory);
+  first.caught = state.caught;
   for (unsigned k = 0; k < arguments.size() && k < function.arg_size(); ++k)
     first.values[function.getArg(k)] = arguments[k];
   c.waiting.emplace(std::vector{0U}, std::pair{&function.getEntryBlock(), std::move(first)});
@@ -81,11 +82,18 @@ ValuePtr Executor::call(llvm::Function& called, const std::vector<ValuePtr>& arg
   --depth_;
   outer_ = outer;
   describes_ = described;
+  if (c.thrown) {
+    thrown_ = std::move(c.thrown);
+    thrown_->values = state.values;
+    thrown_->turns = state.turns;
+    thrown_->when = graph_.both(state.when, thrown_->when);
+  }
   if (!c.has_returned) {
     state.when = never;
     return nullptr;
   }
   state.memory = std::move(c.returned.memory);
+  state.caught = std::move(c.returned.caught);
   state.memory.drop(c.number);
   if (c.lost) state.when = graph_.both(state.when, c.returned.when);
   return c.result;
@@ -97,7 +105,9 @@ void Executor::run_block(Call& c, const llvm::BasicBlock& block, State state) {
     running_ = condition(state);
     if (each_step_) each_step_();
     if (i.isTerminator() && !llvm::isa<llvm::InvokeInst>(i)) return end_block(c, i, std::move(state));
-    if (!step(c, state, i)) {
+    const bool goes_on = step(c, state, i);
+    if (thrown_) unwind(c, *std::exchange(thrown_, std::nullopt), i);
+    if (!goes_on) {
       c.lost = true;
       return;
     }
@@ -110,6 +120,10 @@ void Executor::end_block(Call& c, const llvm::Instruction& end, State state) {
   if (const auto* i = llvm::dyn_cast<llvm::ReturnInst>(&end)) return come_back(c, *i, std::move(state));
   if (const auto* i = llvm::dyn_cast<llvm::BranchInst>(&end)) return branch(c, *i, std::move(state));
   if (const auto* i = llvm::dyn_cast<llvm::SwitchInst>(&end)) return choose_case(c, *i, std::move(state));
+  if (const auto* i = llvm::dyn_cast<llvm::ResumeInst>(&end)) {
+    state.exception = value(state, i->getValue(), end)->parts[0];
+    return leave(c, std::move(state), end);
+  }
   if (!llvm::isa<llvm::UnreachableInst>(end))
     throw Unreadable(end, std::string("the end of a block is ") + end.getOpcodeName());
   require_never(Duty::ends, always, end, "code that is never reached is reached");
@@ -173,6 +187,12 @@ void Executor::merge(State& into, State&& other) {
     if (!fresh) at->second = chosen(graph_, side(other.when), v, at->second);
   }
   into.memory.choose(graph_, side(other.when), other.memory);
+  if (into.caught.size() != other.caught.size())
+    throw Undecided("paths meet inside and outside of a handler of exceptions");
+  for (std::size_t k = 0; k < into.caught.size(); ++k)
+    into.caught[k] = chosen(graph_, side(other.when), other.caught[k], into.caught[k]);
+  if (into.exception != nullptr)
+    into.exception = chosen(graph_, side(other.when), other.exception, into.exception);
   into.when = graph_.either(into.when, other.when);
 }
 

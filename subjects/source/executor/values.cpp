@@ -16,6 +16,14 @@ std::size_t width_of(const llvm::Type& type, const llvm::Instruction& at) {
   return type.getIntegerBitWidth();
 }
 
+/// A type's description or table of functions that is elsewhere: it has an address, and nothing of it may be read.
+bool is_of_type(const llvm::GlobalVariable& global) {
+  return !global.hasInitializer() &&
+         (global.getName().startswith("_ZTI") || global.getName().startswith("_ZTV"));
+}
+/// No table of the standard exceptions has more.
+constexpr std::size_t bytes_of_type = 256;
+
 }  // namespace
 
 ValuePtr Executor::value(State& s, const llvm::Value* v, const llvm::Instruction& at) {
@@ -80,19 +88,21 @@ void Executor::make_globals(State& s, const llvm::Instruction& at) {
       module_.getFunction("stands_for") != nullptr || module_.getFunction("watched_memory") != nullptr;
   // Numbers first: a variable's first value may have the address of another one.
   for (const llvm::GlobalVariable& global : module_.globals())
-    if (global.hasInitializer() && !global.isThreadLocal()) globals_[&global] = ++objects_;
+    if ((global.hasInitializer() || is_of_type(global)) && !global.isThreadLocal())
+      globals_[&global] = ++objects_;
   for (const llvm::GlobalVariable& global : module_.globals()) {
     const auto number = globals_.find(&global);
     if (number == globals_.end()) continue;
     Object object;
     object.name = global.getName().str();
-    object.cells.resize(layout_.getTypeAllocSize(global.getValueType()));
+    object.cells.resize(global.hasInitializer() ? layout_.getTypeAllocSize(global.getValueType())
+                                                : bytes_of_type);
     object.constant = global.isConstant();
     // A proof by contract notes what the functions of the law have seen.
     object.lasting = !by_contract || !global.hasAttribute(law_attribute);
     object.align = layout_.getValueOrABITypeAlignment(global.getAlign(), global.getValueType()).value();
     try {
-      initialize(s, object, 0, *global.getInitializer(), at);
+      if (global.hasInitializer()) initialize(s, object, 0, *global.getInitializer(), at);
       s.memory.add(number->second, std::move(object));
     } catch (const Unreadable&) {
       // A program that needs the variable is told so where it needs it.
