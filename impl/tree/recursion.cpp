@@ -127,15 +127,13 @@ bool read_node(SequenceReader& from, Level d, std::uint64_t bit) noexcept {
   return fails(from, from.tree.place() - 1, "the last of four sibling leaves of one state");
 }
 
-bool pass_node(const std::uint8_t* tree, std::uint64_t nodes, Level levels, Place& at) noexcept {
-  if (at.node >= nodes) return false;
-  if (!bit_at(tree, at.node++)) {
-    ++at.leaf;
-    return true;
+bool pass_subtrees(const std::uint8_t* tree, std::uint64_t nodes, std::uint64_t count, Place& at) noexcept {
+  Place next = at;  // in registers: bytes of a tree might be those of a place
+  while (count > 0) {
+    if (next.node >= nodes) return false;
+    pass_one(tree, next, count);
   }
-  if (levels == 0) return false;
-  for (std::uint32_t c = 0; c < 4; ++c)
-    if (!pass_node(tree, nodes, levels - 1, at)) return false;
+  at = next;
   return true;
 }
 
@@ -144,8 +142,7 @@ bool find_leaf(const std::uint8_t* tree, std::uint64_t nodes, Level levels, std:
   if (at.node >= nodes) return false;
   if (!bit_at(tree, at.node++)) return true;
   if (levels == 0) return false;
-  for (std::uint64_t before = index >> (2 * (levels - 1)) & 3; before > 0; --before)
-    if (!pass_node(tree, nodes, levels - 1, at)) return false;
+  if (!pass_subtrees(tree, nodes, index >> (2 * (levels - 1)) & 3, at)) return false;
   return find_leaf(tree, nodes, levels - 1, index, at);
 }
 

@@ -46,10 +46,18 @@ struct Place {
   std::uint64_t node = 0, leaf = 0;
 };
 
-/// Passes a subtree of so many levels, of a tree with `nodes` bits.  False: it ends early or goes below its last level.
-bool pass_node(const std::uint8_t* tree, std::uint64_t nodes, Level levels, Place& at) noexcept;
+/// One step over the subtrees that are to come: over a leaf, or into an internal node.
+inline void pass_one(const std::uint8_t* tree, Place& at, std::uint64_t& to_come) noexcept {
+  const bool internal = bit_at(tree, at.node++);
+  at.leaf += internal ? 0 : 1;
+  to_come += internal ? 3 : ~std::uint64_t{0};
+}
 
-/// Passes all before the leaf of a state, by its index in a subtree of so many levels: Algorithm 3.  False: as pass_node().
+/// Passes so many subtrees of a tree with `nodes` bits.  False: the tree ends before that.
+bool pass_subtrees(const std::uint8_t* tree, std::uint64_t nodes, std::uint64_t count, Place& at) noexcept;
+
+/// Passes all before the leaf of a state, by its index in a subtree of so many levels: Algorithm 3.  False: the tree
+/// ends before it, or goes below its last level.
 bool find_leaf(const std::uint8_t* tree, std::uint64_t nodes, Level levels, std::uint64_t index,
                Place& at) noexcept;
 

@@ -5,8 +5,8 @@
  * any size.  The other steps take them by that contract, and show for an internal node with SIZE levels below, given the
  * same for its children:
  *   write_node appends 4 j + 1 nodes, the first a 1, and 3 j + 1 leaves, j being the number of its internal nodes;
- *   from these bits, wherever they are, read_node makes its states and changes no others, pass_node moves over the node,
- *   and find_leaf finds a leaf with the state at any index.
+ *   from these bits, wherever they are, read_node makes its states and changes no others, a loop of pass_one moves over
+ *   the node, and find_leaf finds a leaf with the state at any index.
  * Sixteen states, SIZE 2, are run as they are.  The map is a whole one, any, and Pyramid's answers are the library's. */
 #define WATCHES 7
 #include <stdlib.h>
@@ -30,7 +30,8 @@ constexpr bool sixteen = SIZE == 2;
 /// Member functions by their names in bitcode.
 void put(BitWriter*, uint64_t, uint32_t) asm("_ZN8mmverify4impl4tree6detail9BitWriter3putEmj");
 uint64_t peek(const BitReader*) asm("_ZNK8mmverify4impl4tree6detail9BitReader4peekEv");
-uint32_t within_byte(const BitReader*, uint32_t) asm("_ZNK8mmverify4impl4tree6detail9BitReader11within_byteEj");
+uint32_t within_byte(const BitReader*,
+                     uint32_t) asm("_ZNK8mmverify4impl4tree6detail9BitReader11within_byteEj");
 
 void skip(BitReader*, uint32_t) asm("_ZN8mmverify4impl4tree6detail9BitReader4skipEj");
 uint64_t place(const BitReader*) asm("_ZNK8mmverify4impl4tree6detail9BitReader5placeEv");
@@ -167,7 +168,9 @@ bool is_tree(const BitReader* from) {
   return from == &reader->tree;
 }
 
-void skip_bits(BitReader* from, uint32_t count) noexcept { (is_tree(from) ? read_nodes : read_data) += count; }
+void skip_bits(BitReader* from, uint32_t count) noexcept {
+  (is_tree(from) ? read_nodes : read_data) += count;
+}
 
 uint64_t place_in_tree(const BitReader* from) noexcept {
   check(is_tree(from));
@@ -219,22 +222,25 @@ bool read_child(SequenceReader& from, Level d, uint64_t bit) noexcept {
 }
 
 /// The child at a place.
-uint32_t child_at(const uint8_t* bytes, uint64_t nodes, Level levels, const impl::Place& at) {
-  check(bytes == tree_memory && nodes == all_nodes && levels == part_level);
+uint32_t child_at(const uint8_t* bytes, const impl::Place& at) {
+  check(bytes == tree_memory);
   const uint32_t c = child_at_node(at.node - start.nodes);
   check(at.leaf - start.leaves == part[c].at.leaves);
   check(internal[c] ? part[c].written : !leaf_node[c]);
   return c;
 }
 
-bool pass_child(const uint8_t* bytes, uint64_t nodes, Level levels, impl::Place& at) noexcept {
-  const uint32_t c = child_at(bytes, nodes, levels, at);
+/// All steps over a child at once.
+void pass_child(const uint8_t* bytes, impl::Place& at, uint64_t& to_come) noexcept {
+  const uint32_t c = child_at(bytes, at);
   at = {at.node + part[c].length.nodes, at.leaf + part[c].length.leaves};
-  return true;
+  --to_come;
 }
 
-bool find_child(const uint8_t* bytes, uint64_t nodes, Level levels, uint64_t index, impl::Place& at) noexcept {
-  const uint32_t c = child_at(bytes, nodes, levels, at);
+bool find_child(const uint8_t* bytes, uint64_t nodes, Level levels, uint64_t index,
+                impl::Place& at) noexcept {
+  check(nodes == all_nodes && levels == part_level);
+  const uint32_t c = child_at(bytes, at);
   check(c == asked_index / states_of_part() && index % states_of_part() == asked_index % states_of_part());
   if (internal[c]) at = {any(64), start.leaves + asked_leaf};
   return true;
@@ -250,7 +256,7 @@ void by_contract() {
   if (sixteen) return;
   stands_for((const void*)impl::write_node, (const void*)write_child);
   stands_for((const void*)impl::read_node, (const void*)read_child);
-  stands_for((const void*)impl::pass_node, (const void*)pass_child);
+  stands_for((const void*)impl::pass_one, (const void*)pass_child);
   stands_for((const void*)impl::find_leaf, (const void*)find_child);
 }
 
@@ -304,9 +310,7 @@ void any_place_of_node() {
   assume(all_nodes >= start.nodes + end.nodes);
 }
 
-int is_inside(size_t byte) {
-  return in(byte, first_state * FORMAT / 8, (first_state + INSIDE) * FORMAT / 8);
-}
+int is_inside(size_t byte) { return in(byte, first_state * FORMAT / 8, (first_state + INSIDE) * FORMAT / 8); }
 
 void the_reading() {
   write_the_node();
@@ -333,9 +337,6 @@ void the_finding() {
   const int by_child = !sixteen && internal[c];
   assume(!by_child || in(asked_leaf, part[c].at.leaves, end_of(part + c).leaves));
   impl::Place at = {start.nodes, start.leaves};
-  check(impl::pass_node(tree_memory, all_nodes, SIZE, at));
-  check(at.node == start.nodes + end.nodes && at.leaf == start.leaves + end.leaves);
-  at = {start.nodes, start.leaves};
   check(impl::find_leaf(tree_memory, all_nodes, SIZE, asked_index, at));
   const size_t leaf = at.leaf - start.leaves;
   check(leaf < end.leaves);
@@ -344,10 +345,11 @@ void the_finding() {
   else
     check(leaf_at(leaf) == asked_state);
 }
-/// A leaf in place of the node.
-bool read_zero(const uint8_t* bytes, uint64_t k) noexcept {
+/// A node's bit, any, where pass_one or find_leaf is.
+uint32_t any_bit;
+bool read_any_bit(const uint8_t* bytes, uint64_t k) noexcept {
   check(bytes == tree_memory && k == start.nodes);
-  return false;
+  return any_bit;
 }
 
 unsigned uniform_state(size_t first, size_t count, int* is_uniform) {
@@ -495,12 +497,12 @@ void encode_any(const Pyramid& flags) {
   only_read(tree.bytes);
 }
 
-bool pass_root(const uint8_t* bytes, uint64_t nodes, Level levels, impl::Place& at) noexcept {
-  check(bytes == tree.bytes && nodes >= part[0].length.nodes && nodes <= 8 * code_size);
-  check(is_small(nodes) && levels == LEVEL && at.node == 0 && at.leaf == 0);
+/// All steps over the tree at once.
+void pass_root(const uint8_t* bytes, impl::Place& at, uint64_t& to_come) noexcept {
+  check(bytes == tree.bytes && at.node == 0 && at.leaf == 0);
   check(root_is_internal || item_of(&tree, 0) == 0);
   at = {part[0].length.nodes, part[0].length.leaves};
-  return true;
+  --to_come;
 }
 
 bool read_root(SequenceReader& from, Level d, uint64_t bit) noexcept {
@@ -601,16 +603,24 @@ void step_of_read() { on_any_node(the_reading); }
 void step_of_find() { on_any_node(the_finding); }
 void step_of_spec() { on_any_node(the_writing); }
 
-void step_of_leaf() {
-  stands_for((const void*)impl::bit_at, (const void*)read_zero);
+/* A loop of pass_one over j + 1 subtrees comes to the end of the first with j to come: from a leaf at once; from an
+ * internal node at its first child with j + 4, and then over its four children. */
+void step_of_pass() {
+  stands_for((const void*)impl::bit_at, (const void*)read_any_bit);
   uint8_t memory;
   tree_memory = &memory;
   start = {any(PLACE_BITS), any(PLACE_BITS)};
+  any_bit = (uint32_t)any(1);
+  const uint64_t more = any(PLACE_BITS);
+  uint64_t to_come = more + 1;
+  impl::Place at = {start.nodes, start.leaves};
+  impl::pass_one(tree_memory, at, to_come);
+  check(at.node == start.nodes + 1 && at.leaf == start.leaves + !any_bit);
+  check(to_come == more + (any_bit ? 4 : 0));
+  /* find_leaf stays at a leaf. */
   all_nodes = any(PLACE_BITS);
   assume(all_nodes > start.nodes);
-  impl::Place at = {start.nodes, start.leaves};
-  check(impl::pass_node(tree_memory, all_nodes, SIZE, at));
-  check(at.node == start.nodes + 1 && at.leaf == start.leaves + 1);
+  any_bit = 0;
   at = {start.nodes, start.leaves};
   check(impl::find_leaf(tree_memory, all_nodes, SIZE, any(32), at));
   check(at.leaf == start.leaves);
@@ -660,7 +670,7 @@ void decode_by_contract() {
     encode_any(flags);
     uint8_t back[MAP_BYTES];
     out = back;
-    stands_for((const void*)impl::pass_node, (const void*)pass_root);
+    stands_for((const void*)impl::pass_one, (const void*)pass_root);
     stands_for((const void*)impl::read_node, (const void*)read_root);
     check(codec()->tree_decode(LEVEL, FORMAT, tree.bytes, code_size, back));
     check(equal(states, back, MAP_BYTES));
@@ -678,7 +688,7 @@ void lookup_by_contract() {
       due[k] = k == 0 ? state_of_any_index : state_of(states, FORMAT, asked[k]);
       if (root_is_internal) assume(item_of(&data, lookup_leaf[k]) == due[k]);
     }
-    stands_for((const void*)impl::pass_node, (const void*)pass_root);
+    stands_for((const void*)impl::pass_one, (const void*)pass_root);
     stands_for((const void*)impl::find_leaf, (const void*)find_root);
     for (size_t place = 0; place < 3; ++place) {
       uint32_t batch[3] = {STATES - 1, 0, STATES / 2};

@@ -32,7 +32,8 @@ source::CodecAnswer answer_of(source::Codec& codec, const Fault& f) {
 
 /// Our own codec, with the files of a folder in place of its own.
 source::Codec codec_with(const tests::Folder& folder) {
-  return {MMVERIFY_ROOT "/tests/subjects/codecs/impl_stream.cpp", {"-I" + folder.path().string(), "-I" MMVERIFY_ROOT},
+  return {MMVERIFY_ROOT "/tests/subjects/codecs/impl_stream.cpp",
+          {"-I" + folder.path().string(), "-I" MMVERIFY_ROOT},
           proofs::codecs::texts()};
 }
 

@@ -12,6 +12,7 @@
 #include "impl/tree/expand_flat.cpp"
 #endif
 #include "impl/tree/pyramid.cpp"
+#include "impl/tree/recursion.cpp"
 #include "impl/tree/stream.cpp"
 #include "subjects/sdk/mmverify_subject.h"
 

@@ -22,9 +22,9 @@ struct Sequences {
   std::span<const std::uint8_t> tree, data;
 };
 
-Sequences sequences_of(uint32_t level, uint32_t format, const uint8_t* code, size_t size) {
+Sequences sequences_of(uint32_t format, const uint8_t* code, size_t size) {
   detail::Place end;
-  if (!detail::pass_node(code, 8 * size, level, end)) return {};
+  if (!detail::pass_subtrees(code, 8 * size, 1, end)) return {};
   const std::size_t tree = bytes_of(end.node);
   if (size != tree + bytes_of(end.leaf * format)) return {};
   return {end.node, {code, tree}, {code + tree, size - tree}};
@@ -39,7 +39,7 @@ size_t encode(uint32_t level, uint32_t format, const uint8_t* map, uint8_t* code
 }
 
 int decode(uint32_t level, uint32_t format, const uint8_t* code, size_t size, uint8_t* map) {
-  const Sequences s = sequences_of(level, format, code, size);
+  const Sequences s = sequences_of(format, code, size);
   if (s.nodes == 0) return 0;
   const std::span<std::uint8_t> states(map, map_of(level, format, map).size());
   return detail::decode(level, static_cast<Format>(format), s.tree, s.nodes, s.data, s.nodes - s.nodes / 4,
@@ -50,7 +50,7 @@ int decode(uint32_t level, uint32_t format, const uint8_t* code, size_t size, ui
 
 void lookup(uint32_t level, uint32_t format, const uint8_t* code, size_t size, const uint32_t* index,
             uint8_t* state, size_t count) {
-  const Sequences s = sequences_of(level, format, code, size);
+  const Sequences s = sequences_of(format, code, size);
   for (size_t k = 0; k < count; ++k)
     state[k] = detail::lookup(level, static_cast<Format>(format), s.tree, s.nodes, s.data, index[k]);
 }
