@@ -303,7 +303,7 @@ void write_the_node() {
   check(!sixteen || (tree_word & 1) == 1);
 }
 
-/// Where it is read.
+/// Any place that it is read from.
 void any_place_of_node() {
   start = {any(PLACE_BITS), any(PLACE_BITS)};
   all_nodes = any(PLACE_BITS);
