@@ -129,10 +129,8 @@ bool read_node(SequenceReader& from, Level d, std::uint64_t bit) noexcept {
 
 bool pass_subtrees(const std::uint8_t* tree, std::uint64_t nodes, std::uint64_t count, Place& at) noexcept {
   Place next = at;  // in registers: bytes of a tree might be those of a place
-  while (count > 0) {
-    if (next.node >= nodes) return false;
-    pass_one(tree, next, count);
-  }
+  while (count > 0)
+    if (!pass_one(tree, nodes, next, count)) return false;
   at = next;
   return true;
 }

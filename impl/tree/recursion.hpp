@@ -46,11 +46,14 @@ struct Place {
   std::uint64_t node = 0, leaf = 0;
 };
 
-/// One step over the subtrees that are to come: over a leaf, or into an internal node.
-inline void pass_one(const std::uint8_t* tree, Place& at, std::uint64_t& to_come) noexcept {
+/// One step over the subtrees that are to come: over a leaf, or into an internal node.  False: the tree ends before.
+inline bool pass_one(const std::uint8_t* tree, std::uint64_t nodes, Place& at,
+                     std::uint64_t& to_come) noexcept {
+  if (at.node >= nodes) return false;
   const bool internal = bit_at(tree, at.node++);
   at.leaf += internal ? 0 : 1;
   to_come += internal ? 3 : ~std::uint64_t{0};
+  return true;
 }
 
 /// Passes so many subtrees of a tree with `nodes` bits.  False: the tree ends before that.

@@ -9,8 +9,8 @@
 void stands_for(const void* own, const void* other);
 /* Memory of `size` bytes of any content. What a read gives is any, except at `count` places, which keep what is written. */
 uint8_t* watched_memory(size_t size, const size_t* places, size_t count);
-/* No function may write into watched memory from now on. */
-void only_read(uint8_t* memory);
+/* No function may write into that memory from now on. */
+void only_read(const void* memory);
 
 typedef mmverify_place_t Place;
 

@@ -65,6 +65,13 @@ Place any_length_of(int is_internal_child) {
   return {4 * count + 1, 3 * count + 1};
 }
 
+/// Nothing changes the map and its flags.
+void make_only_read(const Pyramid& flags) {
+  only_read(states);
+  only_read(&flags);
+  only_read(flags.mixed(0).data());
+}
+
 /// Any internal node of any map.
 void any_node(const Pyramid& flags) {
   pyramid = &flags;
@@ -198,8 +205,26 @@ bool read_bit(const uint8_t* bytes, uint64_t k) noexcept {
 
 /* ---- a child, by contract */
 
+/// What the writer writes into: append() stands for each write.
+uint8_t nowhere[16];
+
+int is_whole(const SequenceWriter& to) {
+  return &to == writer && to.n == LEVEL && to.b == FORMAT && &to.pyramid == pyramid &&
+         to.map.data() == states && to.map.size() == MAP_BYTES && to.tree == BitWriter(nowhere) &&
+         to.data == BitWriter(nowhere + 8);
+}
+
+int is_nothing(const BitReader& from) {
+  return from.bytes().data() == nullptr && from.bytes().size() == 0 && from.place() == 0;
+}
+
+int is_whole(const SequenceReader& from) {
+  return &from == reader && from.n == LEVEL && from.b == FORMAT && from.nodes == all_nodes &&
+         from.map == out && !from.fault && is_nothing(from.tree) && is_nothing(from.data);
+}
+
 void write_child(SequenceWriter& to, Level d, uint64_t k) noexcept {
-  check(&to == writer && d == depth + 1 && k / 4 == node_number && internal[k % 4]);
+  check(is_whole(to) && d == depth + 1 && k / 4 == node_number && internal[k % 4]);
   Subtree* p = part + k % 4;
   check(same_place(&next, &p->at));
   p->written = 1;
@@ -208,7 +233,7 @@ void write_child(SequenceWriter& to, Level d, uint64_t k) noexcept {
 
 bool read_child(SequenceReader& from, Level d, uint64_t bit) noexcept {
   const size_t inside = states_of_part(), first = bit / FORMAT, c = first / inside % 4;
-  check(&from == reader && d == depth + 1 && bit % FORMAT == 0 && first == first_state + c * inside);
+  check(is_whole(from) && d == depth + 1 && bit % FORMAT == 0 && first == first_state + c * inside);
   const Subtree* p = part + c;
   check(internal[c] && p->written);
   check(read_nodes == p->at.nodes + 1 && read_data == p->at.leaves * FORMAT);
@@ -222,8 +247,8 @@ bool read_child(SequenceReader& from, Level d, uint64_t bit) noexcept {
 }
 
 /// The child at a place.
-uint32_t child_at(const uint8_t* bytes, const impl::Place& at) {
-  check(bytes == tree_memory);
+uint32_t child_at(const uint8_t* bytes, uint64_t nodes, const impl::Place& at) {
+  check(bytes == tree_memory && nodes == all_nodes);
   const uint32_t c = child_at_node(at.node - start.nodes);
   check(at.leaf - start.leaves == part[c].at.leaves);
   check(internal[c] ? part[c].written : !leaf_node[c]);
@@ -231,16 +256,17 @@ uint32_t child_at(const uint8_t* bytes, const impl::Place& at) {
 }
 
 /// All steps over a child at once.
-void pass_child(const uint8_t* bytes, impl::Place& at, uint64_t& to_come) noexcept {
-  const uint32_t c = child_at(bytes, at);
+bool pass_child(const uint8_t* bytes, uint64_t nodes, impl::Place& at, uint64_t& to_come) noexcept {
+  const uint32_t c = child_at(bytes, nodes, at);
   at = {at.node + part[c].length.nodes, at.leaf + part[c].length.leaves};
   --to_come;
+  return true;
 }
 
 bool find_child(const uint8_t* bytes, uint64_t nodes, Level levels, uint64_t index,
                 impl::Place& at) noexcept {
-  check(nodes == all_nodes && levels == part_level);
-  const uint32_t c = child_at(bytes, at);
+  check(levels == part_level);
+  const uint32_t c = child_at(bytes, nodes, at);
   check(c == asked_index / states_of_part() && index % states_of_part() == asked_index % states_of_part());
   if (internal[c]) at = {any(64), start.leaves + asked_leaf};
   return true;
@@ -277,6 +303,7 @@ void on_any_node(Step step) {
   any_map(LEVEL, FORMAT, states);
   const Pyramid flags(LEVEL, Format(FORMAT), {states, MAP_BYTES});
   any_node(flags);
+  make_only_read(flags);
   const uint32_t which = flags.children(depth + 1, node_number);
   by_contract();
   if (!sixteen) {
@@ -294,12 +321,11 @@ void on_any_node(Step step) {
 }
 
 void write_the_node() {
-  uint8_t none[16] = {0};
-  SequenceWriter to{*pyramid, {states, MAP_BYTES}, LEVEL, FORMAT, BitWriter(none), BitWriter(none + 8)};
+  SequenceWriter to{*pyramid, {states, MAP_BYTES}, LEVEL, FORMAT, BitWriter(nowhere), BitWriter(nowhere + 8)};
   writer = &to;
   next = {0, 0};
   impl::write_node(to, depth, node_number);
-  check(same_place(&next, &end));
+  check(is_whole(to) && same_place(&next, &end));
   check(!sixteen || (tree_word & 1) == 1);
 }
 
@@ -323,7 +349,7 @@ void the_reading() {
   read_nodes = 1;
   read_data = 0;
   check(impl::read_node(from, depth, first_state * FORMAT));
-  check(!from.fault && read_nodes == end.nodes && read_data == end.leaves * FORMAT);
+  check(is_whole(from) && read_nodes == end.nodes && read_data == end.leaves * FORMAT);
   check(out[asked_byte] == (is_inside(asked_byte) ? asked_states : before));
 }
 
@@ -498,11 +524,13 @@ void encode_any(const Pyramid& flags) {
 }
 
 /// All steps over the tree at once.
-void pass_root(const uint8_t* bytes, impl::Place& at, uint64_t& to_come) noexcept {
-  check(bytes == tree.bytes && at.node == 0 && at.leaf == 0);
+bool pass_root(const uint8_t* bytes, uint64_t nodes, impl::Place& at, uint64_t& to_come) noexcept {
+  check(bytes == tree.bytes && nodes >= part[0].length.nodes && is_small(nodes));
+  check(at.node == 0 && at.leaf == 0);
   check(root_is_internal || item_of(&tree, 0) == 0);
   at = {part[0].length.nodes, part[0].length.leaves};
   --to_come;
+  return true;
 }
 
 bool read_root(SequenceReader& from, Level d, uint64_t bit) noexcept {
@@ -546,6 +574,7 @@ void on_any_map(Law law) {
   any_index = any_below(STATES);
   state_of_any_index = state_of(states, FORMAT, any_index);
   const Pyramid flags(LEVEL, Format(FORMAT), {states, MAP_BYTES});
+  make_only_read(flags);
   law(flags);
 }
 
@@ -614,16 +643,18 @@ void step_of_pass() {
   const uint64_t more = any(PLACE_BITS);
   uint64_t to_come = more + 1;
   impl::Place at = {start.nodes, start.leaves};
-  impl::pass_one(tree_memory, at, to_come);
+  all_nodes = any(PLACE_BITS);
+  assume(all_nodes > start.nodes);
+  check(impl::pass_one(tree_memory, all_nodes, at, to_come));
   check(at.node == start.nodes + 1 && at.leaf == start.leaves + !any_bit);
   check(to_come == more + (any_bit ? 4 : 0));
   /* find_leaf stays at a leaf. */
-  all_nodes = any(PLACE_BITS);
-  assume(all_nodes > start.nodes);
   any_bit = 0;
-  at = {start.nodes, start.leaves};
-  check(impl::find_leaf(tree_memory, all_nodes, SIZE, any(32), at));
-  check(at.leaf == start.leaves);
+  for (Level levels = 0; levels <= LEVEL; ++levels) {
+    at = {start.nodes, start.leaves};
+    check(impl::find_leaf(tree_memory, all_nodes, levels, any(32), at));
+    check(at.leaf == start.leaves);
+  }
 }
 
 /* Pyramid counts the flags that are set, and none is set beyond those of a depth. */

@@ -22,7 +22,7 @@ uint64_t any(uint32_t bits);
 void check(int holds);
 void assume(int holds);
 uint8_t* watched_memory(size_t size, const size_t* places, size_t count);
-void only_read(uint8_t* memory);
+void only_read(const void* memory);
 )";
 
 // Memory of 16 bytes, of which byte `at`, any, is watched.

@@ -68,7 +68,8 @@ ValuePtr Executor::watched_memory(State& s, const llvm::CallBase& i) {
 
 void Executor::make_constant(State& s, const llvm::CallBase& i) {
   const ValuePtr p = value(s, i.getArgOperand(0), i);
-  if (watched_at(s, p) == nullptr) throw Unreadable(i, "memory that is not watched is to be only read");
+  if (!is_pointer(p) || p->targets.size() != 1 || p->targets.front().object <= 0)
+    throw Unreadable(i, "one memory or another is to be only read");
   s.memory.writable(p->targets.front().object).constant = true;
 }
 
