@@ -205,7 +205,7 @@ bool read_bit(const uint8_t* bytes, uint64_t k) noexcept {
 
 /* ---- a child, by contract */
 
-/// What the writer writes into: append() stands for each write.
+/// The memory of the writer: append() stands for each write into it.
 uint8_t nowhere[16];
 
 int is_whole(const SequenceWriter& to) {
