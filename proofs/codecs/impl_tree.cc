@@ -33,7 +33,6 @@ uint64_t peek(const BitReader*) asm("_ZNK8mmverify4impl4tree6detail9BitReader4pe
 uint32_t within_byte(const BitReader*,
                      uint32_t) asm("_ZNK8mmverify4impl4tree6detail9BitReader11within_byteEj");
 
-void skip(BitReader*, uint32_t) asm("_ZN8mmverify4impl4tree6detail9BitReader4skipEj");
 uint64_t place(const BitReader*) asm("_ZNK8mmverify4impl4tree6detail9BitReader5placeEv");
 uint32_t children(const Pyramid*, Level, uint64_t) asm("_ZNK8mmverify4impl4tree6detail7Pyramid8childrenEjm");
 
@@ -104,7 +103,7 @@ void place_children(uint32_t which) {
 uint64_t tree_word, data_word;
 /// More of them: of a child that is a leaf, its node and its state.
 uint32_t leaf_node[4], leaf_state[4];
-/// The writer, and the next node and leaf.
+/// The writer, and the next node and leaf, which its two parts hold as their words: who copies a part copies them.
 SequenceWriter* writer;
 Place next;
 
@@ -147,6 +146,7 @@ void append(BitWriter* to, uint64_t value, uint32_t count) noexcept {
   check(count <= 56 && value >> count == 0);
   const bool nodes = to == &writer->tree;
   size_t& at = nodes ? next.nodes : next.leaves;
+  check(to->word_ == at);
   if (sixteen) {
     check((nodes ? at : at * FORMAT) + count <= 56);
     (nodes ? tree_word : data_word) |= value << (nodes ? at : at * FORMAT);
@@ -159,13 +159,13 @@ void append(BitWriter* to, uint64_t value, uint32_t count) noexcept {
   }
   check(sixteen || count == (nodes ? 1 : FORMAT));
   at += nodes ? count : count / FORMAT;
+  to->word_ = at;
 }
 
 /* ---- reading them, at any place of sequences of any length */
 
+/// The reader, whose places are those from the node's own on.
 SequenceReader* reader;
-/// The reader's next bits, from the node's own place on: a node, and a bit of a state.
-size_t read_nodes, read_data;
 /// Nodes of the whole sequence.
 size_t all_nodes;
 uint8_t* tree_memory;
@@ -175,27 +175,23 @@ bool is_tree(const BitReader* from) {
   return from == &reader->tree;
 }
 
-void skip_bits(BitReader* from, uint32_t count) noexcept {
-  (is_tree(from) ? read_nodes : read_data) += count;
-}
-
 uint64_t place_in_tree(const BitReader* from) noexcept {
   check(is_tree(from));
-  return start.nodes + read_nodes;
+  return start.nodes + from->place_;
 }
 
 /// All bits that a reader may see: behind the node they may be any.
 uint64_t peek_at(const BitReader* from) noexcept {
   const bool nodes = is_tree(from);
-  const size_t at = nodes ? read_nodes : read_data, bits = nodes ? end.nodes : end.leaves * FORMAT;
+  const size_t at = from->place_, bits = nodes ? end.nodes : end.leaves * FORMAT;
   check(sixteen && at < bits);
   return ((nodes ? tree_word : data_word) | any(64) << bits) >> at;
 }
 
 uint32_t read_within_byte(const BitReader* from, uint32_t count) noexcept {
   const bool nodes = is_tree(from);
-  check(count == (nodes ? 1 : FORMAT) && read_data % FORMAT == 0);
-  return nodes ? node_at(read_nodes) : leaf_at(read_data / FORMAT);
+  check(count == (nodes ? 1 : FORMAT) && from->place_ % count == 0);
+  return nodes ? node_at(from->place_) : leaf_at(from->place_ / FORMAT);
 }
 
 bool read_bit(const uint8_t* bytes, uint64_t k) noexcept {
@@ -205,22 +201,44 @@ bool read_bit(const uint8_t* bytes, uint64_t k) noexcept {
 
 /* ---- a child, by contract */
 
-/// The memory of the writer: append() stands for each write into it.
+/// The memory of the writer and of the reader: what stands for each access needs none.
 uint8_t nowhere[16];
+/// Bytes that the reader is told of.
+size_t told_tree, told_data;
+
+/// Each field is named, so that a class with one more is not judged.
+int same_writer(const BitWriter& a, const BitWriter& b) {
+  const auto& [bytes, used, word] = a;
+  const auto& [bytes_2, used_2, word_2] = b;
+  return bytes == bytes_2 && used == used_2 && word == word_2;
+}
+int same_reader(const BitReader& from, const uint8_t* memory, size_t size, size_t at) {
+  const auto& [bytes, place] = from;
+  return bytes.data() == memory && bytes.size() == size && place == at;
+}
+[[maybe_unused]] void require_no_more_fields(const SequenceWriter& to, const SequenceReader& from,
+                                             const Pyramid& flags, const impl::Place& at) {
+  const auto& [w1, w2, w3, w4, w5, w6] = to;
+  const auto& [r1, r2, r3, r4, r5, r6, r7] = from;
+  const auto& [p1, p2, p3, p4, p5] = flags;
+  const auto& [a1, a2] = at;
+}
+
+int is_part(const BitWriter& to, const uint8_t* memory, size_t at) {
+  const auto& [bytes, used, word] = to;
+  return bytes == memory && used == 0 && word == at;
+}
 
 int is_whole(const SequenceWriter& to) {
   return &to == writer && to.n == LEVEL && to.b == FORMAT && &to.pyramid == pyramid &&
-         to.map.data() == states && to.map.size() == MAP_BYTES && to.tree == BitWriter(nowhere) &&
-         to.data == BitWriter(nowhere + 8);
+         to.map.data() == states && to.map.size() == MAP_BYTES && is_part(to.tree, nowhere, next.nodes) &&
+         is_part(to.data, nowhere + 8, next.leaves);
 }
 
-int is_nothing(const BitReader& from) {
-  return from.bytes().data() == nullptr && from.bytes().size() == 0 && from.place() == 0;
-}
-
-int is_whole(const SequenceReader& from) {
+int is_whole(const SequenceReader& from, size_t node, size_t leaf) {
   return &from == reader && from.n == LEVEL && from.b == FORMAT && from.nodes == all_nodes &&
-         from.map == out && !from.fault && is_nothing(from.tree) && is_nothing(from.data);
+         from.map == out && !from.fault && same_reader(from.tree, nowhere, told_tree, node) &&
+         same_reader(from.data, nowhere + 8, told_data, leaf * FORMAT);
 }
 
 void write_child(SequenceWriter& to, Level d, uint64_t k) noexcept {
@@ -229,20 +247,22 @@ void write_child(SequenceWriter& to, Level d, uint64_t k) noexcept {
   check(same_place(&next, &p->at));
   p->written = 1;
   next = end_of(p);
+  to.tree.word_ = next.nodes;
+  to.data.word_ = next.leaves;
 }
 
 bool read_child(SequenceReader& from, Level d, uint64_t bit) noexcept {
   const size_t inside = states_of_part(), first = bit / FORMAT, c = first / inside % 4;
-  check(is_whole(from) && d == depth + 1 && bit % FORMAT == 0 && first == first_state + c * inside);
   const Subtree* p = part + c;
+  check(is_whole(from, p->at.nodes + 1, p->at.leaves));
+  check(d == depth + 1 && bit % FORMAT == 0 && first == first_state + c * inside);
   check(internal[c] && p->written);
-  check(read_nodes == p->at.nodes + 1 && read_data == p->at.leaves * FORMAT);
   if (in(asked_byte, first * FORMAT / 8, (first + inside) * FORMAT / 8)) {
     check(out[asked_byte] == 0);
     out[asked_byte] = asked_states;
   }
-  read_nodes += p->length.nodes - 1;
-  read_data += p->length.leaves * FORMAT;
+  from.tree.place_ += p->length.nodes - 1;
+  from.data.place_ += p->length.leaves * FORMAT;
   return true;
 }
 
@@ -268,14 +288,13 @@ bool find_child(const uint8_t* bytes, uint64_t nodes, Level levels, uint64_t ind
   check(levels == part_level);
   const uint32_t c = child_at(bytes, nodes, at);
   check(c == asked_index / states_of_part() && index % states_of_part() == asked_index % states_of_part());
-  if (internal[c]) at = {any(64), start.leaves + asked_leaf};
+  at = {any(64), internal[c] ? start.leaves + asked_leaf : at.leaf};
   return true;
 }
 
 void by_contract() {
   stands_for((const void*)put, (const void*)append);
   stands_for((const void*)peek, (const void*)peek_at);
-  stands_for((const void*)skip, (const void*)skip_bits);
   stands_for((const void*)place, (const void*)place_in_tree);
   stands_for((const void*)within_byte, (const void*)read_within_byte);
   stands_for((const void*)impl::bit_at, (const void*)read_bit);
@@ -344,12 +363,13 @@ void the_reading() {
   out = watched_memory(MAP_BYTES, &asked_byte, 1);
   if (is_inside(asked_byte)) out[asked_byte] = 0;
   const uint8_t before = out[asked_byte];
-  SequenceReader from{LEVEL, FORMAT, BitReader({}), BitReader({}), all_nodes, out, {}};
+  told_tree = any(PLACE_BITS), told_data = any(PLACE_BITS);
+  SequenceReader from{
+      LEVEL, FORMAT, BitReader({nowhere, told_tree}, 1), BitReader({nowhere + 8, told_data}), all_nodes,
+      out,   {}};
   reader = &from;
-  read_nodes = 1;
-  read_data = 0;
   check(impl::read_node(from, depth, first_state * FORMAT));
-  check(is_whole(from) && read_nodes == end.nodes && read_data == end.leaves * FORMAT);
+  check(is_whole(from, end.nodes, end.leaves));
   check(out[asked_byte] == (is_inside(asked_byte) ? asked_states : before));
 }
 
@@ -363,7 +383,8 @@ void the_finding() {
   const int by_child = !sixteen && internal[c];
   assume(!by_child || in(asked_leaf, part[c].at.leaves, end_of(part + c).leaves));
   impl::Place at = {start.nodes, start.leaves};
-  check(impl::find_leaf(tree_memory, all_nodes, SIZE, asked_index, at));
+  const uint64_t index = asked_index | any(PLACE_BITS) << 2 * SIZE;  // its low bits count
+  check(impl::find_leaf(tree_memory, all_nodes, SIZE, index, at));
   const size_t leaf = at.leaf - start.leaves;
   check(leaf < end.leaves);
   if (by_child)
@@ -413,20 +434,26 @@ int root_is_internal;
 /// The library's own sequences, from which the code is copied.
 Sequence made_tree, made_data;
 /// The indices that are looked up, and a leaf of each one's state.
-enum { ASKED = 4 };
+enum { ASKED = 3 };
 size_t lookup_index[ASKED], lookup_leaf[ASKED];
+unsigned lookup_state[ASKED];
 
 /// Memory for Pyramid, then for either sequence.
 unsigned asked_memory;
+void* given[3];
 void* new_memory(size_t size) {
   const unsigned which = asked_memory++;
-  if (which == 0) return malloc(size);
+  if (which == 0) return given[0] = malloc(size);
   check(which < 3);
   Sequence* s = which == 1 ? &made_tree : &made_data;
   s->size = size;
-  return s->bytes = watched_memory(size, s->watch, WATCHES);
+  s->bytes = watched_memory(size, s->watch, WATCHES);
+  return given[which] = s->bytes;
 }
-void delete_memory(void*) {}
+void delete_memory(void* p) {
+  check(p == nullptr || p == given[0] || p == given[1] || p == given[2] || p == pyramid->mixed(0).data());
+  free(p);
+}
 
 void watch_items(Sequence* s, uint32_t bits, size_t length) {
   s->bits = bits;
@@ -466,13 +493,15 @@ void write_root(SequenceWriter& to, Level d, uint64_t k) noexcept {
     check(to.pyramid.first_states(below, any_node) == pyramid->first_states(below, any_node));
   }
   const Place last = part[0].length;
-  check(to.tree == BitWriter(made_tree.bytes, 0) && to.data == BitWriter(made_data.bytes, 0));
+  check(same_writer(to.tree, BitWriter(made_tree.bytes, 0)));
+  check(same_writer(to.data, BitWriter(made_data.bytes, 0)));
   check(made_tree.size >= bytes_for(last.nodes, 1) + 8);
   check(made_data.size >= bytes_for(last.leaves, FORMAT) + 8);
   check(item_of(&made_tree, made_tree.item) == 0 && item_of(&made_data, made_data.item) == 0);
   become_any(&made_tree, 0, last.nodes);
   become_any(&made_data, 0, last.leaves);
   assume(item_of(&made_tree, 0) == 1);
+  for (size_t q = 0; q < ASKED; ++q) assume(item_of(&made_data, lookup_leaf[q]) == lookup_state[q]);
   part[0].node = item_of(&made_tree, made_tree.item);
   part[0].state = item_of(&made_data, made_data.item);
   part[0].written = 1;
@@ -535,9 +564,8 @@ bool pass_root(const uint8_t* bytes, uint64_t nodes, impl::Place& at, uint64_t& 
 
 bool read_root(SequenceReader& from, Level d, uint64_t bit) noexcept {
   check(d == 0 && bit == 0 && root_is_internal && from.n == LEVEL && from.b == FORMAT && from.map == out);
-  check(from.tree.bytes().data() == tree.bytes && from.data.bytes().data() == data.bytes);
-  check(from.tree.bytes().size() == tree.size && from.data.bytes().size() == data.size);
-  check(from.tree.place() == 1 && from.data.place() == 0 && from.nodes >= part[0].length.nodes);
+  check(same_reader(from.tree, tree.bytes, tree.size, 1) && same_reader(from.data, data.bytes, data.size, 0));
+  check(from.nodes >= part[0].length.nodes);
   check(is_small(from.nodes) && !from.fault);
   for (size_t k = 0; k < MAP_BYTES; ++k) {
     check(out[k] == 0);
@@ -553,6 +581,7 @@ bool find_root(const uint8_t* bytes, uint64_t nodes, Level levels, uint64_t inde
   check(levels == LEVEL && at.node == 0 && at.leaf == 0);
   if (!root_is_internal) {
     check(item_of(&tree, 0) == 0);
+    at.node = any(64);
     return true;
   }
   for (size_t k = 0; k < ASKED; ++k)
@@ -564,15 +593,14 @@ bool find_root(const uint8_t* bytes, uint64_t nodes, Level levels, uint64_t inde
   return false;
 }
 
-/// An index, any, and its state: chosen first, as a solver finds it easier.
-size_t any_index;
-unsigned state_of_any_index;
-
 template <class Law>
 void on_any_map(Law law) {
   any_map(LEVEL, FORMAT, states);
-  any_index = any_below(STATES);
-  state_of_any_index = state_of(states, FORMAT, any_index);
+  // Chosen first, as a solver finds it easier.
+  for (size_t k = 0; k < ASKED; ++k) {
+    lookup_index[k] = any_below(STATES);
+    lookup_state[k] = state_of(states, FORMAT, lookup_index[k]);
+  }
   const Pyramid flags(LEVEL, Format(FORMAT), {states, MAP_BYTES});
   make_only_read(flags);
   law(flags);
@@ -601,7 +629,7 @@ void step_of_put() {
   const unsigned before = item_of(&s, s.item);
   BitWriter to(s.bytes, at);
   to.put(value, count);
-  check(to == BitWriter(s.bytes, at + count));
+  check(same_writer(to, BitWriter(s.bytes, at + count)));
   check(item_of(&s, s.item) == (in(s.item, at, at + count) ? value >> (s.item - at) & 1 : before));
 }
 
@@ -623,7 +651,7 @@ void step_of_bits() {
   }
   const uint32_t more = (uint32_t)any(PLACE_BITS);
   from.skip(more);
-  check(from.place() == at + more);
+  check(same_reader(from, bytes, size, at + more) && from.place() == at + more);
 }
 
 /* A node, given its children. */
@@ -657,9 +685,10 @@ void step_of_pass() {
   }
 }
 
-/* Pyramid counts the flags that are set, and none is set beyond those of a depth. */
+/* Pyramid counts the flags that are set.  None is set beyond those of a depth, or below a node whose own is not. */
 void step_of_count() {
   on_any_map([](const Pyramid& flags) {
+    pyramid = &flags;
     size_t all = 0;
     for (Level d = 0; d < LEVEL; ++d) {
       size_t ones = 0;
@@ -667,6 +696,11 @@ void step_of_count() {
       check(flags.internal(d) == ones && flags.mixed(d).size() == ((size_t)1 << 2 * d) / 64 + (d < 3));
       if (d < 3) check(flags.mixed(d)[0] >> (1 << 2 * d) == 0);
       all += ones;
+      if (d == 0) continue;
+      const size_t k = any_below((size_t)1 << 2 * (d - 1));
+      const uint32_t four = flags.children(d, k);
+      check(four == (flags.mixed(d)[k / 16] >> k % 16 * 4 & 15));
+      check(four == 0 || is_internal(d - 1, k));
     }
     check(flags.internal() == all && (flags.mixed(0)[0] == 1) == (all > 0));
   });
@@ -708,31 +742,21 @@ void decode_by_contract() {
   });
 }
 
-/* Any index, at each place of a batch of three, and alone. */
+/* Any three indices in a batch, and one alone. */
 void lookup_by_contract() {
   on_any_map([](const Pyramid& flags) {
     encode_any(flags);
-    const size_t asked[ASKED] = {any_index, STATES - 1, 0, STATES / 2};
-    unsigned due[ASKED];
-    for (size_t k = 0; k < ASKED; ++k) {
-      lookup_index[k] = asked[k];
-      due[k] = k == 0 ? state_of_any_index : state_of(states, FORMAT, asked[k]);
-      if (root_is_internal) assume(item_of(&data, lookup_leaf[k]) == due[k]);
-    }
+    require_both_sequences();
     stands_for((const void*)impl::pass_one, (const void*)pass_root);
     stands_for((const void*)impl::find_leaf, (const void*)find_root);
-    for (size_t place = 0; place < 3; ++place) {
-      uint32_t batch[3] = {STATES - 1, 0, STATES / 2};
-      uint8_t state[3];
-      batch[place] = (uint32_t)asked[0];
-      codec()->tree_lookup(LEVEL, FORMAT, tree.bytes, code_size, batch, state, 3);
-      for (size_t k = 0; k < 3; ++k) check(state[k] == due[k == place ? 0 : k + 1]);
-      check(batch[place] == asked[0]);
-    }
-    const uint32_t alone = (uint32_t)asked[0];
-    uint8_t state;
-    codec()->tree_lookup(LEVEL, FORMAT, tree.bytes, code_size, &alone, &state, 1);
-    check(state == due[0]);
+    uint32_t batch[ASKED];
+    uint8_t state[ASKED];
+    for (size_t k = 0; k < ASKED; ++k) batch[k] = (uint32_t)lookup_index[k];
+    codec()->tree_lookup(LEVEL, FORMAT, tree.bytes, code_size, batch, state, ASKED);
+    for (size_t k = 0; k < ASKED; ++k) check(state[k] == lookup_state[k] && batch[k] == lookup_index[k]);
+    const uint32_t alone = (uint32_t)lookup_index[0];
+    codec()->tree_lookup(LEVEL, FORMAT, tree.bytes, code_size, &alone, state, 1);
+    check(state[0] == lookup_state[0] && alone == lookup_index[0]);
   });
 }
 }

@@ -220,8 +220,8 @@ CodecAnswer Codec::prove(const HarnessCall& call, const ProofLimits& limits) {
   std::vector<std::string> words{"-O1",        "-g", "-Xclang",       "-disable-llvm-passes",
                                  "-emit-llvm", "-w", without_folder()};
   if (is_cpp(call.file)) {
-    // A law of the library itself sees its headers.
-    words.push_back("-std=c++20");
+    // A law of the library itself sees its headers, and all fields of its classes.
+    words.insert(words.end(), {"-std=c++20", "-fno-access-control"});
     std::copy_if(flags_.begin(), flags_.end(), std::back_inserter(words),
                  [](const std::string& flag) { return flag.starts_with("-I"); });
   }

@@ -24,6 +24,7 @@ struct Quotient {
   bool operator<(const Quotient& other) const { return p * other.q < other.p * q; }
 };
 
+/// The state of one micro-triangle over the texels of a texture, in integers of one width.
 template <class Numbers>
 class Judge {
   using N = typename Numbers::N;

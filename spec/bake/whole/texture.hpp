@@ -66,6 +66,7 @@ void for_each_run(Wrap wrap, const Interval& indices, std::uint32_t size, Take t
   }
 }
 
+/// A texture as integers: each texel as a side of the cutoff or a number, scaled once.
 class WholeTexture {
  public:
   /// The mode is Mask, MaskAbove or Blend, in rationals.  Domain: a texture that outlives this object.

@@ -118,9 +118,10 @@ std::unique_ptr<llvm::Module> linked(const Options& o, llvm::LLVMContext& contex
   for (llvm::GlobalVariable& g : module->globals()) g.addAttribute(executor::law_attribute);
   std::unique_ptr<llvm::Module> codec = read(o.codec, context);
   for (const char* name : executor::law_functions)
-    if (const llvm::Function* f = codec->getFunction(name);
-        f != nullptr && !f->hasLocalLinkage() && !f->isDeclaration())
-      throw BadFile(o.codec + ": it defines " + name + ", which is a function of the laws; make it static");
+    if (const llvm::Function* f = codec->getFunction(name); f != nullptr && !f->hasLocalLinkage())
+      throw BadFile(o.codec + ": it " + (f->isDeclaration() ? "uses " : "defines ") + name +
+                    ", which is a function of the laws; " +
+                    (f->isDeclaration() ? "a codec may not" : "make it static"));
   // A law that sees the codec's headers has inline functions of it; the codec's own are judged.
   for (llvm::Function& f : *module)
     if (const llvm::Function* own = codec->getFunction(f.getName());

@@ -65,7 +65,9 @@ ValuePtr Executor::call(llvm::Function& called, const std::vector<ValuePtr>& arg
   if (shape == nullptr) shape = std::make_unique<Shape>(function);
   const Literal outer = outer_;
   const bool described = describes_;
-  describes_ = described || function.getName() == "mmverify_subject_v1";
+  // An entry point that calls it may not change it.
+  const bool by_law = at == nullptr || at->getFunction()->hasFnAttribute(law_attribute);
+  describes_ = described || (by_law && function.getName() == "mmverify_subject_v1");
   Call c{function, *shape, condition(state), ++calls_};
   State first;
   first.memory = std::move(state.memory);
