@@ -57,9 +57,6 @@ class BitWriter {
     used_ %= 8;
   }
 
-  /// Both are at one bit of one array, and append the same.
-  friend bool operator==(const BitWriter&, const BitWriter&) = default;
-
  private:
   std::uint8_t* bytes_;
   std::uint32_t used_;
@@ -84,7 +81,6 @@ class BitReader {
   }
   void skip(std::uint32_t count) noexcept { place_ += count; }
   std::uint64_t place() const noexcept { return place_; }
-  std::span<const std::uint8_t> bytes() const noexcept { return bytes_; }
 
  private:
   std::span<const std::uint8_t> bytes_;
