@@ -230,7 +230,14 @@ CodecAnswer Codec::prove(const HarnessCall& call, const ProofLimits& limits) {
   std::string& law = made_[key];
   if (law.empty()) {
     const std::string out = folder_->file("law." + std::to_string(made_.size()) + ".bc");
-    compile_file(folder_->file(call.file), words, out, *folder_);
+    try {
+      compile_file(folder_->file(call.file), words, out, *folder_);
+    } catch (const BadSource& why) {
+      std::string text = why.what();
+      for (std::size_t at; (at = text.find(folder_->file(""))) != std::string::npos;)
+        text.erase(at, folder_->file("").size());
+      throw BadSource(file_ + ": a law does not fit it: " + text);
+    }
     law = out;
   }
   std::ostringstream budget;

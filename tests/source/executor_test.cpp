@@ -224,6 +224,9 @@ const std::array undefined{
               "a copy of more bytes than there are"},
     Undefined{"constants", WATCHED "only_read(m); if (any(1)) m[3] = 1;", "the constant"},
     Undefined{"constants", WATCHED "only_read(m); memset(m, 1, 1 + any(1));", "the constant"},
+    Undefined{"constants", WATCHED "uint8_t b[9] = {0}; only_read(m); memcpy(m, b, 9);", "the constant"},
+    Undefined{"checks", "uint64_t x = any(3); check(!__builtin_constant_p(x));", "the check fails"},
+    Undefined{"checks", "uint64_t x = any(3); check(__builtin_constant_p(x));", "the check fails"},
     Undefined{"ends", "if (any(9) == 300) __builtin_unreachable();",
               "code that is never reached is reached"}};
 
@@ -385,6 +388,49 @@ TEST_F(Executor, RefusesALawThatSaysNothing) {
   const std::string said =
       answer(fmt::format("{}void law(void) {{ {} }}\n", declarations, body), "|| test $? = 4");
   EXPECT_NE(said.find("the law's assumptions leave no input"), std::string::npos) << said;
+}
+
+TEST_F(Executor, GivesACodecNoWordOfTheLawsAndNoState) {
+  const std::string counts = "extern \"C\" int mmverify_subject_v1() { static int calls; return ++calls; }\n";
+  const std::string v1 = "int mmverify_subject_v1(void); ";
+  EXPECT_NE(answer_of_cpp(counts + "extern \"C\" int f(unsigned) { return mmverify_subject_v1(); }\n",
+                          "check(f(0) == 1);", "|| true")
+                .find("calls, which outlives the call"),
+            std::string::npos);
+  EXPECT_NE(answer_of_cpp(counts + "extern \"C\" int f(unsigned) { return 0; }\n",
+                          v1 + "mmverify_subject_v1(); mmverify_subject_v1(); check(f(0) == 0);", "|| true")
+                .find("a later call of mmverify_subject_v1 changes"),
+            std::string::npos);
+  EXPECT_NE(answer_of_cpp(
+                "extern \"C\" int mmverify_subject_v1() { static int filled; filled = 7; return filled; }\n"
+                "extern \"C\" int f(unsigned) { return 0; }\n",
+                v1 + "mmverify_subject_v1(); check(mmverify_subject_v1() == 7 && f(0) == 0);")
+                .find("proved "),
+            std::string::npos);
+  EXPECT_NE(answer_of_cpp("extern \"C\" __attribute__((weak)) void assume(int);\n"
+                          "extern \"C\" int f(unsigned x) { if (assume) assume(x != 3); return x == 3; }\n",
+                          "check(f(any(3)) == 0);", "|| true")
+                .find("it uses assume, which is a function of the laws"),
+            std::string::npos);
+}
+
+// Inline functions of both are the codec's.
+TEST_F(Executor, JudgesTheCodecsInlineFunctions) {
+  const std::string law = written("law.ll", R"(declare void @check(i32)
+define linkonce_odr i32 @g() {
+  ret i32 1
+}
+define void @law() {
+  %x = call i32 @g()
+  %right = icmp eq i32 %x, 2
+  %z = zext i1 %right to i32
+  call void @check(i32 %z)
+  ret void
+}
+)"),
+                    codec = written("codec.ll", "define linkonce_odr i32 @g() {\n  ret i32 2\n}\n");
+  EXPECT_NE(printed(fmt::format("{} {} {} law", MMVERIFY_CODEC, codec, law)).find("proved "),
+            std::string::npos);
 }
 
 TEST_F(Executor, NamesWhatItCannotFollow) {

@@ -96,6 +96,8 @@ class Executor {
   /// The number; throws Unreadable for a pointer.
   ValuePtr numeric(State& s, const llvm::Value* v, const llvm::Instruction& at);
   int object_of(const llvm::GlobalVariable& global, const llvm::Instruction& at) const;
+  /// What the first call of mmverify_subject_v1 leaves, each later one leaves.
+  void require_described(const State& s, const llvm::Instruction& at);
   /// Adds the global variables with their first values.
   void make_globals(State& s, const llvm::Instruction& at);
   void initialize(State& s, Object& object, std::size_t at, const llvm::Constant& c,
@@ -258,7 +260,8 @@ class Executor {
   Literal outer_ = always;    ///< the calls around are made
   Literal running_ = always;  ///< the condition of the step that runs
   int objects_ = 0, calls_ = 0, depth_ = 0;
-  bool describes_ = false;  ///< mmverify_subject_v1 runs, which may fill the entry points in
+  bool describes_ = false;           ///< the law runs mmverify_subject_v1, which may fill the entry points in
+  std::map<int, Object> described_;  ///< the variables after that
 };
 
 }  // namespace mmverify::source::executor

@@ -181,7 +181,7 @@ bool Executor::call_intrinsic(State& s, const llvm::CallBase& i) {
       s.values[&i] = number(number_of_type(*i.getArgOperand(0), i), 32);
       break;
     case Intrinsic::is_constant:
-      s.values[&i] = number(0, 1);  // a compiler may know of no constant
+      s.values[&i] = number({graph_.input()});  // one compiler knows what another does not
       break;
     case Intrinsic::expect:
       s.values[&i] = argument(0);

@@ -66,8 +66,9 @@ ValuePtr Executor::call(llvm::Function& called, const std::vector<ValuePtr>& arg
   const Literal outer = outer_;
   const bool described = describes_;
   // An entry point that calls it may not change it.
-  const bool by_law = at == nullptr || at->getFunction()->hasFnAttribute(law_attribute);
-  describes_ = described || (by_law && function.getName() == "mmverify_subject_v1");
+  const bool describes = at != nullptr && at->getFunction()->hasFnAttribute(law_attribute) &&
+                         function.getName() == "mmverify_subject_v1";
+  describes_ = described || describes;
   Call c{function, *shape, condition(state), ++calls_};
   State first;
   first.memory = std::move(state.memory);
@@ -98,6 +99,7 @@ ValuePtr Executor::call(llvm::Function& called, const std::vector<ValuePtr>& arg
   state.caught = std::move(c.returned.caught);
   state.memory.drop(c.number);
   if (c.lost) state.when = graph_.both(state.when, c.returned.when);
+  if (describes) require_described(state, *at);
   return c.result;
 }
 

@@ -83,6 +83,37 @@ int Executor::object_of(const llvm::GlobalVariable& global, const llvm::Instruct
   throw Unreadable(at, "the variable " + global.getName().str() + ", whose first value is not known here");
 }
 
+namespace {
+
+bool alike(const Value& a, const Value& b) {
+  const auto same_target = [](const Target& x, const Target& y) {
+    return x.when == y.when && x.object == y.object && x.offset == y.offset;
+  };
+  return a.kind == b.kind && a.bits == b.bits && a.unset == b.unset &&
+         std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end(), same_target) &&
+         std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
+                    [](const ValuePtr& x, const ValuePtr& y) { return alike(*x, *y); });
+}
+
+bool alike(const Cell& a, const Cell& b) {
+  if (a.byte != b.byte || (a.value == nullptr) != (b.value == nullptr)) return false;
+  return a.value == b.value || alike(*a.value, *b.value);
+}
+
+}  // namespace
+
+void Executor::require_described(const State& s, const llvm::Instruction& at) {
+  for (const auto& [global, number] : globals_) {
+    const Object* now = s.memory.find(number);
+    if (now == nullptr || !now->lasting || now->constant) continue;
+    const auto [first, fresh] = described_.emplace(number, *now);
+    const std::vector<Cell>&was = first->second.cells, &is = now->cells;
+    if (!fresh && !std::equal(was.begin(), was.end(), is.begin(), is.end(),
+                              [](const Cell& a, const Cell& b) { return alike(a, b); }))
+      throw Unreadable(at, "a later call of mmverify_subject_v1 changes " + now->name);
+  }
+}
+
 void Executor::make_globals(State& s, const llvm::Instruction& at) {
   const bool by_contract =
       module_.getFunction("stands_for") != nullptr || module_.getFunction("watched_memory") != nullptr;
