@@ -1,7 +1,7 @@
 /* Laws of the two sequences of impl/tree, from level to level.  LEVEL: of the map.
  *
  * The functions of impl/tree/recursion.hpp see the sequences through BitWriter::put, BitReader::peek and within_byte, and
- * bit_at.  The steps `step_of_put` to `step_of_bit_at` show that these write and read the bits at any place of memory of
+ * bit_at.  The steps `step_of_put` and `step_of_bits` show that these write and read the bits at any place of memory of
  * any size.  The other steps take them by that contract, and show for an internal node with SIZE levels below, given the
  * same for its children:
  *   write_node appends 4 j + 1 nodes, the first a 1, and 3 j + 1 leaves, j being the number of its internal nodes;
@@ -32,7 +32,6 @@ void put(BitWriter*, uint64_t, uint32_t) asm("_ZN8mmverify4impl4tree6detail9BitW
 uint64_t peek(const BitReader*) asm("_ZNK8mmverify4impl4tree6detail9BitReader4peekEv");
 uint32_t within_byte(const BitReader*,
                      uint32_t) asm("_ZNK8mmverify4impl4tree6detail9BitReader11within_byteEj");
-
 uint64_t place(const BitReader*) asm("_ZNK8mmverify4impl4tree6detail9BitReader5placeEv");
 uint32_t children(const Pyramid*, Level, uint64_t) asm("_ZNK8mmverify4impl4tree6detail7Pyramid8childrenEjm");
 
@@ -392,6 +391,7 @@ void the_finding() {
   else
     check(leaf_at(leaf) == asked_state);
 }
+
 /// A node's bit, any, where pass_one or find_leaf is.
 uint32_t any_bit;
 bool read_any_bit(const uint8_t* bytes, uint64_t k) noexcept {

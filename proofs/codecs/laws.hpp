@@ -40,7 +40,7 @@ struct Facts {
   std::function<bool(dock::Call)> offers;
   std::uint32_t flags = 0;
   Level max_level = 0;
-  std::function<bool(const std::string& symbol)> defines;  ///< a function of that name in its bitcode
+  std::function<bool(const std::string& symbol)> defines = {};  ///< a function of that name in its bitcode
 };
 
 /// A harness's function as part of a law: it is asked where the codec has the entry points and the flag.
