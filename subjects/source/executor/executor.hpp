@@ -96,7 +96,7 @@ class Executor {
   /// The number; throws Unreadable for a pointer.
   ValuePtr numeric(State& s, const llvm::Value* v, const llvm::Instruction& at);
   int object_of(const llvm::GlobalVariable& global, const llvm::Instruction& at) const;
-  /// What the first call of mmverify_subject_v1 leaves, each later one leaves.
+  /// Throws Unreadable if a call of mmverify_subject_v1 leaves other variables than the first one did.
   void require_described(const State& s, const llvm::Instruction& at);
   /// Adds the global variables with their first values.
   void make_globals(State& s, const llvm::Instruction& at);
