@@ -34,7 +34,8 @@ TEST(BenchBake, FiguresKeepTheirOrder) {
     EXPECT_GT(level.of(Baker::corners).wrong, 0u);
     EXPECT_LT(level.of(Baker::rasterised).wrong_per_million(), 1000);
     EXPECT_GT(level.of(Baker::rational).ns, level.of(Baker::ours).ns);
-    EXPECT_LT(level.of(Baker::ours).least_ns, level.of(Baker::ours).most_ns) << "no two of three rounds take the same";
+    EXPECT_LT(level.of(Baker::ours).least_ns, level.of(Baker::ours).most_ns)
+        << "no two of three rounds take the same";
   }
   for (std::size_t k = 1; k < figures.margins.size(); ++k)
     EXPECT_GE(figures.margins[k].unknown, figures.margins[k - 1].unknown) << "a wider margin settles nothing";
