@@ -42,6 +42,10 @@ for index, command in enumerate(commands):
         assert door in doors, f"./run has no {door}"
     for file in re.findall(r"(?:^|&& )((?:scripts|tests|[.]ci)/\S+)", command):
         assert (root / file).is_file(), f"no {file}"
+gitlab = yaml.safe_load((root / "docs/ci/gitlab.yml").read_text())["mmverify"]
+(folder / "gitlab.sh").write_text("#!/usr/bin/env bash\n" + "\n".join(gitlab["script"]) + "\n")
+hooks = yaml.safe_load((root / ".pre-commit-hooks.yaml").read_text())
+assert all(re.search(hook["files"], "a/b.glb") and not re.search(hook["files"], "glb.txt") for hook in hooks)
 for name, job in workflow["jobs"].items():
     for index, step in enumerate(job["steps"]):
         assert ("uses" in step) != ("run" in step), step
@@ -92,6 +96,42 @@ said=$(judge $'assets/**/*.glb\n' '--api khr')
 [[ $(judge 'assets/*.gltf' '') == '4 '* ]] || fail "a pattern without a file is green"
 [[ $(judge '' '') == '2 '* ]] || fail "neither subject nor files is green"
 grep -q '^sarif=' "$folder/stub/output" || fail "no output sarif"
+
+# The maps, too: files without any are passed over, wrong ones are red.
+cat >"$folder/stub/mmverify" <<'STUB'
+#!/bin/sh
+printf '%s\n' "$*" >>"$0.said"
+case "$*" in
+  *'check maps'*one.glb*) echo 'mmverify: one.glb: no primitive has a micromap' >&2; exit 2 ;;
+  *'check maps'*) echo 'refuted bake.conservative'; exit 1 ;;
+esac
+STUB
+: >"$folder/stub/mmverify.said"
+MMVERIFY_MAPS=true judge 'assets/**/*.glb' '' >/dev/null
+[[ $(tail -n 1 "$folder/log") == '::error::mmverify: maps: 1 files, 1 wrong' ]] || fail "wrong maps: $(tail -n 1 "$folder/log")"
+grep -q '^check maps ./assets/a b/two.glb ' "$folder/stub/mmverify.said" || fail "two.glb's maps are not judged"
+
+# Changed files alone: a GLB itself, another file with its folder.
+mkdir -p "$folder/assets/c"
+touch "$folder/assets/c/"{three.gltf,three.bin}
+git -C "$folder" init -q
+git -C "$folder" -c user.name=a -c user.email=a@b add assets
+git -C "$folder" -c user.name=a -c user.email=a@b commit -qm first
+first=$(git -C "$folder" rev-parse HEAD)
+echo changed >"$folder/assets/c/three.bin"
+changed() {
+  : >"$folder/stub/mmverify.said"
+  (cd "$folder" && env MMVERIFY_CHANGED=true MMVERIFY_BASE="$1" MMVERIFY_PROGRAM="$folder/stub/mmverify" MMVERIFY_RESULTS="$folder/stub/results" \
+    GITHUB_OUTPUT="$folder/stub/output" MMVERIFY_FILES='assets/**/*.gl*' "$root/delivery/packaging/action/validate") >"$folder/log" || echo "exit code $?"
+  cat "$folder/stub/mmverify.said"
+}
+[[ $(changed "$first") == 'validate ./assets/c/three.gltf --json '* ]] || fail "a changed .bin does not bring its .gltf: $(<"$folder/log")"
+echo changed >"$folder/assets/one.glb"
+[[ $(changed "$first") == 'validate ./assets/c/three.gltf ./assets/one.glb --json '* ]] || fail "a changed GLB is lost: $(<"$folder/log")"
+git -C "$folder" -c user.name=a -c user.email=a@b commit -qam second
+[[ -z $(changed "$(git -C "$folder" rev-parse HEAD)") ]] || fail "files without a change are judged"
+[[ $(changed 0000000000000000000000000000000000000000) == *'two.glb'*'three.gltf'*'one.glb'* ]] || fail "without a commit to compare with not all are judged"
+grep -q 'all files are judged' "$folder/log" || fail "it does not say that all files are judged"
 
 [[ $1 != --files ]] || exit 0
 
@@ -160,6 +200,30 @@ done
 echo '{' >ours.glb
 code=$(step 2)
 ((code == 1)) || fail "a file that is cut short gives exit code $code"
+# Real maps, by the third step, by the job of docs/ci/gitlab.yml and by pre-commit's hook: right ones, then none listed.
+rm ours.glb
+mkdir assets
+"$program" scene --level 2 --quiet -o assets/leaves.glb >/dev/null
+export MMVERIFY_FILES='assets/**/*.glb' MMVERIFY_MAPS=true
+code=$(step 2)
+((code == 0)) || { cat "$folder/log"; fail "the third step on right maps gives exit code $code"; }
+grep -q '^maps: 1 files, 0 wrong$' results/findings.txt || fail "the maps of a scene are not judged"
+gitlab() {
+  local code=0
+  env -C "$folder/project" MMVERIFY_ASSETS=assets bash -e "$folder/gitlab.sh" >"$folder/log" 2>&1 || code=$?
+  echo "$code"
+}
+[[ $machine == arm64 ]] || [[ $(gitlab) == 0 && -s maps.xml && -s findings.sarif ]] || { cat "$folder/log"; fail "GitLab's job on right maps is red"; }
+hook() { "$program" $(sed -n 's/^  entry: mmverify //p' "$root/.pre-commit-hooks.yaml") "$@" >/dev/null; }
+hook assets/leaves.glb || fail "the hook refuses a right file"
+# The same bytes with another name in the list of extensions.
+sed -i 's/"EXT_mesh_opacity_micromap"\]/"EXT_mesh_opacity_micromaq"]/' assets/leaves.glb
+! hook assets/leaves.glb || fail "the hook takes a wrong file"
+code=$(step 2)
+((code == 1)) || fail "the third step on a wrong file gives exit code $code"
+[[ $machine == arm64 || $(gitlab) == 1 ]] || fail "GitLab's job on a wrong file is green"
+unset MMVERIFY_MAPS
+
 # expect CODE WORDS: the first step, and what it complains of.
 refused() {
   [[ $(step 0) == 4 ]] || fail "not refused: $1"
