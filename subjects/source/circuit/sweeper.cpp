@@ -12,8 +12,8 @@ constexpr int tried_most = 2;
 /// Models that make a new word of patterns: more in large graphs, in which a word costs more.
 constexpr std::size_t least_models = 16, most_models = 64, nodes_a_model = 8192;
 
-/// Nodes of a large graph.
-constexpr std::size_t large = 40000;
+/// Nodes of a large graph: a map of VQ4 makes 400,000, of a tree of level 3 80,000.
+constexpr std::size_t large = 100000;
 
 constexpr std::uint64_t ones = ~std::uint64_t{0};
 
