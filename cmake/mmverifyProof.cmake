@@ -7,7 +7,7 @@
 function(mmverify_add_proof name)
   cmake_parse_arguments(PARSE_ARGV 1 proof "" "SUBJECT;LEVELS" "LAWS")
   # A keyword without a value is what an unset variable comes to.
-  if(NOT proof_SUBJECT OR NOT TARGET ${proof_SUBJECT} OR proof_UNPARSED_ARGUMENTS OR proof_KEYWORDS_MISSING_VALUES)
+  if(NOT proof_SUBJECT OR NOT TARGET "${proof_SUBJECT}" OR proof_UNPARSED_ARGUMENTS OR proof_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "mmverify_add_proof(NAME SUBJECT TARGET [LAWS LAW...] [LEVELS A..B])")
   endif()
   set(levels "")

@@ -2,6 +2,10 @@
 // decisions of traversal, and other shapes.  Installed as <mmverify/mmverify.hpp>.
 #pragma once
 
+#if __cplusplus < 202002L && !defined(_MSVC_LANG)
+#error "mmverify needs C++20: pass -std=c++20"
+#else
+
 #include "impl/array/api.hpp"
 #include "impl/array/build.hpp"
 #include "impl/array/change.hpp"
@@ -39,3 +43,5 @@
 #include "impl/tree/stream.hpp"
 #include "impl/tree/tree.hpp"
 #include "impl/vq/vq.hpp"
+
+#endif

@@ -26,6 +26,7 @@ CodecFigures figures(const CodecCase& of, const CodecWork& work) {
   CodecFigures f;
   if (work.bits) f.bits = work.bits() / static_cast<double>(of.micro_triangles);
   if (work.changed) f.changed = work.changed();
+  if (work.wrong_lookups) f.wrong_lookups = work.wrong_lookups();
   return f;
 }
 

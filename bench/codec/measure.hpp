@@ -17,8 +17,10 @@ struct CodecWork {
   std::function<void()> decode = {};  ///< what `encode` made
   std::function<void()> look_up = {};
   std::function<double()> bits = {};  ///< all codes of a round, in bits
-  /// States that came back otherwise, by decode or by look_up; or that a codec with loss gave up.
+  /// States that came back otherwise, by decode or, without it, by look_up; or that a codec with loss gave up.
   std::function<std::uint64_t()> changed = {};
+  std::function<std::uint64_t()> wrong_lookups =
+      {};  ///< answers that are not the state of the code's own map
 };
 
 /// The maps of a row, and both codecs' work on them.
@@ -33,6 +35,7 @@ struct CodecCase {
 struct CodecFigures {
   double bits = 0;  ///< a micro-triangle
   std::uint64_t changed = 0;
+  std::optional<std::uint64_t> wrong_lookups = {};
   Spread encode, decode, look_up;  ///< ns of a micro-triangle; of a lookup; all 0 without the entry point
 };
 

@@ -66,6 +66,9 @@ Fields<R> codec_fields() {
        [](const R& r) { return r.theirs.changed; }},
       {{count("changed_ours", less, "the same of ours"), "ours", "", plain, "states changed"},
        [](const R& r) { return r.ours.changed; }},
+      {{count("wrong_lookups", less, "of theirs, answers that are not the code's own map's").if_any(),
+        "theirs", "", plain, "lookups wrong"},
+       [](const R& r) -> Value { return r.theirs.wrong_lookups ? Value(*r.theirs.wrong_lookups) : Value(); }},
   };
   add_times(fields, "encode", "encode a micro-triangle", "a micro-triangle", &CodecFigures::encode,
             &R::encode_ratio);

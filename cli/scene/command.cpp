@@ -124,16 +124,21 @@ std::string baking(const SceneOptions& options) {
   return text;
 }
 
+/// The options that decide the levels, "--level-limit 7 ".
+std::string levels(const SceneOptions& options) {
+  std::string text;
+  if (options.level != "auto") text += "--level " + options.level + " ";
+  if (options.level_limit != finest_level) text += fmt::format("--level-limit {} ", options.level_limit);
+  if (options.memory != SceneOptions().memory) text += fmt::format("--memory {} ", options.memory);
+  return text;
+}
+
 /// The command with the arguments that decide the maps, for replaying a case.
 std::string command(const SceneOptions& options) {
-  std::string text = "mmverify scene" + (options.file.empty() ? "" : " " + shell_quoted(options.file));
-  if (options.level != "auto") text += " --level " + options.level;
-  if (options.level_limit != finest_level) text += fmt::format(" --level-limit {}", options.level_limit);
-  if (options.states != 4) text += " --states 2";
-  if (options.memory != SceneOptions().memory) text += fmt::format(" --memory {}", options.memory);
-  if (options.margin != 0) text += fmt::format(" --margin {}", options.margin);
-  if (options.moving) text += " --moving";
-  if (!options.subject.empty()) text += " --subject " + shell_quoted(options.subject);
+  std::string text = "mmverify scene " + (options.file.empty() ? "" : shell_quoted(options.file) + " ");
+  text += levels(options) + baking(options);
+  if (!options.subject.empty()) return text + "--subject " + shell_quoted(options.subject);
+  text.pop_back();
   return text;
 }
 
@@ -368,7 +373,7 @@ int reported(const proofs::scene::Data& data, const SceneMicromaps& made, double
   if (const auto note = proofs::scene::rationals_text(laws)) say(output.text(), "note: {}\n", *note);
   if (!options.details) {
     print_summary(output.text(), figures, report, options.asks, options.file,
-                  {options.moving, baking(options)});
+                  {options.moving, baking(options), levels(options), options.glb});
     if (options.asks) print_materials(output.text(), figures, options.asks);
     print_levels(output.text(), figures);
   }

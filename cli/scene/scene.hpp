@@ -47,6 +47,8 @@ void print_figures(std::FILE* out, const SceneFigures& figures);
 struct AskedOf {
   bool moving = false;
   std::string options;  ///< "--moving --margin 0.5 ", or nothing
+  std::string levels;   ///< "--level 4 ", "--level-limit 7 ", "--memory 51200 ", or nothing
+  std::string written;  ///< the file of -o, or nothing
 };
 
 /// Prints six lines: triangles and maps, any-hit calls, memory, coarser levels, laws, the next command; and one more where

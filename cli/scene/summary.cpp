@@ -117,6 +117,21 @@ std::string laws_text(const proofs::Report& report) {
 
 }  // namespace
 
+namespace {
+
+/// The next command: the same maps as a file; after -o their check, or the maps that --asks names.
+std::string next_text(const std::optional<unsigned>& level, const char* option, const std::string& file,
+                      const AskedOf& asked) {
+  if (!level && !asked.written.empty()) return "mmverify check maps " + shell_quoted(asked.written);
+  return fmt::format("{}mmverify scene {}{}{}-o {}",
+                     asked.written.empty() ? "" : "the file has the finest levels; what was asked for: ",
+                     file.empty() ? "" : shell_quoted(file) + " ",
+                     level ? fmt::format("{} {} ", option, *level) : asked.levels, asked.options,
+                     asked.written.empty() ? "OUT.glb" : shell_quoted(asked.written));
+}
+
+}  // namespace
+
 void print_summary(std::FILE* out, const SceneFigures& f, const proofs::Report& report,
                    const std::optional<double>& asks, const std::string& file, const AskedOf& asked) {
   const MaterialFigures all = total(f.materials);
@@ -140,12 +155,9 @@ void print_summary(std::FILE* out, const SceneFigures& f, const proofs::Report& 
   else
     summary_line(out, "coarser", coarser_text(all, option));
   summary_line(out, "laws", laws_text(report));
-  const std::optional<unsigned> level = asks ? level_for(all, *asks) : std::nullopt;
-  summary_line(
-      out, "next",
-      fmt::format("mmverify scene {}{}{}-o OUT.glb; --picture DIR shows the maps; --details: all figures",
-                  file.empty() ? "" : shell_quoted(file) + " ",
-                  level ? fmt::format("{} {} ", option, *level) : "", asked.options));
+  summary_line(out, "next",
+               next_text(asks ? level_for(all, *asks) : std::nullopt, option, file, asked) +
+                   "; --picture DIR shows the maps; --details: all figures");
 }
 
 void print_materials(std::FILE* out, const SceneFigures& f, const std::optional<double>& asks) {

@@ -8,6 +8,7 @@
 namespace mmverify::proofs {
 namespace {
 volatile std::sig_atomic_t stop_asked = 0;
+timespec asked_at{};                      ///< written by the handler, before stop_asked
 volatile std::sig_atomic_t patience = 0;  ///< milliseconds; 0: no end
 volatile std::sig_atomic_t code_at_end = 0;
 #ifndef __EMSCRIPTEN__
@@ -22,9 +23,24 @@ void say(const char (&text)[n]) {
   if (write(STDERR_FILENO, text, n - 1) < 0) return;  // nobody reads
 }
 
+/// Seconds within which signals are one wish: timeout(1) signals its child, and then the group that holds it.
+constexpr double one_wish = 0.3;
+
+double seconds_since_asked() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec - asked_at.tv_sec) +
+         1e-9 * static_cast<double>(now.tv_nsec - asked_at.tv_nsec);
+}
+
 extern "C" void ask_to_stop(int signal) {
-  std::signal(signal, SIG_DFL);
-  if (stop_asked != 0) return;
+  if (stop_asked != 0) {
+    if (seconds_since_asked() < one_wish) return;
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+    return;
+  }
+  clock_gettime(CLOCK_MONOTONIC, &asked_at);
   stop_asked = 1;
 #ifndef __EMSCRIPTEN__
   if (patience == 0) return;

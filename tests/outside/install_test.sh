@@ -108,8 +108,9 @@ for use in 'add_executable(uses my_index.c)\ntarget_link_libraries(uses PRIVATE 
   cp "$folder/fine.txt" "$folder/without/CMakeLists.txt"
 done
 # A keyword that an unset variable left without its value would judge less than was asked.
-for left in 'LAWS LEVELS 0..2' 'LAWS index.in_range LEVELS'; do
-  sed -i "s/ LAWS.*)/ $left)/" "$folder/without/CMakeLists.txt"
+for left in 'SUBJECT my_index LAWS LEVELS 0..2' 'SUBJECT my_index LAWS index.in_range LEVELS' 'LAWS index.in_range' \
+  'SUBJECT no_target LAWS index.in_range'; do
+  sed -i "s/(my_index_is_right .*)/(my_index_is_right $left)/" "$folder/without/CMakeLists.txt"
   PKG_CONFIG_LIBDIR=/nowhere cmake "$folder/without/build" >"$folder/configure.log" 2>&1 && fail "mmverify_add_proof takes $left"
   grep 'mmverify_add_proof(NAME SUBJECT TARGET' "$folder/configure.log"
 done

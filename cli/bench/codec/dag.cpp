@@ -68,15 +68,19 @@ bench::CodecWork theirs(const mmverify_subject_t& s, const std::shared_ptr<Row>&
                    row->state.data(), row->state.size());
     };
   work.bits = [row] { return 8 * static_cast<double>(row->size); };
-  work.changed = [&s, row] {
-    if (s.dag_decode != nullptr)
+  if (s.dag_lookup != nullptr)
+    work.wrong_lookups = [row] {
+      std::uint64_t wrong = 0;
+      for (std::size_t k = 0; k < row->state.size(); ++k)
+        wrong += row->graph->at(row->map[k], row->index[k]) != row->state[k] ? 1 : 0;
+      return wrong;
+    };
+  work.changed = work.wrong_lookups;
+  if (s.dag_decode != nullptr)
+    work.changed = [row] {
       return row->back_size == row->scene.size() ? differing(row->back, row->scene, row->bits())
                                                  : std::uint64_t{row->scene.size()};
-    std::uint64_t changed = 0;
-    for (std::size_t k = 0; s.dag_lookup != nullptr && k < row->state.size(); ++k)
-      changed += row->graph->at(row->map[k], row->index[k]) != row->state[k] ? 1 : 0;
-    return changed;
-  };
+    };
   return work;
 }
 

@@ -61,10 +61,20 @@ bench::CodecCase case_of(const std::string& of, const Map& map, const SquareForm
   }
   if (form.decode != nullptr)
     c.theirs.decode = [row] { row->form.decode(row->block.data(), row->back.data()); };
-  if (form.region != nullptr)
+  if (form.region != nullptr) {
     c.theirs.look_up = [row] {
       row->form.region(row->block.data(), row->x.data(), row->y.data(), row->state.data(), lookups);
     };
+    c.theirs.wrong_lookups = [row, look_up = c.theirs.look_up] {
+      look_up();  // ours wrote there since
+      const Map right = impl::vq::decode(row->block);
+      std::uint64_t wrong = 0;
+      for (std::size_t k = 0; k < lookups; ++k)
+        wrong +=
+            row->state[k] != static_cast<std::uint8_t>(right[row->x[k] + row->form.side * row->y[k]]) ? 1 : 0;
+      return wrong;
+    };
+  }
   c.ours = {.encode = [row] { row->our_block = row->form.our_block(row->map); },
             .decode =
                 [row] {
