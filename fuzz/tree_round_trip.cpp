@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 #include <vector>
 
 #include "impl/index/index.hpp"
@@ -49,6 +50,36 @@ std::vector<std::uint8_t> drawn(const std::uint8_t* data, std::size_t size, bool
   return states;
 }
 
+/// The packed bytes of states.  A byte has 8 / b of them, or all.
+Bytes packed(const std::vector<std::uint8_t>& states, std::uint32_t b) {
+  Bytes map((states.size() * b + 7) / 8);
+  auto state = states.begin();
+  for (std::uint8_t& byte : map)
+    for (std::uint32_t bit = 0; bit < 8 && state != states.end(); bit += b)
+      byte = static_cast<std::uint8_t>(byte | *state++ << bit);
+  return map;
+}
+
+/// The numbers of all micro-triangles of the greatest level, made once.
+const std::vector<std::uint32_t>& numbers() {
+  static const std::vector<std::uint32_t> all = [] {
+    std::vector<std::uint32_t> out(std::size_t{1} << 14);
+    std::iota(out.begin(), out.end(), 0u);
+    return out;
+  }();
+  return all;
+}
+
+/// For each micro-triangle which of two forms is asked, made once.
+const std::vector<std::uint32_t>& forms_asked() {
+  static const std::vector<std::uint32_t> all = [] {
+    std::vector<std::uint32_t> out;
+    for (const std::uint32_t k : numbers()) out.push_back(k * 5 / 8 % 2);
+    return out;
+  }();
+  return all;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -58,9 +89,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto bits = static_cast<tree::Format>(b);
   const std::uint64_t count = std::uint64_t{1} << (2 * n);
   const std::vector<std::uint8_t> states = drawn(data + 2, size - 2, (data[1] & 2) != 0, count, b);
-  Bytes map((count * b + 7) / 8);
-  for (std::uint64_t k = 0; k < count; ++k)
-    map[k * b / 8] = static_cast<std::uint8_t>(map[k * b / 8] | states[k] << (k * b % 8));
+  const Bytes map = packed(states, b);
 
   // The stream is the specification's, bit for bit; the specification is slow beyond level 5.
   const tree::Stream stream = tree::encode_stream(n, bits, map);
@@ -86,8 +115,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(container.size() <= map.size() + tree::container_header, "the container's size", n, b);
   require(tree::read(container).map == map, "the container", n, b);
 
-  std::vector<std::uint32_t> index(count), which(count, 0);
-  for (std::uint32_t k = 0; k < count; ++k) index[k] = k;
+  // Vectors of the exact size: the sanitizer sees any step over their ends.
+  const auto last_asked = static_cast<std::ptrdiff_t>(count);
+  const std::vector<std::uint32_t> index(numbers().begin(), numbers().begin() + last_asked),
+      which(forms_asked().begin(), forms_asked().begin() + last_asked);
   std::vector<std::uint8_t> found(count, 0xee);
   form.lookup(index, found);
   require(found == states, "Tree::lookup", n, b);
@@ -98,7 +129,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   other.decode(out);
   require(out == map, "Tree::decode of chosen depths", n, b);
   const tree::Tree* const forms[] = {&form, &other};
-  for (std::uint32_t k = 0; k < count; ++k) which[k] = k * 5 / 8 % 2;
   tree::lookup(forms, which, index, found);
   require(found == states, "lookup in many", n, b);
   // Algorithm 3 is slow: every 1st, 2nd, 4th ... state is looked up, so that all levels cost alike.

@@ -39,7 +39,8 @@ for target in "${targets[@]}"; do
   cp "$WORK/mmverify/fuzz/fuzz_$target" "$OUT/$target"
   (cd "$target" && zip --quiet --recurse-paths - .) >"$OUT/${target}_seed_corpus.zip"
   # The largest seeds are some 3,000 bytes; beyond, a run only gets slower.
-  printf '[libfuzzer]\nmax_len = 8192\n' >"$OUT/$target.options"
+  # The other option is that of `fuzz_one` in `run`, which says why.
+  printf '[libfuzzer]\nmax_len = 8192\nentropic_feature_frequency_threshold = 0\n' >"$OUT/$target.options"
   dictionary=$project/fuzz/${target%%_*}.dict
   if [[ -f $dictionary ]]; then
     cp "$dictionary" "$OUT/$target.dict"
