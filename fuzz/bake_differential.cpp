@@ -1,4 +1,6 @@
 // Any texture under any triangle: impl's map must be the specification's, micro-triangle by micro-triangle.
+// The specification's states are those in whole numbers.  The definition, in rationals, has those for which whole
+// numbers are too narrow, and a state in 1/16 of the inputs; bake_whole_test compares the two.
 //
 // Input; missing bytes are 0:
 //   0  width - 1 (bits 0..2), height - 1 (bits 3..5), texels of 8 bits, 16, binary32 (bits 6..7: 0 1 2, 3 is
@@ -32,7 +34,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "fuzz/choice.hpp"
+#include "fuzz/share.hpp"
 #include "impl/bake/triangles.hpp"
 #include "spec/bake/state.hpp"
 #include "spec/bake/whole/state.hpp"
@@ -43,6 +45,7 @@ namespace fast = mmverify::impl::bake;
 namespace slow = mmverify::spec::bake;
 namespace whole = mmverify::spec::bake::whole;
 using State = mmverify::spec::micromap::State;
+using mmverify::fuzz::Share;
 using mmverify::spec::Rational;
 using mmverify::spec::Rational128;
 
@@ -184,8 +187,8 @@ std::optional<State> in_whole_numbers(const Case& c, const std::vector<whole::Wh
 template <class Exact>
 class Specified {
  public:
-  Specified(const Case& c, const Mips<Exact>& mips, std::uint32_t choice) : c_(c), mips_(mips) {
-    if (choice % 16 == 0) by_definition_ = choice / 16 % (1u << 2 * c.level);
+  Specified(const Case& c, const Mips<Exact>& mips, const Share& share) : c_(c), mips_(mips) {
+    if (share.of(16)) by_definition_ = share.below(1u << 2 * c.level);
     with_mode<Rational>(c, [&](const auto& mode) {
       for (const auto& t : mips) whole_.emplace_back(t, mode);
       return 0;
@@ -214,7 +217,7 @@ void planted([[maybe_unused]] const Case& c, [[maybe_unused]] std::vector<std::u
 }
 
 template <class Stored>
-void judge(const Case& c, Bytes in, std::uint32_t choice) {
+void judge(const Case& c, Bytes in, const Share& share) {
   using Exact = decltype(exact_texel(Stored{}));
   std::vector<std::vector<Stored>> alpha(c.mips);
   std::vector<fast::Texels> mips;
@@ -247,11 +250,12 @@ void judge(const Case& c, Bytes in, std::uint32_t choice) {
   baker.bake({{{c.uv[0], c.uv[1]}, {c.uv[2], c.uv[3]}, {c.uv[4], c.uv[5]}}}, c.level, map);
   for (std::uint32_t k = 0; k < count; ++k) states[k] = map[k / 4] >> 2 * (k % 4) & 3;
   planted(c, states);
-  const Specified<Exact> specified(c, exact, choice);
+  const Specified<Exact> specified(c, exact, share);
   const auto check = [&](std::uint32_t k) {
     const std::uint8_t state = specified.at(k);
     if (states[k] == state) return;
-    std::fprintf(stderr, "bake: level %u, micro-triangle %u: %u, expected %u\n", c.level, k, states[k], state);
+    std::fprintf(stderr, "bake: level %u, micro-triangle %u: %u, expected %u\n", c.level, k, states[k],
+                 state);
     std::abort();
   };
   // Level 3 judges a fifth of the states, since the specification is slow.
@@ -265,16 +269,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Bytes in(data, size);
   const std::uint32_t sides = in.next();
   const Case c = read(in, sides);
-  const std::uint32_t choice = mmverify::fuzz::choice(data, size);
+  const Share share(data, size);
   switch (sides >> 6) {
     case 1:
-      judge<std::uint16_t>(c, in, choice);
+      judge<std::uint16_t>(c, in, share);
       break;
     case 2:
-      judge<float>(c, in, choice);
+      judge<float>(c, in, share);
       break;
     default:
-      judge<std::uint8_t>(c, in, choice);
+      judge<std::uint8_t>(c, in, share);
   }
   return 0;
 }

@@ -34,7 +34,8 @@ inline void require(bool holds, const char* who, const char* what, std::size_t s
 }
 
 template <class Format>
-void require_same(const States<Format>& expected, const States<Format>& got, const char* who, const char* what) {
+void require_same(const States<Format>& expected, const States<Format>& got, const char* who,
+                  const char* what) {
   for (std::size_t k = 0; k < got.size(); ++k) require(got[k] == expected[k], who, what, Format::side, k);
 }
 

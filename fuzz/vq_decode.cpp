@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "fuzz/choice.hpp"
+#include "fuzz/share.hpp"
 #include "fuzz/vq_both.hpp"
 
 namespace {
@@ -40,7 +40,7 @@ States<Format> decoded(const slow::BlockBytes<Format>& block) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 1) return 0;
-  const bool slow = choice(data, size) % 8 == 0;
+  const bool slow = Share(data, size).of(8);
   const std::uint8_t how = *data++;
   --size;
   if (size <= 32) {
@@ -57,7 +57,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::copy(data, data + std::min<std::size_t>(size, 64), block.begin());
   const fast::Map4 map = decoded<slow::Vq4>(block);
   if (how % 4 == 3) return 0;
-  const fast::Encoded4 again = fast::encode(map, slow ? static_cast<fast::Effort>(how % 4) : fast::Effort::fast);
+  const fast::Encoded4 again =
+      fast::encode(map, slow ? static_cast<fast::Effort>(how % 4) : fast::Effort::fast);
   require(again.substitutions == 0, "encoded again, it", "loses", 4);
   require_same<slow::Vq4>(map, meant<slow::Vq4>(again.block), "encoded again, it", "is another map");
   return 0;

@@ -11,9 +11,9 @@
 //      vectors a byte: which of them, by its low five bits, and the transform it is turned by, the high three
 //   3  a block's bytes, whose decoded map is the map
 // Missing regions are T; missing bytes of the last two ways derive from the bytes before.
-// Slow encoders take a share of the inputs that ask for them: Algorithm 1, and any encoder on its own map, 1/4; balanced
-// and Algorithm 2, 1/16; thorough, 1/32.  An input without any of the encoders that it asks for has the optimum, or fast.
-// The laws vq2.conservative, vq4.conservative and vq4.effort compare the same on maps of theirs.
+// Slow encoders take a share of the inputs that ask for them: Algorithm 1, and any encoder on its own map, 1/8;
+// balanced and Algorithm 2, 1/32; thorough, 1/64.  An input without any of the encoders that it asks for has the
+// optimum, or fast.  The laws vq2.conservative, vq4.conservative and vq4.effort judge all of them on maps of theirs.
 //
 // With PLANTED the harness's encoders are broken on purpose: if BR is rotated by 270, the first
 // entry in use there has one C less.  A fuzzer that does not find this looks in the wrong place.
@@ -24,7 +24,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "fuzz/choice.hpp"
+#include "fuzz/share.hpp"
 #include "fuzz/vq_both.hpp"
 
 namespace {
@@ -142,10 +142,10 @@ slow::BlockBytes<Format> planted(const slow::BlockBytes<Format>& block) {
   return block;
 }
 
-/// What an encoder promises of a map.
+/// The promises of an encoder, for one map.
 struct Promise {
   bool keeps_what_fits, block_holds_it;
-  bool own_map_judged;  ///< whether the encoder is asked once more, of the map that it made
+  bool own_map_judged;  ///< whether the encoder encodes the map that it made once more
 };
 
 /// Judges one encoder on one map, and returns the number of substitutions.
@@ -162,17 +162,11 @@ std::uint32_t judge(const States<Format>& map, const Promise& promise, const cha
   return lost;
 }
 
-/// Whether an input belongs to a share of 1/n of all inputs; a greater n is a part of a smaller one.  Domain: n a power of 2.
-struct Share {
-  std::uint32_t choice;
-  bool of(std::uint32_t n) const { return choice % n == 0; }
-};
-
 void vq2(std::uint32_t how, std::uint8_t which, Share share, Bytes in) {
   const fast::Map2 map = drawn<slow::Vq2>(how, in);
   check_continuity<slow::Vq2>(map);
-  const bool paper = (which & 3) != 1 && share.of(4), optimal = (which & 3) != 2 || !paper;
-  const Promise promise{true, how == 3, share.of(4)}, no_promise{};
+  const bool paper = (which & 3) != 1 && share.of(8), optimal = (which & 3) != 2 || !paper;
+  const Promise promise{true, how == 3, share.of(8)}, no_promise{};
   std::uint32_t least = 0, greedy = 0;
   if (optimal)
     least = judge<slow::Vq2>(map, promise, "the optimum",
@@ -189,18 +183,17 @@ void vq2(std::uint32_t how, std::uint8_t which, Share share, Bytes in) {
 void vq4(std::uint32_t how, std::uint8_t which, Share share, Bytes in) {
   const fast::Map4 map = drawn<slow::Vq4>(how, in);
   check_continuity<slow::Vq4>(map);
-  const bool balanced = (which & 3) != 0 && share.of(16), algorithm_2 = (which & 48) == 48 && share.of(16);
+  const bool balanced = (which & 3) != 0 && share.of(32), algorithm_2 = (which & 48) == 48 && share.of(32);
   const bool asked[] = {(which & 2) == 0 || !(balanced || algorithm_2), balanced,
-                        (which & 12) == 12 && share.of(32)};
-  const Promise promise{true, how == 3, share.of(4)};
+                        (which & 12) == 12 && share.of(64)};
+  const Promise promise{true, how == 3, share.of(8)};
   std::uint32_t before = ~0u;
   constexpr const char* names[] = {"fast", "balanced", "thorough"};
   for (std::uint32_t effort = 0; effort < 3; ++effort) {
     if (!asked[effort]) continue;
-    const std::uint32_t lost =
-        judge<slow::Vq4>(map, promise, names[effort], [=](const fast::Map4& m) {
-          return fast::encode(m, static_cast<fast::Effort>(effort));
-        });
+    const std::uint32_t lost = judge<slow::Vq4>(map, promise, names[effort], [=](const fast::Map4& m) {
+      return fast::encode(m, static_cast<fast::Effort>(effort));
+    });
     require(lost <= before, names[effort], "is worse than less effort", 4);
     before = lost;
   }
@@ -215,7 +208,7 @@ void vq4(std::uint32_t how, std::uint8_t which, Share share, Bytes in) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) return 0;
   const Bytes rest(data + 2, size - 2);
-  const Share share{choice(data, size)};
+  const Share share(data, size);
   const std::uint32_t how = data[0] / 2 % 4;
   if (data[0] % 2 == 0)
     vq2(how, data[1], share, rest);

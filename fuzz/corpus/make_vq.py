@@ -87,6 +87,6 @@ DECODE = {
 
 # Every encoder that they ask for judges these.  Their maps are whole before their last byte, which no region reads.
 for name in ENCODE.keys() - {"vq2_rotated_by_270"}:
-    ENCODE[name] = seeds.in_share(ENCODE[name], 32)
+    ENCODE[name] = seeds.in_share(ENCODE[name], 64)
 
 seeds.write({"vq_encode": ENCODE, "vq_decode": DECODE})

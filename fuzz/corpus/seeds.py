@@ -3,18 +3,18 @@ import pathlib
 import sys
 
 
-def choice(data):
-    """A number that all bytes of an input determine: fuzz/choice.hpp."""
-    number = 0x811C9DC5
+def number(data):
+    """A number that all bytes of an input determine: fuzz/share.hpp."""
+    joined = 0x811C9DC5
     for byte in data:
-        number = (number ^ byte) * 0x01000193 & 0xFFFFFFFF
-    return number ^ number >> 16
+        joined = (joined ^ byte) * 0x01000193 & 0xFFFFFFFF
+    return joined ^ joined >> 16
 
 
 def in_share(data, share):
     """The input, ended by bytes that put it among the 1/share of all inputs that a harness takes for what is slow."""
     ends = (end.to_bytes(length, "little") for length in range(3) for end in range(256**length))
-    return next(data + end for end in ends if choice(data + end) % share == 0)
+    return next(data + end for end in ends if number(data + end) % share == 0)
 
 
 def write(corpora):
