@@ -20,7 +20,7 @@
 // With PLANTED the compared states are spoiled: with mirror-once along u, a border above 0 and a level above 1
 // the last unknown is opaque.
 //
-// Covers: impl/bake/* impl/common/binary.hpp impl/common/wide.hpp
+// Covers: impl/bake/* impl/common/binary.hpp impl/common/few.hpp impl/common/wide.hpp
 #include <algorithm>
 #include <array>
 #include <bit>
