@@ -1,4 +1,6 @@
 // Any texture under any triangle: impl's map must be the specification's, micro-triangle by micro-triangle.
+// The specification's states are those in whole numbers.  The definition, in rationals, has those for which whole
+// numbers are too narrow, and a state in 1/16 of the inputs; bake_whole_test compares the two.
 //
 // Input; missing bytes are 0:
 //   0  width - 1 (bits 0..2), height - 1 (bits 3..5), texels of 8 bits, 16, binary32 (bits 6..7: 0 1 2, 3 is
@@ -18,7 +20,7 @@
 // With PLANTED the compared states are spoiled: with mirror-once along u, a border above 0 and a level above 1
 // the last unknown is opaque.
 //
-// Covers: impl/bake/* impl/common/binary.hpp impl/common/wide.hpp
+// Covers: impl/bake/* impl/common/binary.hpp impl/common/few.hpp impl/common/wide.hpp
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -26,18 +28,24 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
 
+#include "fuzz/share.hpp"
 #include "impl/bake/triangles.hpp"
 #include "spec/bake/state.hpp"
+#include "spec/bake/whole/state.hpp"
 
 namespace {
 
 namespace fast = mmverify::impl::bake;
 namespace slow = mmverify::spec::bake;
+namespace whole = mmverify::spec::bake::whole;
+using State = mmverify::spec::micromap::State;
+using mmverify::fuzz::Share;
 using mmverify::spec::Rational;
 using mmverify::spec::Rational128;
 
@@ -121,33 +129,84 @@ auto exact_texel(Stored stored) {
     return stored;
 }
 
+slow::Binary32 binary(float x) { return {std::bit_cast<std::uint32_t>(x)}; }
+
+template <class Exact>
+using Mips = std::vector<slow::TextureOf<Exact>>;
+
+/// Calls ask(mode) with the alpha mode in numbers Q.
+template <class Q, class Ask>
+auto with_mode(const Case& c, Ask ask) {
+  return c.blend ? ask(slow::Blend<Q>{})
+                 : ask(slow::Mask<Q>{slow::fraction<Q>(c.cutoff.numerator, c.cutoff.denominator)});
+}
+
 template <class Q, class Exact>
-std::uint8_t specified(const Case& c, const std::vector<slow::TextureOf<Exact>>& mips, std::uint32_t index) {
-  const auto binary = [](float x) { return slow::Binary32{std::bit_cast<std::uint32_t>(x)}; };
+State in_rationals(const Case& c, const Mips<Exact>& mips, std::uint32_t index) {
   const auto vertex = [&](std::size_t k) {
     return slow::place<Q>(binary(c.uv[2 * k]), binary(c.uv[2 * k + 1]));
   };
   const slow::BaseTriangle<Q> uv{vertex(0), vertex(1), vertex(2)};
   const Q margin = slow::number<Q>(binary(c.margin));
   const std::span<const slow::TextureOf<Exact>> all(mips);
-  const auto state =
-      c.blend ? slow::micro_state(all, uv, c.level, index, slow::Blend<Q>{}, margin)
-              : slow::micro_state(all, uv, c.level, index,
-                                  slow::Mask<Q>{slow::fraction<Q>(c.cutoff.numerator, c.cutoff.denominator)},
-                                  margin);
-  return static_cast<std::uint8_t>(state);
+  return with_mode<Q>(
+      c, [&](const auto& mode) { return slow::micro_state(all, uv, c.level, index, mode, margin); });
 }
 
-/// The specification's state, in 128 bits if they suffice.
+/// The specification's state in rationals, of 128 bits if they suffice.
 template <class Exact>
-std::uint8_t expected(const Case& c, const std::vector<slow::TextureOf<Exact>>& mips, std::uint32_t index) {
+State in_rationals(const Case& c, const Mips<Exact>& mips, std::uint32_t index) {
   try {
-    return specified<Rational128>(c, mips, index);
+    return in_rationals<Rational128>(c, mips, index);
   } catch (const std::overflow_error&) {
   } catch (const std::range_error&) {
   }
-  return specified<Rational>(c, mips, index);
+  return in_rationals<Rational>(c, mips, index);
 }
+
+/// The state in whole numbers; none where they are too narrow.
+std::optional<State> in_whole_numbers(const Case& c, const std::vector<whole::WholeTexture>& mips,
+                                      std::uint32_t index) {
+  whole::Place place{{}, c.level, index, binary(c.margin)};
+  for (std::size_t k = 0; k < 3; ++k) place.uv[k] = {binary(c.uv[2 * k]), binary(c.uv[2 * k + 1])};
+  std::optional<slow::State> all;
+  for (const whole::WholeTexture& t : mips) {
+    const auto state = whole::state(t, place);
+    if (!state) return std::nullopt;
+    all = all ? slow::merged(*all, *state) : *state;
+  }
+  if (all == slow::State::O) return State::O;
+  if (all == slow::State::T) return State::T;
+  const auto leans = whole::leans(mips[0], place);
+  if (!leans) return std::nullopt;
+  return *leans ? State::UO : State::UT;
+}
+
+/// The specification's states, in whole numbers.  Where these are too narrow, and at one place of an input in 16, which
+/// all its bytes choose, the state is that of the definition, in rationals.
+template <class Exact>
+class Specified {
+ public:
+  Specified(const Case& c, const Mips<Exact>& mips, const Share& share) : c_(c), mips_(mips) {
+    if (share.of(16)) by_definition_ = share.below(1u << 2 * c.level);
+    with_mode<Rational>(c, [&](const auto& mode) {
+      for (const auto& t : mips) whole_.emplace_back(t, mode);
+      return 0;
+    });
+  }
+  std::uint8_t at(std::uint32_t index) const {
+    std::optional<State> state;
+    if (index != by_definition_) state = in_whole_numbers(c_, whole_, index);
+    return static_cast<std::uint8_t>(state ? *state : in_rationals(c_, mips_, index));
+  }
+  std::optional<std::uint32_t> by_definition() const { return by_definition_; }
+
+ private:
+  const Case& c_;
+  const Mips<Exact>& mips_;
+  std::vector<whole::WholeTexture> whole_;
+  std::optional<std::uint32_t> by_definition_;
+};
 
 void planted([[maybe_unused]] const Case& c, [[maybe_unused]] std::vector<std::uint8_t>& states) {
 #ifdef PLANTED
@@ -158,11 +217,11 @@ void planted([[maybe_unused]] const Case& c, [[maybe_unused]] std::vector<std::u
 }
 
 template <class Stored>
-void judge(const Case& c, Bytes in) {
+void judge(const Case& c, Bytes in, const Share& share) {
   using Exact = decltype(exact_texel(Stored{}));
   std::vector<std::vector<Stored>> alpha(c.mips);
   std::vector<fast::Texels> mips;
-  std::vector<slow::TextureOf<Exact>> exact;
+  Mips<Exact> exact;
   const Stored border = texel<Stored>(c.border);
   for (std::uint32_t m = 0; m < c.mips; ++m) {
     const std::uint32_t width = std::max(1u, c.width >> m), height = std::max(1u, c.height >> m);
@@ -191,13 +250,17 @@ void judge(const Case& c, Bytes in) {
   baker.bake({{{c.uv[0], c.uv[1]}, {c.uv[2], c.uv[3]}, {c.uv[4], c.uv[5]}}}, c.level, map);
   for (std::uint32_t k = 0; k < count; ++k) states[k] = map[k / 4] >> 2 * (k % 4) & 3;
   planted(c, states);
+  const Specified<Exact> specified(c, exact, share);
+  const auto check = [&](std::uint32_t k) {
+    const std::uint8_t state = specified.at(k);
+    if (states[k] == state) return;
+    std::fprintf(stderr, "bake: level %u, micro-triangle %u: %u, expected %u\n", c.level, k, states[k],
+                 state);
+    std::abort();
+  };
   // Level 3 judges a fifth of the states, since the specification is slow.
-  for (std::uint32_t k = 0; k < count; k += c.level < 3 ? 1 : 5)
-    if (const std::uint8_t state = expected(c, exact, k); states[k] != state) {
-      std::fprintf(stderr, "bake: level %u, micro-triangle %u: %u, expected %u\n", c.level, k, states[k],
-                   state);
-      std::abort();
-    }
+  for (std::uint32_t k = 0; k < count; k += c.level < 3 ? 1 : 5) check(k);
+  if (specified.by_definition()) check(*specified.by_definition());
 }
 
 }  // namespace
@@ -206,15 +269,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Bytes in(data, size);
   const std::uint32_t sides = in.next();
   const Case c = read(in, sides);
+  const Share share(data, size);
   switch (sides >> 6) {
     case 1:
-      judge<std::uint16_t>(c, in);
+      judge<std::uint16_t>(c, in, share);
       break;
     case 2:
-      judge<float>(c, in);
+      judge<float>(c, in, share);
       break;
     default:
-      judge<std::uint8_t>(c, in);
+      judge<std::uint8_t>(c, in, share);
   }
   return 0;
 }

@@ -5,7 +5,7 @@
 // alone, scalar against specification; then all together go through the span functions at an odd length,
 // spans against scalar.
 //
-// Covers: impl/index/index.*
+// Covers: impl/index/index.* impl/index/*-inl.hpp
 #include <array>
 #include <bit>
 #include <cmath>

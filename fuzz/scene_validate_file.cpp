@@ -8,7 +8,8 @@
 //
 // Covers: scene/validate/build.* scene/validate/container.* scene/validate/file.* scene/validate/issues.* scene/validate/sidecar.*
 // Covers: scene/validate/index_use.* scene/validate/members.* scene/validate/same_geometry.* scene/validate/target.*
-// Covers: scene/validate/vuids.* scene/read/json_fault.*
+// Covers: scene/validate/vuids.* scene/validate/cutoffs.* scene/validate/kept_records.* scene/validate/stale_records.*
+// Covers: scene/record/* scene/read/json_fault.*
 #include <cstring>
 #include <nlohmann/json.hpp>
 

@@ -38,8 +38,7 @@ cmake --build "$WORK/mmverify" --parallel "${JOBS:-$(nproc)}" --target "${target
 for target in "${targets[@]}"; do
   cp "$WORK/mmverify/fuzz/fuzz_$target" "$OUT/$target"
   (cd "$target" && zip --quiet --recurse-paths - .) >"$OUT/${target}_seed_corpus.zip"
-  # The largest seeds are some 3,000 bytes; beyond, a run only gets slower.
-  printf '[libfuzzer]\nmax_len = 8192\n' >"$OUT/$target.options"
+  grep -v '^#' "$project/fuzz/libfuzzer.options" >"$OUT/$target.options"
   dictionary=$project/fuzz/${target%%_*}.dict
   if [[ -f $dictionary ]]; then
     cp "$dictionary" "$OUT/$target.dict"
