@@ -9,10 +9,11 @@
 #include <optional>
 #include <type_traits>
 
-#include "impl/bake/exact/base.hpp"
+#include "impl/bake/exact/later.hpp"
 #include "impl/bake/judge/codes.hpp"
 #include "impl/bake/judge/filter.hpp"
 #include "impl/bake/judge/inner_box.hpp"
+#include "impl/bake/judge/shapes.hpp"
 #include "impl/bake/sixteen/bounds.hpp"
 #include "impl/bake/sixteen/sixteen.hpp"
 #include "impl/bake/texture/properties.hpp"
@@ -26,45 +27,23 @@ class Bilinear {
   /// The offset of its coordinates from those of texels.
   static constexpr double offset = 0.5;
 
-  /// Domain: `inner` is that of a micro-triangle that is not turned.
-  Bilinear(const TexturePropertiesOf<Texel>& sides, const ExactBase& exact, const Triangle& base,
-           index::Level level, const InnerBox& inner, double delta, const Dilation& dilation) noexcept
+  Bilinear(const TexturePropertiesOf<Texel>& sides, const ExactLater& exact, const Triangle& base,
+           index::Level level, double delta, const Dilation& dilation) noexcept
       : sides_(sides),
         filter_(sides, delta, dilation),
         exact_(exact),
-        inner_(sides, inner, dilation, delta),
-        lines_(filter_.usable() && dilation.none() ? Lines(base, delta) : Lines()),
-        lean_(sides.limits.blend ? -0.5 * sides.gap : 0) {
-    if (level < 2 || !in_vectors() || !lines_.usable) return;
-    for (std::uint32_t height = 2; height <= level; height = height == 2 ? 4 : height + 1) {
-      const double part = std::ldexp(1.0, static_cast<int>(height) - static_cast<int>(level));
-      const PlanePoint b{(base[1].x - base[0].x) * part, (base[1].y - base[0].y) * part},
-          c{(base[2].x - base[0].x) * part, (base[2].y - base[0].y) * part};
-      const double extent = std::max(std::max({b.x, c.x, 0.0}) - std::min({b.x, c.x, 0.0}),
-                                     std::max({b.y, c.y, 0.0}) - std::min({b.y, c.y, 0.0}));
-      if (height > 2 && sixteen_size(extent) > sixteen_window) return;
-      const bool is_shared = height == 2 && sixteen_size(2 * extent) < most_shared;
-      if (is_shared) share_ = true;
-      const double size = sixteen_size(is_shared ? 2 * extent : extent);
-      const std::array<std::array<PlanePoint, 2>, 4> of_nodes{{{b, c},
-                                                               {b, {b.x - c.x, b.y - c.y}},
-                                                               {{{-b.x, -b.y}, {c.x - b.x, c.y - b.y}}},
-                                                               {{{-b.x, -b.y}, {-c.x, -c.y}}}}};
-      for (std::size_t k = 0; k < 4; ++k) {
-        const auto& [to1, to2] = of_nodes[k];
-        SixteenShape& of = shapes_[height][k];
-        of = {to1, to2, lines_, k % 2 == 1, sixteen_margin(size, filter_.delta())};
-        if (height == 2) judging(of, to1, to2, size);
-      }
-      largest_ = height;
-    }
-  }
+        inner_(sides, base, level, dilation, delta),
+        lean_(sides.limits.blend ? -0.5 * sides.gap : 0),
+        lines_(level >= 2 && in_vectors() ? Lines(base, delta) : Lines()),
+        shapes_(base, level, lines_, delta,
+                {sides.threshold, sides.gap, lean_, sides.scale,
+                 std::min(sides.clear_below, sides.clear_opaque)}) {}
 
   Marks texels(const Triangle& p) const noexcept { return filter_.texels(filter_.box(p)); }
   /// The marks of the sixteen nodes that a node is cut into, if vectors take them together.
   SixteenNodes sixteen_nodes(const Triangle& p, bool turned, std::uint32_t height,
                              std::uint32_t index) const noexcept {
-    if (height > largest_) return {};
+    if (height > shapes_.largest()) return {};
     SixteenInput in;
     const SixteenWindow w(filter_.box(p));
     if (!placed(p, w, in)) return {};
@@ -116,7 +95,7 @@ class Bilinear {
   bool sixty_four(const Triangle& p, bool turned, std::uint32_t index, std::uint32_t wanted,
                   BakeCounts& counts, std::array<std::uint32_t, 4>& codes) const {
     if constexpr (std::is_same_v<Texel, float>) return false;
-    if (!share_ || (wanted & (wanted - 1)) == 0) return false;
+    if (!shapes_.share() || (wanted & (wanted - 1)) == 0) return false;
     SixteenInput in;
     const SixteenWindow w(filter_.box(p));
     if (!placed(p, w, in)) return false;
@@ -174,18 +153,8 @@ class Bilinear {
 
   /// The shape of the node of this height at `index`.
   const SixteenShape& shape(std::uint32_t height, bool turned, std::uint32_t index) const noexcept {
-    return shapes_[height][2 * reversed(index) + turned];
+    return shapes_(height, reversed(index), turned);
   }
-  /// Fills in the part of a shape that judges alpha, for a node at p0, p0 + b, p0 + c.
-  void judging(SixteenShape& of, PlanePoint b, PlanePoint c, double size) const noexcept {
-    const double delta = sixteen_delta(size, filter_.delta());
-    of.take_edges(b, c, delta, sixteen_margin(size, filter_.delta()));
-    of.threshold = static_cast<float>(sides_.threshold);
-    of.gap = static_cast<float>(sides_.gap);
-    of.lean = static_cast<float>(lean_);
-    take_bounds(of, sides_.scale, std::min(sides_.clear_below, sides_.clear_opaque), delta);
-  }
-
   /// Writes to `in` the places of a node's texels and bits.  False if it is too large, or in no picture, or not
   /// bounded.
   bool placed(const Triangle& p, const SixteenWindow& w, SixteenInput& in) const noexcept {
@@ -210,13 +179,13 @@ class Bilinear {
     in.p0 = w.local(p[0]);
   }
   /// Whether the edge p0 p1 of the node at `index` goes against the base triangle's: each fourth child reverses it.
-  static std::size_t reversed(std::uint32_t index) noexcept {
+  static bool reversed(std::uint32_t index) noexcept {
     // The parity of the even bits, folded, since not all target processors can count bits.
     std::uint32_t fourth = index & index >> 1 & 0x55555550;
     fourth ^= fourth >> 16;
     fourth ^= fourth >> 8;
     fourth ^= fourth >> 4;
-    return (fourth ^ fourth >> 2) & 1;
+    return ((fourth ^ fourth >> 2) & 1) != 0;
   }
 
   /// The most texels a side that are copied if they are not in one picture: a word has their bits.
@@ -258,7 +227,7 @@ class Bilinear {
     const double at = filter_.g(centroid) - lean_;
     if (std::fabs(at) > filter_.bound()) return at > 0 ? unknown | 1 : unknown;
     ++counts.exact;
-    return code_of(exact_(index, both));
+    return code_of((*exact_)(index, both));
   }
 
   /// `edges`: the numbers in the quad of the edges p0 p1, p1 p2, p2 p0.
@@ -273,19 +242,19 @@ class Bilinear {
       const Marks all = filter_.texels(box);
       if (all != both) return known_code(all);
       marks = filter_.usable() ? judged(p, g, box, centroid, marks, turned, quad, edges)
-                               : inner_.centres(centroid, turned);
+                               : inner_.marks().centres(centroid, turned);
     }
     ++counts.leaves;
     if (filter_.usable() && (marks == opaque || marks == below)) return known_code(marks);
     if (marks == both) return leaning(centroid, index, counts);
     ++counts.exact;
-    return code_of(exact_(index));
+    return code_of((*exact_)(index));
   }
 
   /// The marks of a triangle whose texels bear both marks; its corners bear `seen`.
   Marks judged(const Triangle& p, const std::array<double, 3>& g, const Box& box, PlanePoint centroid,
                Marks seen, bool turned, Quad& quad, const std::array<std::size_t, 3>& edges) const {
-    seen = static_cast<Marks>(seen | inner_.centres(centroid, turned));
+    seen = static_cast<Marks>(seen | inner_.marks().centres(centroid, turned));
     if (seen == both) return both;
     if (!filter_.dilation().none()) {
       seen = static_cast<Marks>(seen | outline(p, seen));
@@ -310,7 +279,7 @@ class Bilinear {
     constexpr double long_one = 1024;  // texels; shorter edges take less time than the search
     const double dx = q.x - p.x, dy = q.y - p.y;
     if (std::fabs(dx) + std::fabs(dy) > long_one)
-      for (const Closing& c : exact_.closings()) {
+      for (const Closing& c : (*exact_).closings()) {
         const auto x = static_cast<double>(c.columns), y = static_cast<double>(c.rows);
         if (!(std::fabs(dx * y - dy * x) <= 2 * filter_.delta() * (std::fabs(x) + std::fabs(y)))) continue;
         const bool by_x = std::fabs(x) >= std::fabs(y);
@@ -346,16 +315,11 @@ class Bilinear {
 
   const TexturePropertiesOf<Texel>& sides_;
   BilinearFilter<Texel> filter_;
-  const ExactBase& exact_;
-  InnerMarks inner_;
-  Lines lines_;
-  /// The shapes by height: p0 at either end of the base triangle's edge p0 p1, each not turned, then turned.
-  std::array<std::array<SixteenShape, 4>, max_bake_level + 1> shapes_;
-  std::uint32_t largest_ = 0;  ///< the largest height with shapes; 0: none
-  /// The size below which four nodes share a window.
-  static constexpr double most_shared = 32;
-  bool share_ = false;
+  const ExactLater& exact_;
+  InnerLater inner_;
   double lean_;  ///< g where alpha begins to lean to opaque: with BLEND half of the way from 1 to 0
+  Lines lines_;
+  NodeShapes shapes_;
 };
 
 }  // namespace mmverify::impl::bake::detail
