@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "impl/bake/exact/later.hpp"
+#include "impl/bake/judge/centres.hpp"
 #include "impl/bake/judge/codes.hpp"
 #include "impl/bake/judge/filter.hpp"
 #include "impl/bake/judge/inner_box.hpp"
@@ -144,6 +145,7 @@ class Bilinear {
   }
 
   using Box = typename BilinearFilter<Texel>::Box;
+  using InPicture = typename TexturePropertiesOf<Texel>::InPicture;
 
   /// Whether vectors may judge: see impl/bake/sixteen/sixteen.hpp.
   bool in_vectors() const noexcept {
@@ -164,14 +166,25 @@ class Bilinear {
     place(p, w, in);
     in.texels = picture->first;
     in.pitch = static_cast<std::int32_t>(sides_.pitch());
-    const Plane &are_opaque = sides_.opaque_plane(), &visible = sides_.visible_plane();
-    const std::size_t word = are_opaque.strip() * static_cast<std::size_t>(picture->left / 32) +
-                             static_cast<std::size_t>(picture->top);
-    in.opaque = are_opaque.strips() + word;
-    in.visible = visible.strips() + word;
-    in.strip = are_opaque.strip();
-    in.bit = static_cast<std::uint32_t>(picture->left % 32);
+    const PlaneWords words = words_at({picture->left, picture->top});
+    in.opaque = words.opaque;
+    in.visible = words.visible;
+    in.strip = words.strip;
+    in.bit = words.bit;
     return true;
+  }
+  /// A texel's words: of its row in its strip, and its bit there.
+  struct PlaneWords {
+    const std::uint32_t *opaque, *visible;
+    std::size_t strip;
+    std::uint32_t bit;
+  };
+  PlaneWords words_at(const InPicture& at) const noexcept {
+    const Plane &are_opaque = sides_.opaque_plane(), &visible = sides_.visible_plane();
+    const std::size_t word =
+        are_opaque.strip() * static_cast<std::size_t>(at.left / 32) + static_cast<std::size_t>(at.top);
+    return {are_opaque.strips() + word, visible.strips() + word, are_opaque.strip(),
+            static_cast<std::uint32_t>(at.left % 32)};
   }
   static void place(const Triangle& p, const SixteenWindow& w, SixteenInput& in) noexcept {
     in.columns = static_cast<std::int32_t>(w.width);
@@ -222,9 +235,9 @@ class Bilinear {
   static PlanePoint centroid_of(const Triangle& p) noexcept {
     return {(p[0].x + p[1].x + p[2].x) * (1.0 / 3), (p[0].y + p[1].y + p[2].y) * (1.0 / 3)};
   }
-  /// The code of a micro-triangle that bears both marks.
-  unsigned leaning(PlanePoint centroid, std::uint32_t index, BakeCounts& counts) const {
-    const double at = filter_.g(centroid) - lean_;
+  /// The code of a micro-triangle that bears both marks, with g at its centroid.
+  unsigned leaning(double at_centroid, std::uint32_t index, BakeCounts& counts) const {
+    const double at = at_centroid - lean_;
     if (std::fabs(at) > filter_.bound()) return at > 0 ? unknown | 1 : unknown;
     ++counts.exact;
     return code_of((*exact_)(index, both));
@@ -237,24 +250,44 @@ class Bilinear {
     Marks marks = filter_.usable()
                       ? static_cast<Marks>(filter_.side(g[0]) | filter_.side(g[1]) | filter_.side(g[2]))
                       : uncertain;
-    if (marks != both) {
+    double at_centroid = 0;
+    if (marks == both) {
+      at_centroid = filter_.g(centroid);
+    } else {
       const auto box = filter_.box(p);
       const Marks all = filter_.texels(box);
       if (all != both) return known_code(all);
-      marks = filter_.usable() ? judged(p, g, box, centroid, marks, turned, quad, edges)
-                               : inner_.marks().centres(centroid, turned);
+      at_centroid = filter_.g(centroid);
+      if (!filter_.usable())
+        marks = inner_.marks().centres(centroid, turned);
+      else if (marks = static_cast<Marks>(marks | filter_.side(at_centroid)); marks != both)
+        marks = judged(p, g, box, centroid, marks, turned, quad, edges);
     }
     ++counts.leaves;
     if (filter_.usable() && (marks == opaque || marks == below)) return known_code(marks);
-    if (marks == both) return leaning(centroid, index, counts);
+    if (marks == both) return leaning(at_centroid, index, counts);
     ++counts.exact;
     return code_of((*exact_)(index));
   }
 
-  /// The marks of a triangle whose texels bear both marks; its corners bear `seen`.
+  /// The bits of the texels whose centres may be within a triangle of this box; none if they are in no picture.
+  std::optional<WindowBits> bits_of(const Box& box) const noexcept {
+    const std::int64_t left = box.left + 1, right = box.right - 1, top = box.top + 1, bottom = box.bottom - 1;
+    if (!filter_.dilation().none() || left > right || top > bottom) return std::nullopt;
+    const auto place = sides_.place_in_one_picture(left, right, top, bottom);
+    if (!place) return std::nullopt;
+    const PlaneWords words = words_at(*place);
+    return WindowBits{words.opaque, words.visible, words.strip, words.bit,
+                      left,         top,           static_cast<std::int32_t>(right - left + 1)};
+  }
+
+  /// The marks of a triangle whose texels bear both marks; its corners and its centroid bear `seen`.
   Marks judged(const Triangle& p, const std::array<double, 3>& g, const Box& box, PlanePoint centroid,
                Marks seen, bool turned, Quad& quad, const std::array<std::size_t, 3>& edges) const {
-    seen = static_cast<Marks>(seen | inner_.marks().centres(centroid, turned));
+    const std::optional<WindowBits> bits = bits_of(box);
+    const Marks found = bits ? centres_within(p, *bits, static_cast<Marks>(both & ~seen)) : Marks{0};
+    seen = static_cast<Marks>(
+        seen | (bits ? (found & filter_.clear()) : inner_.marks().centres(centroid, turned)));
     if (seen == both) return both;
     if (!filter_.dilation().none()) {
       seen = static_cast<Marks>(seen | outline(p, seen));
@@ -268,7 +301,7 @@ class Bilinear {
       seen = static_cast<Marks>(seen | marks);
       if ((seen & both) == both) return both;
     }
-    const Marks within = filter_.centres(p, box, seen);
+    const Marks within = bits ? found : filter_.centres(p, box, seen);
     if ((seen & uncertain) == 0 && (seen | within) == seen) return seen;
     return ((seen | (within & filter_.clear())) & both) == both ? both : uncertain;
   }
