@@ -14,6 +14,7 @@
 #include "impl/bake/judge/codes.hpp"
 #include "impl/bake/judge/filter.hpp"
 #include "impl/bake/judge/inner_box.hpp"
+#include "impl/bake/judge/samples.hpp"
 #include "impl/bake/judge/shapes.hpp"
 #include "impl/bake/sixteen/bounds.hpp"
 #include "impl/bake/sixteen/sixteen.hpp"
@@ -54,21 +55,44 @@ class Bilinear {
 
   /// The code of one micro-triangle, which shares no edge with others.
   unsigned single(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
+    const std::array<double, 3> g{filter_.g(p[0]), filter_.g(p[1]), filter_.g(p[2])};
+    const double at_centroid = filter_.g(centroid_of(p));
+    const auto range = std::minmax({g[0], g[1], g[2], at_centroid});
+    const Marks marks = filter_.usable() ? filter_.range(range.first, range.second) : Marks{0};
     Quad quad;
-    return leaf(p, {filter_.g(p[0]), filter_.g(p[1]), filter_.g(p[2])}, turned, index, quad, {own, own, own},
-                counts);
+    return leaf(p, {g, at_centroid, marks}, turned, index, quad, {own, own, own}, counts);
   }
 
-  /// The codes of a node's four children, in one byte; their six corners are sampled once.
+  /// The codes of a node's four children, in one byte; their six corners and four centroids are sampled together.
   unsigned four(const Triangle& p, PlanePoint p01, PlanePoint p02, PlanePoint p12, bool turned,
                 std::uint32_t index, BakeCounts& counts) const {
-    const double g0 = filter_.g(p[0]), g1 = filter_.g(p[1]), g2 = filter_.g(p[2]), g01 = filter_.g(p01),
-                 g02 = filter_.g(p02), g12 = filter_.g(p12);
+    constexpr std::array<std::array<std::size_t, 3>, 4> edges{
+        {{own, 0, own}, {2, 1, 0}, {own, own, 1}, {2, own, own}}};
+    const std::array<Triangle, 4> of{
+        {{p[0], p01, p02}, {p02, p12, p01}, {p01, p[1], p12}, {p12, p02, p[2]}}};
+    FourPlaces places;
+    const auto put = [&places](std::size_t k, PlanePoint at) { places.x[k] = at.x, places.y[k] = at.y; };
+    for (std::size_t k = 0; const PlanePoint& corner : {p[0], p01, p02, p[1], p12, p[2]}) put(k++, corner);
+    for (std::size_t c = 0; c < 4; ++c) put(FourPlaces::centroids + c, centroid_of(of[c]));
+    const FourSamples samples = four_samples(p, places);
     Quad quad;
-    return leaf({p[0], p01, p02}, {g0, g01, g02}, turned, index, quad, {own, 0, own}, counts) |
-           leaf({p02, p12, p01}, {g02, g12, g01}, !turned, index + 1, quad, {2, 1, 0}, counts) << 2 |
-           leaf({p01, p[1], p12}, {g01, g1, g12}, turned, index + 2, quad, {own, own, 1}, counts) << 4 |
-           leaf({p12, p02, p[2]}, {g12, g02, g2}, turned, index + 3, quad, {2, own, own}, counts) << 6;
+    unsigned codes = 0;
+    for (std::uint32_t c = 0; c < 4; ++c) {
+      const std::uint32_t at = four_places[c], centroid = 1u << (FourPlaces::centroids + c);
+      const auto marks = static_cast<Marks>(((samples.below & at) != 0 ? below : 0) |
+                                            ((samples.opaque & at) != 0 ? opaque : 0));
+      unsigned code = (samples.leans_to_opaque & centroid) != 0 ? unknown | 1 : unknown;
+      if (marks == both && (samples.leans & centroid) != 0) {
+        ++counts.leaves;
+      } else {
+        const auto& k = four_corners[c];
+        code = leaf(of[c],
+                    {{samples.g[k[0]], samples.g[k[1]], samples.g[k[2]]}, samples.g[FourPlaces::centroids + c], marks},
+                    turned != (c == 1), index + c, quad, edges[c], counts);
+      }
+      codes |= code << (2 * c);
+    }
+    return codes;
   }
 
   /// The codes of a node's sixteen micro-triangles, in four bytes: in vectors if they are small, one by one if they are
@@ -243,29 +267,52 @@ class Bilinear {
     return code_of((*exact_)(index, both));
   }
 
-  /// `edges`: the numbers in the quad of the edges p0 p1, p1 p2, p2 p0.
-  unsigned leaf(const Triangle& p, const std::array<double, 3>& g, bool turned, std::uint32_t index,
-                Quad& quad, const std::array<std::size_t, 3>& edges, BakeCounts& counts) const {
-    const PlanePoint centroid = centroid_of(p);
-    Marks marks = filter_.usable()
-                      ? static_cast<Marks>(filter_.side(g[0]) | filter_.side(g[1]) | filter_.side(g[2]))
-                      : uncertain;
-    double at_centroid = 0;
-    if (marks == both) {
-      at_centroid = filter_.g(centroid);
-    } else {
+  /// Samples of one micro-triangle, and the marks that these prove.
+  struct Sampled {
+    std::array<double, 3> g;  ///< at the corners
+    double at_centroid;
+    Marks marks;
+  };
+
+  /// The samples of a node's children.
+  FourSamples four_samples(const Triangle& p, const FourPlaces& places) const noexcept {
+    constexpr std::int64_t most_bytes = std::int64_t{1} << 31;
+    if constexpr (!std::is_same_v<Texel, float>) {
+      const auto box = filter_.box(p);
+      const auto picture = in_vectors() ? sides_.in_one_picture(box.left, box.right, box.top, box.bottom) : std::nullopt;
+      if (picture && (box.bottom - box.top + 1) * static_cast<std::int64_t>(sides_.pitch() * sizeof(Texel)) < most_bytes)
+        return sampled<Texel>({picture->first, static_cast<std::int32_t>(sides_.pitch()),
+                               static_cast<double>(box.left), static_cast<double>(box.top), sides_.threshold,
+                               sides_.gap, lean_, filter_.bound()},
+                              places);
+    }
+    FourSamples found;
+    for (std::size_t k = 0; k < FourPlaces::count; ++k) {
+      found.g[k] = filter_.g({places.x[k], places.y[k]});
+      const Marks marks = filter_.usable() ? filter_.side(found.g[k]) : Marks{0};
+      found.below |= std::uint32_t{(marks & below) != 0} << k;
+      found.opaque |= std::uint32_t{(marks & opaque) != 0} << k;
+      found.leans |= std::uint32_t{filter_.usable() && std::fabs(found.g[k] - lean_) > filter_.bound()} << k;
+      found.leans_to_opaque |= std::uint32_t{found.g[k] > lean_} << k;
+    }
+    return found;
+  }
+
+  /// The code of a micro-triangle.  `edges`: the numbers in the quad of the edges p0 p1, p1 p2, p2 p0.
+  unsigned leaf(const Triangle& p, const Sampled& of, bool turned, std::uint32_t index, Quad& quad,
+                const std::array<std::size_t, 3>& edges, BakeCounts& counts) const {
+    Marks marks = of.marks;
+    if (marks != both) {
       const auto box = filter_.box(p);
       const Marks all = filter_.texels(box);
       if (all != both) return known_code(all);
-      at_centroid = filter_.g(centroid);
-      if (!filter_.usable())
-        marks = inner_.marks().centres(centroid, turned);
-      else if (marks = static_cast<Marks>(marks | filter_.side(at_centroid)); marks != both)
-        marks = judged(p, g, box, centroid, marks, turned, quad, edges);
+      const PlanePoint centroid = centroid_of(p);
+      marks = filter_.usable() ? judged(p, of.g, box, centroid, marks, turned, quad, edges)
+                               : inner_.marks().centres(centroid, turned);
     }
     ++counts.leaves;
     if (filter_.usable() && (marks == opaque || marks == below)) return known_code(marks);
-    if (marks == both) return leaning(at_centroid, index, counts);
+    if (marks == both) return leaning(of.at_centroid, index, counts);
     ++counts.exact;
     return code_of((*exact_)(index));
   }
@@ -281,7 +328,7 @@ class Bilinear {
                       left,         top,           static_cast<std::int32_t>(right - left + 1)};
   }
 
-  /// The marks of a triangle whose texels bear both marks; its corners and its centroid bear `seen`.
+  /// The marks of a triangle whose texels bear both marks; some samples bear `seen`.
   Marks judged(const Triangle& p, const std::array<double, 3>& g, const Box& box, PlanePoint centroid,
                Marks seen, bool turned, Quad& quad, const std::array<std::size_t, 3>& edges) const {
     const std::optional<WindowBits> bits = bits_of(box);

@@ -29,6 +29,7 @@ struct CentreRows {
 HWY_BEFORE_NAMESPACE();
 namespace mmverify::impl::bake::detail {
 namespace HWY_NAMESPACE {
+namespace centres {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -82,15 +83,17 @@ HWY_INLINE Marks block(const CentreRows& of, const WindowBits& in, std::int32_t 
   return static_cast<Marks>((has_any(have) ? opaque : 0) | (has_any(have_not) ? below : 0));
 }
 
+}  // namespace centres
+
 Marks Within(const CentreRows& of, const WindowBits& in, Marks wanted) {
-  constexpr auto lanes = static_cast<std::int32_t>(hn::MaxLanes(Doubles()));
+  constexpr auto lanes = static_cast<std::int32_t>(centres::hn::MaxLanes(centres::Doubles()));
   // The widest rows first, about the middle corner: most triangles have both marks there.
   const auto widest = static_cast<std::int32_t>(of.middle.y - static_cast<double>(in.top)) - lanes / 2;
   const std::int32_t from = std::clamp(widest, of.first, of.last);
-  Marks marks = block(of, in, from);
+  Marks marks = centres::block(of, in, from);
   for (std::int32_t row = of.first; row <= of.last && (marks & wanted) != wanted; row += lanes) {
     if (row == from) continue;
-    marks = static_cast<Marks>(marks | block(of, in, row));
+    marks = static_cast<Marks>(marks | centres::block(of, in, row));
   }
   return marks;
 }
