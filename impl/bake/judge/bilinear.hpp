@@ -303,12 +303,19 @@ class Bilinear {
                 const std::array<std::size_t, 3>& edges, BakeCounts& counts) const {
     Marks marks = of.marks;
     if (marks != both) {
+      constexpr std::int64_t few_rows = 24;  // whose cells take no longer than the box's texels
       const auto box = filter_.box(p);
-      const Marks all = filter_.texels(box);
+      const std::optional<WindowBits> bits = filter_.usable() ? bits_of(box) : std::nullopt;
+      const Marks all = bits && bits->has_cells && box.bottom - box.top < few_rows ? both : filter_.texels(box);
       if (all != both) return known_code(all);
-      const PlanePoint centroid = centroid_of(p);
-      marks = filter_.usable() ? judged(p, of.g, box, centroid, marks, turned, quad, edges)
-                               : inner_.marks().centres(centroid, turned);
+      const TriangleBits found =
+          bits ? bits_within(p, *bits, filter_.delta(), static_cast<Marks>(both & ~marks)) : TriangleBits{};
+      marks = static_cast<Marks>(marks | (found.centres & filter_.clear()));
+      if (marks != both && !found.meets_mixed) return found.begins_opaque ? opaque_code : 0;
+      if (!filter_.usable())
+        marks = inner_.marks().centres(centroid_of(p), turned);
+      else if (marks != both)
+        marks = judged(p, of.g, box, bits ? &found : nullptr, marks, turned, quad, edges);
     }
     ++counts.leaves;
     if (filter_.usable() && (marks == opaque || marks == below)) return known_code(marks);
@@ -317,24 +324,30 @@ class Bilinear {
     return code_of((*exact_)(index));
   }
 
-  /// The bits of the texels whose centres may be within a triangle of this box; none if they are in no picture.
+  /// The bits of the cells that a triangle of this box meets, or of the texels whose centres may be within; none if they
+  /// are in no picture.
   std::optional<WindowBits> bits_of(const Box& box) const noexcept {
-    const std::int64_t left = box.left + 1, right = box.right - 1, top = box.top + 1, bottom = box.bottom - 1;
-    if (!filter_.dilation().none() || left > right || top > bottom) return std::nullopt;
-    const auto place = sides_.place_in_one_picture(left, right, top, bottom);
-    if (!place) return std::nullopt;
+    if (!filter_.dilation().none()) return std::nullopt;
+    Box b = box;
+    auto place = sides_.place_in_one_picture(b.left, b.right, b.top, b.bottom);
+    const bool has_cells = place.has_value();
+    if (!has_cells) {
+      b = {box.left + 1, box.right - 1, box.top + 1, box.bottom - 1};
+      if (b.left > b.right || b.top > b.bottom) return std::nullopt;
+      place = sides_.place_in_one_picture(b.left, b.right, b.top, b.bottom);
+      if (!place) return std::nullopt;
+    }
     const PlaneWords words = words_at(*place);
     return WindowBits{words.opaque, words.visible, words.strip, words.bit,
-                      left,         top,           static_cast<std::int32_t>(right - left + 1)};
+                      b.left,       b.top,         static_cast<std::int32_t>(b.right - b.left + 1),
+                      has_cells};
   }
 
   /// The marks of a triangle whose texels bear both marks; some samples bear `seen`.
-  Marks judged(const Triangle& p, const std::array<double, 3>& g, const Box& box, PlanePoint centroid,
+  /// Found: its bits, whose marks are in `seen`; null: none.
+  Marks judged(const Triangle& p, const std::array<double, 3>& g, const Box& box, const TriangleBits* found,
                Marks seen, bool turned, Quad& quad, const std::array<std::size_t, 3>& edges) const {
-    const std::optional<WindowBits> bits = bits_of(box);
-    const Marks found = bits ? centres_within(p, *bits, static_cast<Marks>(both & ~seen)) : Marks{0};
-    seen = static_cast<Marks>(
-        seen | (bits ? (found & filter_.clear()) : inner_.marks().centres(centroid, turned)));
+    if (found == nullptr) seen = static_cast<Marks>(seen | inner_.marks().centres(centroid_of(p), turned));
     if (seen == both) return both;
     if (!filter_.dilation().none()) {
       seen = static_cast<Marks>(seen | outline(p, seen));
@@ -348,7 +361,7 @@ class Bilinear {
       seen = static_cast<Marks>(seen | marks);
       if ((seen & both) == both) return both;
     }
-    const Marks within = bits ? found : filter_.centres(p, box, seen);
+    const Marks within = found != nullptr ? found->centres : filter_.centres(p, box, seen);
     if ((seen & uncertain) == 0 && (seen | within) == seen) return seen;
     return ((seen | (within & filter_.clear())) & both) == both ? both : uncertain;
   }

@@ -1,4 +1,5 @@
-// The marks of the texel centres within a triangle, several rows at a time.  Internal to impl/bake.
+// The centres of texels within a triangle, and the mixed cells that it meets, several rows at a time.  Internal to
+// impl/bake.
 #pragma once
 
 #include <cstddef>
@@ -15,16 +16,31 @@ struct WindowBits {
   const std::uint32_t *opaque, *visible;
   std::size_t strip;
   std::uint32_t bit;
-  std::int64_t left, top;      ///< the window's first texel
-  std::int32_t columns;        ///< texels in a row of it
+  std::int64_t left, top;  ///< the window's first texel
+  std::int32_t columns;    ///< texels in a row of it
+  bool has_cells;          ///< it holds all texels of the cells that the triangle meets
 };
 
-/// The marks of the texels whose centres, at whole numbers, are in p, until all `wanted` marks are found.
-/// On row j a centre counts from ceil(x) to floor(x') of the two crossings of p's edges.  A crossing is off by less than
-/// 2^-51 of the greatest coordinate: by two roundings of a slope and one of its product, 2^-53 each of an edge's extent
-/// along x, since no edge is evaluated beyond its ends, and by one of the sum.
+/// The cells of a triangle: each between the centres of four texels, and mixed unless its texels are all opaque or none
+/// of them is visible.
+struct TriangleBits {
+  Marks centres = 0;           ///< the marks of the texels whose centres are within
+  bool meets_mixed = true;     ///< it may meet a mixed cell
+  bool begins_opaque = false;  ///< a cell that it may meet has an opaque first texel
+};
+
+/// Looks at rows until all `wanted` marks are found; then the cells are not all asked.
+/// T is a true triangle, p the computed one, its corners within delta of T's along either axis.
+///   crossing  of an edge by a row: off by less than delta along x.  No edge is evaluated beyond its ends, so five roundings
+///             of 2^-53 of its extent, which is twice the greatest coordinate at most, and one of the sum are less than
+///             11 2^-53 of that coordinate; delta is 22 2^-53 of it or more (impl/bake/mip.cpp).
+///   centres   on row j are those from ceil(x) to floor(x') of the two crossings.  Those that rounding leaves out, or takes
+///             in, are within delta of an edge of p.
+///   cells     T's part in j <= y <= j + 1 is within delta, along both axes, of p's part in
+///             j - delta <= y <= j + 1 + delta.  Its least and greatest x are at a crossing of one of the two levels, or at
+///             a corner between them.  2 delta has room for the roundings.  So each cell that T meets is among those looked at.
 /// Domain: the window holds all centres in p; a plane has 8 rows beyond it.
 /// Test: impl_bake_cells_test
-Marks centres_within(const Triangle& p, const WindowBits& bits, Marks wanted);
+TriangleBits bits_within(const Triangle& p, const WindowBits& bits, double delta, Marks wanted);
 
 }  // namespace mmverify::impl::bake::detail
