@@ -131,9 +131,15 @@ HWY_INLINE Rows block(const TriangleRows& of, const WindowBits& in, std::int32_t
     beyond_cell = column(hn::Add(hn::Sub(hn::Floor(cell.to), left), set(1.0)), in.columns - 1);
   }
   Rows found{hn::Zero(Words()), hn::Zero(Words()), hn::Zero(Words()), hn::Zero(Words())};
-  const std::int32_t ends = static_cast<std::int32_t>(in.bit) + in.columns;
-  std::size_t word = static_cast<std::size_t>(row);
-  for (std::int32_t s = 0; s < ends; s += 32, word += in.strip) {
+  // The strips that a row reaches: of a large triangle, not all.
+  std::int32_t s = 0, ends = static_cast<std::int32_t>(in.bit) + in.columns;
+  if (ends > 64) {
+    const auto bit = static_cast<std::int32_t>(in.bit);
+    s = (bit + hn::GetLane(hn::MinOfLanes(n, hn::Min(first, first_cell)))) / 32 * 32;
+    ends = bit + hn::GetLane(hn::MaxOfLanes(n, hn::Max(beyond, beyond_cell)));
+  }
+  std::size_t word = static_cast<std::size_t>(row) + in.strip * static_cast<std::size_t>(s / 32);
+  for (; s < ends; s += 32, word += in.strip) {
     const Number at = set(static_cast<std::int32_t>(in.bit) - s);
     const Word are = hn::LoadU(Words(), in.opaque + word);
     const Word within = hn::IfThenElseZero(real, run(hn::Add(first, at), hn::Add(beyond, at)));
@@ -151,14 +157,14 @@ HWY_INLINE Rows block(const TriangleRows& of, const WindowBits& in, std::int32_t
   return found;
 }
 
-template <bool cells>
-HWY_INLINE TriangleBits take(const TriangleRows& of, const WindowBits& in, Marks wanted) {
+/// The rows of a triangle from `begin` to `last`, until `enough(found)`.
+template <bool cells, class Enough>
+HWY_INLINE void take(const TriangleRows& of, const WindowBits& in, std::int32_t begin, std::int32_t last,
+                     TriangleBits& found, Enough enough) {
   constexpr auto lanes = static_cast<std::int32_t>(hn::MaxLanes(Doubles()));
-  const std::int32_t begin = cells ? of.first_cell : of.first, last = cells ? of.last_cell : of.last;
   // The widest rows first, about the middle corner: most triangles have both marks there.
   const auto widest = static_cast<std::int32_t>(of.middle.y - static_cast<double>(in.top)) - lanes / 2;
   const std::int32_t from = last - begin < lanes ? begin : std::clamp(widest, begin, last);
-  TriangleBits found{0, !cells, false};
   const auto look = [&](std::int32_t row) HWY_ATTR {
     const Rows rows = block<cells>(of, in, row);
     found.centres = static_cast<Marks>(found.centres | (has_any(rows.have) ? opaque : 0) |
@@ -167,15 +173,32 @@ HWY_INLINE TriangleBits take(const TriangleRows& of, const WindowBits& in, Marks
     if (cells) found.begins_opaque = found.begins_opaque || has_any(rows.begins);
   };
   look(from);
-  for (std::int32_t row = begin; row <= last && (found.centres & wanted) != wanted; row += lanes)
+  for (std::int32_t row = begin; row <= last && !enough(found); row += lanes)
     if (row != from) look(row);
+}
+
+/// All rows; of many, first the centres alone, then cells until one is mixed.
+HWY_INLINE TriangleBits take_all(const TriangleRows& of, const WindowBits& in, Marks wanted) {
+  constexpr std::int32_t many_rows = 16;
+  TriangleBits found;
+  const auto has_wanted = [wanted](const TriangleBits& bits) { return (bits.centres & wanted) == wanted; };
+  const bool many = of.last_cell - of.first_cell >= many_rows;
+  if ((many || !in.has_cells) && of.first <= of.last)
+    take<false>(of, in, of.first, of.last, found, has_wanted);
+  if (!in.has_cells || (many && has_wanted(found))) return found;
+  found.meets_mixed = false;
+  if (many)
+    take<true>(of, in, of.first_cell, of.last_cell, found,
+               [](const TriangleBits& bits) { return bits.meets_mixed; });
+  else
+    take<true>(of, in, of.first_cell, of.last_cell, found, has_wanted);
   return found;
 }
 
 }  // namespace centres
 
 TriangleBits BitsWithin(const TriangleRows& of, const WindowBits& in, Marks wanted) {
-  return in.has_cells ? centres::take<true>(of, in, wanted) : centres::take<false>(of, in, wanted);
+  return centres::take_all(of, in, wanted);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -199,7 +222,6 @@ TriangleBits bits_within(const Triangle& p, const WindowBits& bits, double delta
   of.last = row(floored(of.bottom.y));
   of.first_cell = row(floored(of.top.y - delta));
   of.last_cell = row(floored(of.bottom.y + delta));
-  if (!bits.has_cells && of.first > of.last) return {};
   // A flat edge has no rows of its own.
   const auto slope = [](PlanePoint a, PlanePoint b) { return b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0; };
   of.long_slope = slope(of.top, of.bottom);
