@@ -287,13 +287,13 @@ MMVERIFY_LARGE EdgeMarks ask_few_edges(const SixteenInput& in, const FewAlpha& c
   std::size_t count = 0;
   for (std::size_t n = 0; n < cells.count; ++n) {
     const std::uint32_t asked = (found.below_in[n] & ask_below) | (found.opaque_in[n] & ask_opaque);
-    if (asked == 0) continue;
+    const std::uint32_t asked_edges = micro_edges.low[asked & 255] | micro_edges.high[asked >> 8];
     const Int number = set(static_cast<std::int32_t>(n << 20));
     for (std::size_t e = 0; e < 32; e += lanes) {
-      const Int edges = hn::LoadU(I(), sixteen_lanes.edges.data() + e);
-      const Mask those = have_any(edges, asked);
-      hn::StoreU(hn::Compress(hn::Or(edges, number), hn::RebindMask(I(), those)), I(), list.data() + count);
-      count += hn::CountTrue(F(), those);
+      const std::uint32_t here = asked_edges >> e & ((1u << lanes) - 1);
+      const Int edges = hn::Or(hn::LoadU(I(), sixteen_lanes.edges.data() + e), number);
+      hn::StoreU(hn::Compress(edges, hn::RebindMask(I(), mask_of(here, 0))), I(), list.data() + count);
+      count += hwy::PopCount(here);
     }
   }
   PieceMarks pieces;
