@@ -157,48 +157,39 @@ HWY_INLINE Rows block(const TriangleRows& of, const WindowBits& in, std::int32_t
   return found;
 }
 
-/// The rows of a triangle from `begin` to `last`, until `enough(found)`.
-template <bool cells, class Enough>
-HWY_INLINE void take(const TriangleRows& of, const WindowBits& in, std::int32_t begin, std::int32_t last,
-                     TriangleBits& found, Enough enough) {
+/// All rows, until all wanted marks are found; cells until one is mixed.
+HWY_INLINE TriangleBits take(const TriangleRows& of, const WindowBits& in, Marks wanted) {
   constexpr auto lanes = static_cast<std::int32_t>(hn::MaxLanes(Doubles()));
+  const std::int32_t begin = in.has_cells ? of.first_cell : of.first,
+                     last = in.has_cells ? of.last_cell : of.last;
+  TriangleBits found{0, !in.has_cells, false};
+  if (begin > last) return found;
   // The widest rows first, about the middle corner: most triangles have both marks there.
   const auto widest = static_cast<std::int32_t>(of.middle.y - static_cast<double>(in.top)) - lanes / 2;
   const std::int32_t from = last - begin < lanes ? begin : std::clamp(widest, begin, last);
   const auto look = [&](std::int32_t row) HWY_ATTR {
-    const Rows rows = block<cells>(of, in, row);
+    const Rows rows = found.meets_mixed ? block<false>(of, in, row) : block<true>(of, in, row);
     found.centres = static_cast<Marks>(found.centres | (has_any(rows.have) ? opaque : 0) |
                                        (has_any(rows.have_not) ? below : 0));
-    if (cells) found.meets_mixed = found.meets_mixed || has_any(rows.mixed);
-    if (cells) found.begins_opaque = found.begins_opaque || has_any(rows.begins);
+    if (found.meets_mixed) return;
+    found.meets_mixed = has_any(rows.mixed);
+    found.begins_opaque = found.begins_opaque || has_any(rows.begins);
   };
   look(from);
-  for (std::int32_t row = begin; row <= last && !enough(found); row += lanes)
-    if (row != from) look(row);
-}
-
-/// All rows; of many, first the centres alone, then cells until one is mixed.
-HWY_INLINE TriangleBits take_all(const TriangleRows& of, const WindowBits& in, Marks wanted) {
-  constexpr std::int32_t many_rows = 16;
-  TriangleBits found;
-  const auto has_wanted = [wanted](const TriangleBits& bits) { return (bits.centres & wanted) == wanted; };
-  const bool many = of.last_cell - of.first_cell >= many_rows;
-  if ((many || !in.has_cells) && of.first <= of.last)
-    take<false>(of, in, of.first, of.last, found, has_wanted);
-  if (!in.has_cells || (many && has_wanted(found))) return found;
-  found.meets_mixed = false;
-  if (many)
-    take<true>(of, in, of.first_cell, of.last_cell, found,
-               [](const TriangleBits& bits) { return bits.meets_mixed; });
-  else
-    take<true>(of, in, of.first_cell, of.last_cell, found, has_wanted);
+  // Then on both sides of them in turn.
+  for (std::int32_t up = from - lanes, down = from + lanes; up > begin - lanes || down <= last;
+       up -= lanes, down += lanes) {
+    if ((found.centres & wanted) == wanted) break;
+    if (down <= last) look(down);
+    if (up > begin - lanes && (found.centres & wanted) != wanted) look(std::max(up, begin));
+  }
   return found;
 }
 
 }  // namespace centres
 
 TriangleBits BitsWithin(const TriangleRows& of, const WindowBits& in, Marks wanted) {
-  return centres::take_all(of, in, wanted);
+  return centres::take(of, in, wanted);
 }
 
 }  // namespace HWY_NAMESPACE
