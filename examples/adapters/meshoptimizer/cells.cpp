@@ -49,7 +49,8 @@ Texels leaves() {
   std::array<double, (side / cell) * (side / cell)> angles;
   for (double& angle : angles) angle = static_cast<double>(random() % 360) * std::numbers::pi / 180;
   return texture([&](std::uint32_t x, std::uint32_t y) {
-    const double angle = angles[x / cell + side / cell * (y / cell)], c = std::cos(angle), s = std::sin(angle);
+    const double angle = angles[x / cell + side / cell * (y / cell)], c = std::cos(angle),
+                 s = std::sin(angle);
     const double dx = x % cell - 63.5, dy = y % cell - 63.5, along = (dx * c + dy * s) / 50,
                  across = std::fabs(dy * c - dx * s);
     return 127.5 + 127.5 * (20 * (1 - along * along) - across);
@@ -76,8 +77,8 @@ std::vector<bake::BaseTriangle> triangles(int edge, std::size_t count) {
   std::vector<bake::BaseTriangle> all(count);
   const double radius = edge / std::sqrt(3.0);
   for (bake::BaseTriangle& uv : all) {
-    const double x = radius + any(random) * (side - 2 * radius), y = radius + any(random) * (side - 2 * radius),
-                 turn = any(random) * 2 * std::numbers::pi;
+    const double x = radius + any(random) * (side - 2 * radius),
+                 y = radius + any(random) * (side - 2 * radius), turn = any(random) * 2 * std::numbers::pi;
     for (std::size_t k = 0; k < 3; ++k) {
       const double angle = turn + static_cast<double>(k) * 2 * std::numbers::pi / 3;
       uv[k] = {static_cast<float>((x + radius * std::cos(angle)) / side),
@@ -88,7 +89,8 @@ std::vector<bake::BaseTriangle> triangles(int edge, std::size_t count) {
 }
 
 void measure(const char* name, const Texels& texels, int edge, std::uint32_t level, std::size_t rounds) {
-  const std::size_t micro = std::size_t{1} << 2 * level, count = std::clamp<std::size_t>((1 << 18) / micro, 4, 1024);
+  const std::size_t micro = std::size_t{1} << 2 * level,
+                    count = std::clamp<std::size_t>((1 << 18) / micro, 4, 1024);
   const std::vector<bake::BaseTriangle> all = triangles(edge, count);
   const bake::TriangleBaker baker(bake::AlphaView{texels.data(), side, side, side}, bake::Cutoff{1, 2},
                                   bake::Addressing{bake::Wrap::clamp_to_edge, bake::Wrap::clamp_to_edge});
@@ -99,8 +101,9 @@ void measure(const char* name, const Texels& texels, int edge, std::uint32_t lev
                                  }},
                                 {count * micro, [&] {
                                    for (const bake::BaseTriangle& uv : all)
-                                     meshopt_opacityMapRasterize(theirs.data(), static_cast<int>(level), 4, &uv[0].u,
-                                                                 &uv[1].u, &uv[2].u, texels.data(), 1, side, side, side);
+                                     meshopt_opacityMapRasterize(theirs.data(), static_cast<int>(level), 4,
+                                                                 &uv[0].u, &uv[1].u, &uv[2].u, texels.data(),
+                                                                 1, side, side, side);
                                  }}};
   const mmverify::bench::RoundTimes times = mmverify::bench::times_in_rounds(works, rounds);
   std::printf("%s %d %u %.2f %.2f %.2f\n", name, edge, level, mmverify::bench::median(times[0]),
@@ -121,7 +124,8 @@ int main(int count, char** arguments) {
     const Texels texels = made();
     for (const int edge : edges)
       for (std::uint32_t level = 1; level <= levels; ++level)
-        if ((number(3) == 0 || number(3) == edge) && (number(4) == 0 || static_cast<std::uint32_t>(number(4)) == level))
+        if ((number(3) == 0 || number(3) == edge) &&
+            (number(4) == 0 || static_cast<std::uint32_t>(number(4)) == level))
           measure(name, texels, edge, level, rounds);
   }
 }

@@ -68,8 +68,7 @@ class Bilinear {
                 std::uint32_t index, BakeCounts& counts) const {
     constexpr std::array<std::array<std::size_t, 3>, 4> edges{
         {{own, 0, own}, {2, 1, 0}, {own, own, 1}, {2, own, own}}};
-    const std::array<Triangle, 4> of{
-        {{p[0], p01, p02}, {p02, p12, p01}, {p01, p[1], p12}, {p12, p02, p[2]}}};
+    const std::array<Triangle, 4> of{{{p[0], p01, p02}, {p02, p12, p01}, {p01, p[1], p12}, {p12, p02, p[2]}}};
     FourPlaces places;
     const auto put = [&places](std::size_t k, PlanePoint at) { places.x[k] = at.x, places.y[k] = at.y; };
     for (std::size_t k = 0; const PlanePoint& corner : {p[0], p01, p02, p[1], p12, p[2]}) put(k++, corner);
@@ -87,7 +86,9 @@ class Bilinear {
       } else {
         const auto& k = four_corners[c];
         code = leaf(of[c],
-                    {{samples.g[k[0]], samples.g[k[1]], samples.g[k[2]]}, samples.g[FourPlaces::centroids + c], marks},
+                    {{samples.g[k[0]], samples.g[k[1]], samples.g[k[2]]},
+                     samples.g[FourPlaces::centroids + c],
+                     marks},
                     turned != (c == 1), index + c, quad, edges[c], counts);
       }
       codes |= code << (2 * c);
@@ -279,12 +280,14 @@ class Bilinear {
     constexpr std::int64_t most_bytes = std::int64_t{1} << 31;
     if constexpr (!std::is_same_v<Texel, float>) {
       const auto box = filter_.box(p);
-      const auto picture = in_vectors() ? sides_.in_one_picture(box.left, box.right, box.top, box.bottom) : std::nullopt;
-      if (picture && (box.bottom - box.top + 1) * static_cast<std::int64_t>(sides_.pitch() * sizeof(Texel)) < most_bytes)
-        return sampled<Texel>({picture->first, static_cast<std::int32_t>(sides_.pitch()),
-                               static_cast<double>(box.left), static_cast<double>(box.top), sides_.threshold,
-                               sides_.gap, lean_, filter_.bound()},
-                              places);
+      const auto picture =
+          in_vectors() ? sides_.in_one_picture(box.left, box.right, box.top, box.bottom) : std::nullopt;
+      if (picture &&
+          (box.bottom - box.top + 1) * static_cast<std::int64_t>(sides_.pitch() * sizeof(Texel)) < most_bytes)
+        return sampled<Texel>(
+            {picture->first, static_cast<std::int32_t>(sides_.pitch()), static_cast<double>(box.left),
+             static_cast<double>(box.top), sides_.threshold, sides_.gap, lean_, filter_.bound()},
+            places);
     }
     FourSamples found;
     for (std::size_t k = 0; k < FourPlaces::count; ++k) {
@@ -306,7 +309,8 @@ class Bilinear {
       constexpr std::int64_t few_rows = 24;  // whose cells take no longer than the box's texels
       const auto box = filter_.box(p);
       const std::optional<WindowBits> bits = filter_.usable() ? bits_of(box) : std::nullopt;
-      const Marks all = bits && bits->has_cells && box.bottom - box.top < few_rows ? both : filter_.texels(box);
+      const Marks all =
+          bits && bits->has_cells && box.bottom - box.top < few_rows ? both : filter_.texels(box);
       if (all != both) return known_code(all);
       const TriangleBits found =
           bits ? bits_within(p, *bits, filter_.delta(), static_cast<Marks>(both & ~marks)) : TriangleBits{};
@@ -338,8 +342,13 @@ class Bilinear {
       if (!place) return std::nullopt;
     }
     const PlaneWords words = words_at(*place);
-    return WindowBits{words.opaque, words.visible, words.strip, words.bit,
-                      b.left,       b.top,         static_cast<std::int32_t>(b.right - b.left + 1),
+    return WindowBits{words.opaque,
+                      words.visible,
+                      words.strip,
+                      words.bit,
+                      b.left,
+                      b.top,
+                      static_cast<std::int32_t>(b.right - b.left + 1),
                       has_cells};
   }
 

@@ -61,9 +61,8 @@ struct Span {
   Double from, to;
 };
 HWY_INLINE Span at_level(const TriangleRows& of, Double level) {
-  const auto line = [&](const PlanePoint& p, double slope) HWY_ATTR {
-    return hn::MulAdd(hn::Sub(level, set(p.y)), set(slope), set(p.x));
-  };
+  const auto line = [&](const PlanePoint& p, double slope)
+                        HWY_ATTR { return hn::MulAdd(hn::Sub(level, set(p.y)), set(slope), set(p.x)); };
   const Double a = line(of.top, of.long_slope),
                b = hn::IfThenElse(hn::Le(level, set(of.middle.y)), line(of.top, of.upper_slope),
                                   line(of.middle, of.lower_slope));
@@ -71,9 +70,7 @@ HWY_INLINE Span at_level(const TriangleRows& of, Double level) {
 }
 /// The part between two levels, grown by the margin along both axes.
 HWY_INLINE Span between(const TriangleRows& of, Double low, Double high) {
-  const auto within = [&](Double y) HWY_ATTR {
-    return hn::Min(hn::Max(y, set(of.top.y)), set(of.bottom.y));
-  };
+  const auto within = [&](Double y) HWY_ATTR { return hn::Min(hn::Max(y, set(of.top.y)), set(of.bottom.y)); };
   const Double above = within(hn::Sub(low, set(of.margin))), under = within(hn::Add(high, set(of.margin)));
   const Span a = at_level(of, above), b = at_level(of, under);
   Double from = hn::Min(a.from, b.from), to = hn::Max(a.to, b.to);

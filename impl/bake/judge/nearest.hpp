@@ -56,7 +56,8 @@ class Nearest {
     if (all != both) return known_code(all);
     ++counts.leaves;
     const PlanePoint centroid{(p[0].x + p[1].x + p[2].x) * (1.0 / 3), (p[0].y + p[1].y + p[2].y) * (1.0 / 3)};
-    const Marks marks = usable_ ? judged(p, around, centroid, turned) : inner_.marks().texels(centroid, turned);
+    const Marks marks =
+        usable_ ? judged(p, around, centroid, turned) : inner_.marks().texels(centroid, turned);
     if (usable_ && (marks == below || marks == opaque)) return known_code(marks);
     if (marks == both) {
       const std::int64_t i = floored(centroid.x - 2 * delta_), j = floored(centroid.y - 2 * delta_);

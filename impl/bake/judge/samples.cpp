@@ -37,11 +37,13 @@ HWY_INLINE FourSamples take(const FourWindow& in, const FourPlaces& places) {
   const Number mask = hn::Set(n, (1 << bits) - 1);
   FourSamples found;
   for (std::size_t k = 0; k < FourPlaces::count; k += hn::Lanes(d)) {
-    const Double x = hn::Load(d, places.x.data() + k), y = hn::Load(d, places.y.data() + k),
-                 i = hn::Floor(x), j = hn::Floor(y), fx = hn::Sub(x, i), fy = hn::Sub(y, j);
+    const Double x = hn::Load(d, places.x.data() + k), y = hn::Load(d, places.y.data() + k), i = hn::Floor(x),
+                 j = hn::Floor(y), fx = hn::Sub(x, i), fy = hn::Sub(y, j);
     const Number column = hn::DemoteTo(n, hn::Sub(i, set(in.left))),
                  row = hn::DemoteTo(n, hn::Sub(j, set(in.top))),
-                 at = hn::Add(hn::Mul(row, hn::Set(n, in.pitch)), column);
+                 of_window = hn::Add(hn::Mul(row, hn::Set(n, in.pitch)), column);
+    // Room beyond the last place may name a texel anywhere: it takes the first.
+    const Number at = hn::IfThenElseZero(hn::FirstN(n, FourPlaces::count - k), of_window);
     const auto word = [&](Number where) HWY_ATTR {
       return hn::GatherOffset(n, static_cast<const std::int32_t*>(in.texels),
                               sizeof(Texel) == 1 ? where : hn::ShiftLeft<1>(where));

@@ -66,8 +66,7 @@ class NodeShapes {
 
   /// The length of a node over the base triangle's.
   double part(std::uint32_t height) const noexcept {
-    return static_cast<double>(std::uint32_t{1} << height) /
-           static_cast<double>(std::uint32_t{1} << level_);
+    return static_cast<double>(std::uint32_t{1} << height) / static_cast<double>(std::uint32_t{1} << level_);
   }
   bool is_shared(std::uint32_t height) const noexcept {
     return height == 2 && sixteen_size(2 * extent_ * part(height)) < most_shared_size;
@@ -75,7 +74,8 @@ class NodeShapes {
 
   void make(std::size_t k) const noexcept {
     const auto height = static_cast<std::uint32_t>(k / 4);
-    const double cut = part(height), size = sixteen_size(is_shared(height) ? 2 * extent_ * cut : extent_ * cut);
+    const double cut = part(height),
+                 size = sixteen_size(is_shared(height) ? 2 * extent_ * cut : extent_ * cut);
     const PlanePoint b{b_.x * cut, b_.y * cut}, c{c_.x * cut, c_.y * cut};
     // Not turned; turned; and both with the edge p0 p1 reversed.
     const std::array<std::array<PlanePoint, 2>, 4> of_nodes{{{b, c},

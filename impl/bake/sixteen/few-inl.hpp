@@ -259,7 +259,8 @@ MMVERIFY_LARGE FewMarks ask_few(const SixteenInput& in, const Words& words, cons
         hn::Or(hn::Or(bit(hn::Lt(g, hn::Neg(bound)), 1), bit(hn::Gt(g, set(shape.bound - shape.gap)), 2)),
                hn::Or(bit(hn::Gt(g, bound), 4), bit(hn::Lt(g, set(-shape.bound - shape.gap)), 8)));
     hn::StoreU(hn::Or(of_g, vertices.unmixed[p]), I(), marks.vertices.data() + k);
-    const Float at_centroid = hn::Sub(centroids.at[p], set(shape.threshold)), lean = hn::Sub(at_centroid, set(shape.lean));
+    const Float at_centroid = hn::Sub(centroids.at[p], set(shape.threshold)),
+                lean = hn::Sub(at_centroid, set(shape.lean));
     const auto has = [&](std::int32_t b) HWY_ATTR {
       return hn::RebindMask(f, hn::Ne(hn::And(centroids.unmixed[p], set(b)), set(0)));
     };
