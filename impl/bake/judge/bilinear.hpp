@@ -306,14 +306,18 @@ class Bilinear {
                 const std::array<std::size_t, 3>& edges, BakeCounts& counts) const {
     Marks marks = of.marks;
     if (marks != both) {
-      constexpr std::int64_t few_rows = 24;  // whose cells take no longer than the box's texels
+      constexpr std::int64_t few_rows = 24;   // whose cells take no longer than the box's texels
+      constexpr std::int64_t many_rows = 40;  // whose cells take longer than a rectangle's texels
       const auto box = filter_.box(p);
       const std::optional<WindowBits> bits = filter_.usable() ? bits_of(box) : std::nullopt;
       const Marks all =
           bits && bits->has_cells && box.bottom - box.top < few_rows ? both : filter_.texels(box);
       if (all != both) return known_code(all);
+      if (bits && box.bottom - box.top > many_rows)
+        marks = static_cast<Marks>(marks | (rectangle(p) & filter_.clear()));
       const TriangleBits found =
-          bits ? bits_within(p, *bits, filter_.delta(), static_cast<Marks>(both & ~marks)) : TriangleBits{};
+          bits && marks != both ? bits_within(p, *bits, filter_.delta(), static_cast<Marks>(both & ~marks))
+                                : TriangleBits{};
       marks = static_cast<Marks>(marks | (found.centres & filter_.clear()));
       if (marks != both && !found.meets_mixed) return found.begins_opaque ? opaque_code : 0;
       if (!filter_.usable())
@@ -350,6 +354,18 @@ class Bilinear {
                       b.top,
                       static_cast<std::int32_t>(b.right - b.left + 1),
                       has_cells};
+  }
+
+  /// The marks of the centres in a rectangle: between the rows in the middle of a triangle's upper and lower half, and
+  /// in the columns that it has on both.  It is convex, so they are within but for roundings, as BilinearFilter's are.
+  Marks rectangle(const Triangle& p) const noexcept {
+    const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
+    const double between = p[0].y + p[1].y + p[2].y - low - high;
+    const double upper = (low + between) * 0.5, lower = (between + high) * 0.5;
+    const Reach a = at_level(p, upper), b = at_level(p, lower);
+    const std::int64_t left = -floored(-std::max(a.from, b.from)), right = floored(std::min(a.to, b.to)),
+                       top = -floored(-upper), bottom = floored(lower);
+    return left <= right && top <= bottom ? sides_.of(left, right, top, bottom) : Marks{0};
   }
 
   /// The marks of a triangle whose texels bear both marks; some samples bear `seen`.

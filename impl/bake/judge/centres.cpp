@@ -205,6 +205,8 @@ TriangleBits bits_within(const Triangle& p, const WindowBits& bits, double delta
   if (of.middle.y < of.top.y) std::swap(of.middle, of.top);
   if (of.bottom.y < of.top.y) std::swap(of.bottom, of.top);
   if (of.bottom.y < of.middle.y) std::swap(of.bottom, of.middle);
+  // A flat triangle is its edges, and has no crossing at its last corner.
+  if (!(of.bottom.y > of.top.y)) return {};
   const auto row = [&bits](std::int64_t j) { return static_cast<std::int32_t>(j - bits.top); };
   of.first = row(-floored(-of.top.y));
   of.last = row(floored(of.bottom.y));

@@ -39,6 +39,7 @@ struct TriangleBits {
 ///   cells     T's part in j <= y <= j + 1 is within delta, along both axes, of p's part in
 ///             j - delta <= y <= j + 1 + delta.  Its least and greatest x are at a crossing of one of the two levels, or at
 ///             a corner between them.  2 delta has room for the roundings.  So each cell that T meets is among those looked at.
+/// A flat triangle, all of it on one row, has no centre here, for its edges have them, and may meet a mixed cell.
 /// Domain: the window holds all centres in p; a plane has 8 rows beyond it.
 /// Test: impl_bake_cells_test
 TriangleBits bits_within(const Triangle& p, const WindowBits& bits, double delta, Marks wanted);
