@@ -310,8 +310,8 @@ class Bilinear {
       constexpr std::int64_t many_rows = 40;  // whose cells take longer than a rectangle's texels
       const auto box = filter_.box(p);
       const std::optional<WindowBits> bits = filter_.usable() ? bits_of(box) : std::nullopt;
-      const Marks all =
-          bits && bits->has_cells && box.bottom - box.top < few_rows ? both : filter_.texels(box);
+      const bool cells_tell = bits && bits->has_cells && box.bottom - box.top < few_rows && !is_flat(p);
+      const Marks all = cells_tell ? both : filter_.texels(box);
       if (all != both) return known_code(all);
       if (bits && box.bottom - box.top > many_rows)
         marks = static_cast<Marks>(marks | (rectangle(p) & filter_.clear()));
@@ -355,6 +355,8 @@ class Bilinear {
                       static_cast<std::int32_t>(b.right - b.left + 1),
                       has_cells};
   }
+
+  static bool is_flat(const Triangle& p) noexcept { return p[0].y == p[1].y && p[1].y == p[2].y; }
 
   /// The marks of the centres in a rectangle: between the rows in the middle of a triangle's upper and lower half, and
   /// in the columns that it has on both.  It is convex, so they are within but for roundings, as BilinearFilter's are.
