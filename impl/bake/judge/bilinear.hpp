@@ -358,15 +358,19 @@ class Bilinear {
 
   static bool is_flat(const Triangle& p) noexcept { return p[0].y == p[1].y && p[1].y == p[2].y; }
 
-  /// The marks of the centres in a rectangle: between the rows in the middle of a triangle's upper and lower half, and
-  /// in the columns that it has on both.  It is convex, so they are within but for roundings, as BilinearFilter's are.
+  /// The marks of the centres in a rectangle: between a row of a triangle's upper half and one of its lower half, in the
+  /// columns that it has on both.  It is convex, so they are within but for roundings, as BilinearFilter's are.
   Marks rectangle(const Triangle& p) const noexcept {
     const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
-    const double between = p[0].y + p[1].y + p[2].y - low - high;
-    const double upper = (low + between) * 0.5, lower = (between + high) * 0.5;
+    const double between = std::max(std::min(p[0].y, p[1].y), std::min(std::max(p[0].y, p[1].y), p[2].y));
+    // No edge crosses the lowest row of all.
+    const double upper = (low + between) * 0.5,
+                 lower = std::min((between + high) * 0.5, high - (high - low) * 0x1p-5);
     const Reach a = at_level(p, upper), b = at_level(p, lower);
-    const std::int64_t left = -floored(-std::max(a.from, b.from)), right = floored(std::min(a.to, b.to)),
-                       top = -floored(-upper), bottom = floored(lower);
+    const double from = std::max(a.from, b.from), to = std::min(a.to, b.to);
+    if (!(from <= to)) return 0;
+    const std::int64_t left = -floored(-from), right = floored(to), top = -floored(-upper),
+                       bottom = floored(lower);
     return left <= right && top <= bottom ? sides_.of(left, right, top, bottom) : Marks{0};
   }
 
