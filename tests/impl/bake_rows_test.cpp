@@ -12,6 +12,7 @@
 #include "impl/bake/judge/centres.hpp"
 #include "impl/bake/judge/samples.hpp"
 #include "impl/bake/texture/plane.hpp"
+#include "impl/bake/triangles.hpp"
 #include "tests/impl/every_target.hpp"
 #include "tests/sanitized.hpp"
 
@@ -256,6 +257,39 @@ TEST(ImplBakeRows, BoxesOfBitsAreThoseOfTheirTexels) {
       ASSERT_EQ(found.some, have);
       ASSERT_EQ(found.some_not, have_not);
     }
+}
+
+/// A right triangle with legs of 120 texels, its right angle at one of four corners.
+Triangle right_triangle(std::size_t corner) {
+  const double x = corner % 2 != 0 ? 140 : 20, y = corner / 2 != 0 ? 140 : 20;
+  return {{{x, y}, {160 - x, y}, {x, 160 - y}}};
+}
+
+/// Level 1 of a triangle on a texture with one opaque texel: only micro-triangle k, which has it, is unknown.
+void expect_only(const Triangle& p, std::size_t k, PlanePoint speck) {
+  using namespace mmverify::impl::bake;
+  constexpr std::uint32_t side = 160;
+  std::vector<std::uint8_t> alpha(std::size_t{side} * side);
+  alpha[static_cast<std::size_t>(speck.x) + side * static_cast<std::size_t>(speck.y)] = 255;
+  BaseTriangle uv;
+  for (std::size_t c = 0; c < 3; ++c)
+    uv[c] = {static_cast<float>(p[c].x / side), static_cast<float>(p[c].y / side)};
+  std::array<std::uint8_t, 1> map{};
+  TriangleBaker(AlphaView{alpha.data(), side, side, side}, Cutoff{1, 2}).bake(uv, 1, map);
+  for (std::size_t micro = 0; micro < 4; ++micro)
+    ASSERT_EQ((map[0] >> (2 * micro) & 3) >= 2, micro == k) << k << ' ' << micro;
+}
+
+// Micro-triangles of 60 rows, with a flat edge at the top or at the bottom.
+TEST(ImplBakeRows, LargeRightTrianglesSeeASpeck) {
+  for (std::size_t corner = 0; corner < 4; ++corner)
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t near = 0; near < 3; ++near) {
+        const Triangle p = right_triangle(corner), q = children(p)[k];
+        const PlanePoint &a = q[near], &b = q[(near + 1) % 3], &c = q[(near + 2) % 3];
+        const PlanePoint speck{0.7 * a.x + 0.15 * (b.x + c.x), 0.7 * a.y + 0.15 * (b.y + c.y)};
+        ASSERT_NO_FATAL_FAILURE(expect_only(p, k, speck)) << corner << ' ' << near;
+      }
 }
 
 }  // namespace impl_bake_rows_test
