@@ -193,7 +193,7 @@ TEST(ImplBakeRows, CentresAndCellsAreThoseOfWholeNumbers) {
     std::mt19937 random(31);
     for (const std::uint32_t density : {2u, 40u, 4000u})
       for (const std::uint32_t side : {9u, 30u, 70u, 150u})
-        for (int round = 0; round < 4; ++round) {
+        for (std::uint32_t round = 0; round < 4; ++round) {
           const Bits bits(random, side + round % 5, side, density);
           for (int k = 0; k < 60; ++k)
             ASSERT_NO_FATAL_FAILURE(expect_rows(random, bits)) << side << ' ' << density;
@@ -247,8 +247,9 @@ TEST(ImplBakeRows, BoxesOfBitsAreThoseOfTheirTexels) {
     for (int round = 0; round < (sanitized ? 500 : 20000); ++round) {
       static const Bits some(random, 101, 77, 2), few(random, 101, 77, 300);
       const Bits& bits = density == 2 ? some : few;
-      const std::int64_t left = random() % 101, right = left + random() % (101 - left), top = random() % 77,
-                         bottom = top + random() % (77 - top);
+      const auto below = [&random](std::int64_t n) { return static_cast<std::int64_t>(random()) % n; };
+      const std::int64_t left = below(101), right = left + below(101 - left), top = below(77),
+                         bottom = top + below(77 - top);
       bool have = false, have_not = false;
       for (std::int64_t y = top; y <= bottom; ++y)
         for (std::int64_t x = left; x <= right; ++x)
