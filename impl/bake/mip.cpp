@@ -7,9 +7,8 @@
 #include <stdexcept>
 
 #include "impl/bake/descent.hpp"
-#include "impl/bake/exact/base.hpp"
+#include "impl/bake/exact/later.hpp"
 #include "impl/bake/judge/bilinear.hpp"
-#include "impl/bake/judge/inner_box.hpp"
 #include "impl/bake/judge/nearest.hpp"
 #include "impl/bake/texture/properties.hpp"
 
@@ -95,11 +94,8 @@ class Mip final : public MipBaker {
     }
     // The rounding of the offset, of each level's middle and of the dilation: half a unit in the last place each.
     const double delta = (level + 11) * 0x1p-52 * size;
-    InnerBox inner = inner_box(p);
-    for (double* const side : {&inner.left, &inner.right, &inner.top, &inner.bottom})
-      *side = std::ldexp(*side, -static_cast<int>(level));
-    const ExactBase exact(sides_, uv, width_, height_, level, filter_, dilated);
-    const Judge judge(sides_, exact, p, static_cast<index::Level>(level), inner, delta, dilated);
+    const ExactLater exact(sides_, uv, width_, height_, level, filter_, dilated);
+    const Judge judge(sides_, exact, p, static_cast<index::Level>(level), delta, dilated);
     Descent<Judge> descent(judge, map);
     if (only == nullptr)
       descent.part(p, level, {0, level});

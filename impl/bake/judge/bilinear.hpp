@@ -9,10 +9,13 @@
 #include <optional>
 #include <type_traits>
 
-#include "impl/bake/exact/base.hpp"
+#include "impl/bake/exact/later.hpp"
+#include "impl/bake/judge/centres.hpp"
 #include "impl/bake/judge/codes.hpp"
 #include "impl/bake/judge/filter.hpp"
 #include "impl/bake/judge/inner_box.hpp"
+#include "impl/bake/judge/samples.hpp"
+#include "impl/bake/judge/shapes.hpp"
 #include "impl/bake/sixteen/bounds.hpp"
 #include "impl/bake/sixteen/sixteen.hpp"
 #include "impl/bake/texture/properties.hpp"
@@ -26,45 +29,23 @@ class Bilinear {
   /// The offset of its coordinates from those of texels.
   static constexpr double offset = 0.5;
 
-  /// Domain: `inner` is that of a micro-triangle that is not turned.
-  Bilinear(const TexturePropertiesOf<Texel>& sides, const ExactBase& exact, const Triangle& base,
-           index::Level level, const InnerBox& inner, double delta, const Dilation& dilation) noexcept
+  Bilinear(const TexturePropertiesOf<Texel>& sides, const ExactLater& exact, const Triangle& base,
+           index::Level level, double delta, const Dilation& dilation) noexcept
       : sides_(sides),
         filter_(sides, delta, dilation),
         exact_(exact),
-        inner_(sides, inner, dilation, delta),
-        lines_(filter_.usable() && dilation.none() ? Lines(base, delta) : Lines()),
-        lean_(sides.limits.blend ? -0.5 * sides.gap : 0) {
-    if (level < 2 || !in_vectors() || !lines_.usable) return;
-    for (std::uint32_t height = 2; height <= level; height = height == 2 ? 4 : height + 1) {
-      const double part = std::ldexp(1.0, static_cast<int>(height) - static_cast<int>(level));
-      const PlanePoint b{(base[1].x - base[0].x) * part, (base[1].y - base[0].y) * part},
-          c{(base[2].x - base[0].x) * part, (base[2].y - base[0].y) * part};
-      const double extent = std::max(std::max({b.x, c.x, 0.0}) - std::min({b.x, c.x, 0.0}),
-                                     std::max({b.y, c.y, 0.0}) - std::min({b.y, c.y, 0.0}));
-      if (height > 2 && sixteen_size(extent) > sixteen_window) return;
-      const bool is_shared = height == 2 && sixteen_size(2 * extent) < most_shared;
-      if (is_shared) share_ = true;
-      const double size = sixteen_size(is_shared ? 2 * extent : extent);
-      const std::array<std::array<PlanePoint, 2>, 4> of_nodes{{{b, c},
-                                                               {b, {b.x - c.x, b.y - c.y}},
-                                                               {{{-b.x, -b.y}, {c.x - b.x, c.y - b.y}}},
-                                                               {{{-b.x, -b.y}, {-c.x, -c.y}}}}};
-      for (std::size_t k = 0; k < 4; ++k) {
-        const auto& [to1, to2] = of_nodes[k];
-        SixteenShape& of = shapes_[height][k];
-        of = {to1, to2, lines_, k % 2 == 1, sixteen_margin(size, filter_.delta())};
-        if (height == 2) judging(of, to1, to2, size);
-      }
-      largest_ = height;
-    }
-  }
+        inner_(sides, base, level, dilation, delta),
+        lean_(sides.limits.blend ? -0.5 * sides.gap : 0),
+        lines_(level >= 2 && in_vectors() ? Lines(base, delta) : Lines()),
+        shapes_(base, level, lines_, delta,
+                {sides.threshold, sides.gap, lean_, sides.scale,
+                 std::min(sides.clear_below, sides.clear_opaque)}) {}
 
   Marks texels(const Triangle& p) const noexcept { return filter_.texels(filter_.box(p)); }
   /// The marks of the sixteen nodes that a node is cut into, if vectors take them together.
   SixteenNodes sixteen_nodes(const Triangle& p, bool turned, std::uint32_t height,
                              std::uint32_t index) const noexcept {
-    if (height > largest_) return {};
+    if (height > shapes_.largest()) return {};
     SixteenInput in;
     const SixteenWindow w(filter_.box(p));
     if (!placed(p, w, in)) return {};
@@ -74,21 +55,45 @@ class Bilinear {
 
   /// The code of one micro-triangle, which shares no edge with others.
   unsigned single(const Triangle& p, bool turned, std::uint32_t index, BakeCounts& counts) const {
+    const std::array<double, 3> g{filter_.g(p[0]), filter_.g(p[1]), filter_.g(p[2])};
+    const double at_centroid = filter_.g(centroid_of(p));
+    const auto range = std::minmax({g[0], g[1], g[2], at_centroid});
+    const Marks marks = filter_.usable() ? filter_.range(range.first, range.second) : Marks{0};
     Quad quad;
-    return leaf(p, {filter_.g(p[0]), filter_.g(p[1]), filter_.g(p[2])}, turned, index, quad, {own, own, own},
-                counts);
+    return leaf(p, {g, at_centroid, marks}, turned, index, quad, {own, own, own}, counts);
   }
 
-  /// The codes of a node's four children, in one byte; their six corners are sampled once.
+  /// The codes of a node's four children, in one byte; their six corners and four centroids are sampled together.
   unsigned four(const Triangle& p, PlanePoint p01, PlanePoint p02, PlanePoint p12, bool turned,
                 std::uint32_t index, BakeCounts& counts) const {
-    const double g0 = filter_.g(p[0]), g1 = filter_.g(p[1]), g2 = filter_.g(p[2]), g01 = filter_.g(p01),
-                 g02 = filter_.g(p02), g12 = filter_.g(p12);
+    constexpr std::array<std::array<std::size_t, 3>, 4> edges{
+        {{own, 0, own}, {2, 1, 0}, {own, own, 1}, {2, own, own}}};
+    const std::array<Triangle, 4> of{{{p[0], p01, p02}, {p02, p12, p01}, {p01, p[1], p12}, {p12, p02, p[2]}}};
+    FourPlaces places;
+    const auto put = [&places](std::size_t k, PlanePoint at) { places.x[k] = at.x, places.y[k] = at.y; };
+    for (std::size_t k = 0; const PlanePoint& corner : {p[0], p01, p02, p[1], p12, p[2]}) put(k++, corner);
+    for (std::size_t c = 0; c < 4; ++c) put(FourPlaces::centroids + c, centroid_of(of[c]));
+    const FourSamples samples = four_samples(p, places);
     Quad quad;
-    return leaf({p[0], p01, p02}, {g0, g01, g02}, turned, index, quad, {own, 0, own}, counts) |
-           leaf({p02, p12, p01}, {g02, g12, g01}, !turned, index + 1, quad, {2, 1, 0}, counts) << 2 |
-           leaf({p01, p[1], p12}, {g01, g1, g12}, turned, index + 2, quad, {own, own, 1}, counts) << 4 |
-           leaf({p12, p02, p[2]}, {g12, g02, g2}, turned, index + 3, quad, {2, own, own}, counts) << 6;
+    unsigned codes = 0;
+    for (std::uint32_t c = 0; c < 4; ++c) {
+      const std::uint32_t at = four_places[c], centroid = 1u << (FourPlaces::centroids + c);
+      const auto marks = static_cast<Marks>(((samples.below & at) != 0 ? below : 0) |
+                                            ((samples.opaque & at) != 0 ? opaque : 0));
+      unsigned code = (samples.leans_to_opaque & centroid) != 0 ? unknown | 1 : unknown;
+      if (marks == both && (samples.leans & centroid) != 0) {
+        ++counts.leaves;
+      } else {
+        const auto& k = four_corners[c];
+        code = leaf(of[c],
+                    {{samples.g[k[0]], samples.g[k[1]], samples.g[k[2]]},
+                     samples.g[FourPlaces::centroids + c],
+                     marks},
+                    turned != (c == 1), index + c, quad, edges[c], counts);
+      }
+      codes |= code << (2 * c);
+    }
+    return codes;
   }
 
   /// The codes of a node's sixteen micro-triangles, in four bytes: in vectors if they are small, one by one if they are
@@ -116,7 +121,7 @@ class Bilinear {
   bool sixty_four(const Triangle& p, bool turned, std::uint32_t index, std::uint32_t wanted,
                   BakeCounts& counts, std::array<std::uint32_t, 4>& codes) const {
     if constexpr (std::is_same_v<Texel, float>) return false;
-    if (!share_ || (wanted & (wanted - 1)) == 0) return false;
+    if (!shapes_.share() || (wanted & (wanted - 1)) == 0) return false;
     SixteenInput in;
     const SixteenWindow w(filter_.box(p));
     if (!placed(p, w, in)) return false;
@@ -165,6 +170,7 @@ class Bilinear {
   }
 
   using Box = typename BilinearFilter<Texel>::Box;
+  using InPicture = typename TexturePropertiesOf<Texel>::InPicture;
 
   /// Whether vectors may judge: see impl/bake/sixteen/sixteen.hpp.
   bool in_vectors() const noexcept {
@@ -174,18 +180,8 @@ class Bilinear {
 
   /// The shape of the node of this height at `index`.
   const SixteenShape& shape(std::uint32_t height, bool turned, std::uint32_t index) const noexcept {
-    return shapes_[height][2 * reversed(index) + turned];
+    return shapes_(height, reversed(index), turned);
   }
-  /// Fills in the part of a shape that judges alpha, for a node at p0, p0 + b, p0 + c.
-  void judging(SixteenShape& of, PlanePoint b, PlanePoint c, double size) const noexcept {
-    const double delta = sixteen_delta(size, filter_.delta());
-    of.take_edges(b, c, delta, sixteen_margin(size, filter_.delta()));
-    of.threshold = static_cast<float>(sides_.threshold);
-    of.gap = static_cast<float>(sides_.gap);
-    of.lean = static_cast<float>(lean_);
-    take_bounds(of, sides_.scale, std::min(sides_.clear_below, sides_.clear_opaque), delta);
-  }
-
   /// Writes to `in` the places of a node's texels and bits.  False if it is too large, or in no picture, or not
   /// bounded.
   bool placed(const Triangle& p, const SixteenWindow& w, SixteenInput& in) const noexcept {
@@ -195,14 +191,25 @@ class Bilinear {
     place(p, w, in);
     in.texels = picture->first;
     in.pitch = static_cast<std::int32_t>(sides_.pitch());
-    const Plane &are_opaque = sides_.opaque_plane(), &visible = sides_.visible_plane();
-    const std::size_t word = are_opaque.strip() * static_cast<std::size_t>(picture->left / 32) +
-                             static_cast<std::size_t>(picture->top);
-    in.opaque = are_opaque.strips() + word;
-    in.visible = visible.strips() + word;
-    in.strip = are_opaque.strip();
-    in.bit = static_cast<std::uint32_t>(picture->left % 32);
+    const PlaneWords words = words_at({picture->left, picture->top});
+    in.opaque = words.opaque;
+    in.visible = words.visible;
+    in.strip = words.strip;
+    in.bit = words.bit;
     return true;
+  }
+  /// A texel's words: of its row in its strip, and its bit there.
+  struct PlaneWords {
+    const std::uint32_t *opaque, *visible;
+    std::size_t strip;
+    std::uint32_t bit;
+  };
+  PlaneWords words_at(const InPicture& at) const noexcept {
+    const Plane &are_opaque = sides_.opaque_plane(), &visible = sides_.visible_plane();
+    const std::size_t word =
+        are_opaque.strip() * static_cast<std::size_t>(at.left / 32) + static_cast<std::size_t>(at.top);
+    return {are_opaque.strips() + word, visible.strips() + word, are_opaque.strip(),
+            static_cast<std::uint32_t>(at.left % 32)};
   }
   static void place(const Triangle& p, const SixteenWindow& w, SixteenInput& in) noexcept {
     in.columns = static_cast<std::int32_t>(w.width);
@@ -210,13 +217,13 @@ class Bilinear {
     in.p0 = w.local(p[0]);
   }
   /// Whether the edge p0 p1 of the node at `index` goes against the base triangle's: each fourth child reverses it.
-  static std::size_t reversed(std::uint32_t index) noexcept {
+  static bool reversed(std::uint32_t index) noexcept {
     // The parity of the even bits, folded, since not all target processors can count bits.
     std::uint32_t fourth = index & index >> 1 & 0x55555550;
     fourth ^= fourth >> 16;
     fourth ^= fourth >> 8;
     fourth ^= fourth >> 4;
-    return (fourth ^ fourth >> 2) & 1;
+    return ((fourth ^ fourth >> 2) & 1) != 0;
   }
 
   /// The most texels a side that are copied if they are not in one picture: a word has their bits.
@@ -253,39 +260,125 @@ class Bilinear {
   static PlanePoint centroid_of(const Triangle& p) noexcept {
     return {(p[0].x + p[1].x + p[2].x) * (1.0 / 3), (p[0].y + p[1].y + p[2].y) * (1.0 / 3)};
   }
-  /// The code of a micro-triangle that bears both marks.
-  unsigned leaning(PlanePoint centroid, std::uint32_t index, BakeCounts& counts) const {
-    const double at = filter_.g(centroid) - lean_;
+  /// The code of a micro-triangle that bears both marks, with g at its centroid.
+  unsigned leaning(double at_centroid, std::uint32_t index, BakeCounts& counts) const {
+    const double at = at_centroid - lean_;
     if (std::fabs(at) > filter_.bound()) return at > 0 ? unknown | 1 : unknown;
     ++counts.exact;
-    return code_of(exact_(index, both));
+    return code_of((*exact_)(index, both));
   }
 
-  /// `edges`: the numbers in the quad of the edges p0 p1, p1 p2, p2 p0.
-  unsigned leaf(const Triangle& p, const std::array<double, 3>& g, bool turned, std::uint32_t index,
-                Quad& quad, const std::array<std::size_t, 3>& edges, BakeCounts& counts) const {
-    const PlanePoint centroid = centroid_of(p);
-    Marks marks = filter_.usable()
-                      ? static_cast<Marks>(filter_.side(g[0]) | filter_.side(g[1]) | filter_.side(g[2]))
-                      : uncertain;
-    if (marks != both) {
+  /// Samples of one micro-triangle, and the marks that these prove.
+  struct Sampled {
+    std::array<double, 3> g;  ///< at the corners
+    double at_centroid;
+    Marks marks;
+  };
+
+  /// The samples of a node's children.
+  FourSamples four_samples(const Triangle& p, const FourPlaces& places) const noexcept {
+    constexpr std::int64_t most_bytes = std::int64_t{1} << 31;
+    if constexpr (!std::is_same_v<Texel, float>) {
       const auto box = filter_.box(p);
-      const Marks all = filter_.texels(box);
+      const auto picture =
+          in_vectors() ? sides_.in_one_picture(box.left, box.right, box.top, box.bottom) : std::nullopt;
+      if (picture &&
+          (box.bottom - box.top + 1) * static_cast<std::int64_t>(sides_.pitch() * sizeof(Texel)) < most_bytes)
+        return sampled<Texel>(
+            {picture->first, static_cast<std::int32_t>(sides_.pitch()), static_cast<double>(box.left),
+             static_cast<double>(box.top), sides_.threshold, sides_.gap, lean_, filter_.bound()},
+            places);
+    }
+    FourSamples found;
+    for (std::size_t k = 0; k < FourPlaces::count; ++k) {
+      found.g[k] = filter_.g({places.x[k], places.y[k]});
+      const Marks marks = filter_.usable() ? filter_.side(found.g[k]) : Marks{0};
+      found.below |= std::uint32_t{(marks & below) != 0} << k;
+      found.opaque |= std::uint32_t{(marks & opaque) != 0} << k;
+      found.leans |= std::uint32_t{filter_.usable() && std::fabs(found.g[k] - lean_) > filter_.bound()} << k;
+      found.leans_to_opaque |= std::uint32_t{found.g[k] > lean_} << k;
+    }
+    return found;
+  }
+
+  /// The code of a micro-triangle.  `edges`: the numbers in the quad of the edges p0 p1, p1 p2, p2 p0.
+  unsigned leaf(const Triangle& p, const Sampled& of, bool turned, std::uint32_t index, Quad& quad,
+                const std::array<std::size_t, 3>& edges, BakeCounts& counts) const {
+    Marks marks = of.marks;
+    if (marks != both) {
+      constexpr std::int64_t few_rows = 24;   // whose cells take no longer than the box's texels
+      constexpr std::int64_t many_rows = 40;  // whose cells take longer than a rectangle's texels
+      const auto box = filter_.box(p);
+      const std::optional<WindowBits> bits = filter_.usable() ? bits_of(box) : std::nullopt;
+      const bool cells_tell = bits && bits->has_cells && box.bottom - box.top < few_rows && !is_flat(p);
+      const Marks all = cells_tell ? both : filter_.texels(box);
       if (all != both) return known_code(all);
-      marks = filter_.usable() ? judged(p, g, box, centroid, marks, turned, quad, edges)
-                               : inner_.centres(centroid, turned);
+      if (bits && box.bottom - box.top > many_rows)
+        marks = static_cast<Marks>(marks | (rectangle(p) & filter_.clear()));
+      const TriangleBits found =
+          bits && marks != both ? bits_within(p, *bits, filter_.delta(), static_cast<Marks>(both & ~marks))
+                                : TriangleBits{};
+      marks = static_cast<Marks>(marks | (found.centres & filter_.clear()));
+      if (marks != both && !found.meets_mixed) return found.begins_opaque ? opaque_code : 0;
+      if (!filter_.usable())
+        marks = inner_.marks().centres(centroid_of(p), turned);
+      else if (marks != both)
+        marks = judged(p, of.g, box, bits ? &found : nullptr, marks, turned, quad, edges);
     }
     ++counts.leaves;
     if (filter_.usable() && (marks == opaque || marks == below)) return known_code(marks);
-    if (marks == both) return leaning(centroid, index, counts);
+    if (marks == both) return leaning(of.at_centroid, index, counts);
     ++counts.exact;
-    return code_of(exact_(index));
+    return code_of((*exact_)(index));
   }
 
-  /// The marks of a triangle whose texels bear both marks; its corners bear `seen`.
-  Marks judged(const Triangle& p, const std::array<double, 3>& g, const Box& box, PlanePoint centroid,
+  /// The bits of the cells that a triangle of this box meets, or of the texels whose centres may be within; none if they
+  /// are in no picture.
+  std::optional<WindowBits> bits_of(const Box& box) const noexcept {
+    if (!filter_.dilation().none()) return std::nullopt;
+    Box b = box;
+    auto place = sides_.place_in_one_picture(b.left, b.right, b.top, b.bottom);
+    const bool has_cells = place.has_value();
+    if (!has_cells) {
+      b = {box.left + 1, box.right - 1, box.top + 1, box.bottom - 1};
+      if (b.left > b.right || b.top > b.bottom) return std::nullopt;
+      place = sides_.place_in_one_picture(b.left, b.right, b.top, b.bottom);
+      if (!place) return std::nullopt;
+    }
+    const PlaneWords words = words_at(*place);
+    return WindowBits{words.opaque,
+                      words.visible,
+                      words.strip,
+                      words.bit,
+                      b.left,
+                      b.top,
+                      static_cast<std::int32_t>(b.right - b.left + 1),
+                      has_cells};
+  }
+
+  static bool is_flat(const Triangle& p) noexcept { return p[0].y == p[1].y && p[1].y == p[2].y; }
+
+  /// The marks of the centres in a rectangle: between a row of a triangle's upper half and one of its lower half, in the
+  /// columns that it has on both.  It is convex, so they are within but for roundings, as BilinearFilter's are.
+  Marks rectangle(const Triangle& p) const noexcept {
+    const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
+    const double between = std::max(std::min(p[0].y, p[1].y), std::min(std::max(p[0].y, p[1].y), p[2].y));
+    // No edge crosses the lowest row of all.
+    const double upper = (low + between) * 0.5,
+                 lower = std::min((between + high) * 0.5, high - (high - low) * 0x1p-5);
+    const Reach a = at_level(p, upper), b = at_level(p, lower);
+    const double from = std::max(a.from, b.from), to = std::min(a.to, b.to);
+    if (!(from <= to)) return 0;
+    const std::int64_t left = -floored(-from), right = floored(to), top = -floored(-upper),
+                       bottom = floored(lower);
+    return left <= right && top <= bottom ? sides_.of(left, right, top, bottom) : Marks{0};
+  }
+
+  /// The marks of a triangle whose texels bear both marks; some samples bear `seen`.
+  /// Found: its bits, whose marks are in `seen`; null: none.
+  Marks judged(const Triangle& p, const std::array<double, 3>& g, const Box& box, const TriangleBits* found,
                Marks seen, bool turned, Quad& quad, const std::array<std::size_t, 3>& edges) const {
-    seen = static_cast<Marks>(seen | inner_.centres(centroid, turned));
+    if (found == nullptr) seen = static_cast<Marks>(seen | inner_.marks().centres(centroid_of(p), turned));
     if (seen == both) return both;
     if (!filter_.dilation().none()) {
       seen = static_cast<Marks>(seen | outline(p, seen));
@@ -299,7 +392,7 @@ class Bilinear {
       seen = static_cast<Marks>(seen | marks);
       if ((seen & both) == both) return both;
     }
-    const Marks within = filter_.centres(p, box, seen);
+    const Marks within = found != nullptr ? found->centres : filter_.centres(p, box, seen);
     if ((seen & uncertain) == 0 && (seen | within) == seen) return seen;
     return ((seen | (within & filter_.clear())) & both) == both ? both : uncertain;
   }
@@ -310,7 +403,7 @@ class Bilinear {
     constexpr double long_one = 1024;  // texels; shorter edges take less time than the search
     const double dx = q.x - p.x, dy = q.y - p.y;
     if (std::fabs(dx) + std::fabs(dy) > long_one)
-      for (const Closing& c : exact_.closings()) {
+      for (const Closing& c : (*exact_).closings()) {
         const auto x = static_cast<double>(c.columns), y = static_cast<double>(c.rows);
         if (!(std::fabs(dx * y - dy * x) <= 2 * filter_.delta() * (std::fabs(x) + std::fabs(y)))) continue;
         const bool by_x = std::fabs(x) >= std::fabs(y);
@@ -346,16 +439,11 @@ class Bilinear {
 
   const TexturePropertiesOf<Texel>& sides_;
   BilinearFilter<Texel> filter_;
-  const ExactBase& exact_;
-  InnerMarks inner_;
-  Lines lines_;
-  /// The shapes by height: p0 at either end of the base triangle's edge p0 p1, each not turned, then turned.
-  std::array<std::array<SixteenShape, 4>, max_bake_level + 1> shapes_;
-  std::uint32_t largest_ = 0;  ///< the largest height with shapes; 0: none
-  /// The size below which four nodes share a window.
-  static constexpr double most_shared = 32;
-  bool share_ = false;
+  const ExactLater& exact_;
+  InnerLater inner_;
   double lean_;  ///< g where alpha begins to lean to opaque: with BLEND half of the way from 1 to 0
+  Lines lines_;
+  NodeShapes shapes_;
 };
 
 }  // namespace mmverify::impl::bake::detail

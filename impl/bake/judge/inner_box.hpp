@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "impl/bake/plane/points.hpp"
 #include "impl/bake/texture/properties.hpp"
@@ -47,7 +49,7 @@ inline InnerBox inner_box(const Triangle& p) noexcept {
 /// The inner box of micro-triangles, which are one triangle moved or turned by half a circle, and its texels' marks.
 class InnerMarks {
  public:
-  /// `inner` is that of a micro-triangle that is not turned.  It is shrunk by 4 delta, so that it is within the true
+  /// `inner` is that of a micro-triangle that is not turned; it is shrunk by 4 delta, so that it is within the true
   /// triangle, whose centroid may be 2 delta off, and grown by the dilation, as the triangle is.
   InnerMarks(const TextureProperties& sides, const InnerBox& inner, const Dilation& dilation,
              double delta) noexcept
@@ -82,6 +84,33 @@ class InnerMarks {
   const TextureProperties& sides_;
   std::array<InnerBox, 2> boxes_;  ///< not turned; turned
   bool worth_it_;
+};
+
+/// The inner marks of a base triangle's micro-triangles, made when first asked for: most triangles ask for none.
+class InnerLater {
+ public:
+  /// The arguments outlive this.  One thread uses it.
+  InnerLater(const TextureProperties& sides, const Triangle& base, std::uint32_t level,
+             const Dilation& dilation, double delta) noexcept
+      : sides_(sides), base_(base), level_(level), dilation_(dilation), delta_(delta) {}
+
+  const InnerMarks& marks() const noexcept {
+    if (!made_) {
+      InnerBox box = inner_box(base_);
+      const double part = 1.0 / static_cast<double>(std::uint32_t{1} << level_);
+      for (double* const side : {&box.left, &box.right, &box.top, &box.bottom}) *side *= part;
+      made_.emplace(sides_, box, dilation_, delta_);
+    }
+    return *made_;
+  }
+
+ private:
+  const TextureProperties& sides_;
+  const Triangle& base_;
+  std::uint32_t level_;
+  const Dilation& dilation_;
+  double delta_;
+  mutable std::optional<InnerMarks> made_;
 };
 
 }  // namespace mmverify::impl::bake::detail

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "impl/bake/exact/base.hpp"
+#include "impl/bake/exact/later.hpp"
 #include "impl/bake/judge/bends.hpp"
 #include "impl/bake/judge/codes.hpp"
 #include "impl/bake/judge/inner_box.hpp"
@@ -32,11 +32,11 @@ class Nearest {
  public:
   static constexpr double offset = 0;
 
-  Nearest(const TexturePropertiesOf<Texel>& sides, const ExactBase& exact, const Triangle&, index::Level,
-          const InnerBox& inner, double delta, const Dilation& dilation) noexcept
+  Nearest(const TexturePropertiesOf<Texel>& sides, const ExactLater& exact, const Triangle& base,
+          index::Level level, double delta, const Dilation& dilation) noexcept
       : sides_(sides),
         exact_(exact),
-        inner_(sides, inner, dilation, delta),
+        inner_(sides, base, level, dilation, delta),
         delta_(delta),
         dilation_(dilation),
         usable_(delta < 0x1p-10) {}
@@ -56,7 +56,8 @@ class Nearest {
     if (all != both) return known_code(all);
     ++counts.leaves;
     const PlanePoint centroid{(p[0].x + p[1].x + p[2].x) * (1.0 / 3), (p[0].y + p[1].y + p[2].y) * (1.0 / 3)};
-    const Marks marks = usable_ ? judged(p, around, centroid, turned) : inner_.texels(centroid, turned);
+    const Marks marks =
+        usable_ ? judged(p, around, centroid, turned) : inner_.marks().texels(centroid, turned);
     if (usable_ && (marks == below || marks == opaque)) return known_code(marks);
     if (marks == both) {
       const std::int64_t i = floored(centroid.x - 2 * delta_), j = floored(centroid.y - 2 * delta_);
@@ -67,7 +68,7 @@ class Nearest {
       }
     }
     ++counts.exact;
-    return code_of(exact_(index, marks));
+    return code_of((*exact_)(index, marks));
   }
 
   unsigned four(const Triangle& p, PlanePoint p01, PlanePoint p02, PlanePoint p12, bool turned,
@@ -101,7 +102,7 @@ class Nearest {
 
   /// The marks of a triangle whose texels bear both marks.
   Marks judged(const Triangle& p, const Box& around, PlanePoint centroid, bool turned) const noexcept {
-    Marks seen = inner_.texels(centroid, turned);
+    Marks seen = inner_.marks().texels(centroid, turned);
     if (seen == both) return both;
     Marks most = 0;
     const double near = dilation_.y + 2 * delta_, far = dilation_.y - 2 * delta_,
@@ -138,8 +139,8 @@ class Nearest {
   }
 
   const TexturePropertiesOf<Texel>& sides_;
-  const ExactBase& exact_;
-  InnerMarks inner_;
+  const ExactLater& exact_;
+  InnerLater inner_;
   double delta_;
   Dilation dilation_;
   bool usable_;

@@ -169,6 +169,7 @@ struct FewMarks {
   /// The micro-triangles that may meet cell n and may bear the mark in it.
   std::array<std::uint32_t, FewCells::most> below_in, opaque_in;
   std::uint32_t perhaps_below = 0, perhaps_opaque = 0;
+  std::uint32_t below = 0, opaque = 0;           ///< certain marks of centroids
   std::uint32_t leans = 0, leans_to_opaque = 0;  ///< the lean of the centroid is certain; it leans to opaque
   SixteenLanes::Ints vertices;  ///< marks of micro-vertices: 1 below, 2 opaque, 4 no below, 8 no opaque
 };
@@ -258,10 +259,13 @@ MMVERIFY_LARGE FewMarks ask_few(const SixteenInput& in, const Words& words, cons
         hn::Or(hn::Or(bit(hn::Lt(g, hn::Neg(bound)), 1), bit(hn::Gt(g, set(shape.bound - shape.gap)), 2)),
                hn::Or(bit(hn::Gt(g, bound), 4), bit(hn::Lt(g, set(-shape.bound - shape.gap)), 8)));
     hn::StoreU(hn::Or(of_g, vertices.unmixed[p]), I(), marks.vertices.data() + k);
-    const Float lean = hn::Sub(hn::Sub(centroids.at[p], set(shape.threshold)), set(shape.lean));
+    const Float at_centroid = hn::Sub(centroids.at[p], set(shape.threshold)),
+                lean = hn::Sub(at_centroid, set(shape.lean));
     const auto has = [&](std::int32_t b) HWY_ATTR {
       return hn::RebindMask(f, hn::Ne(hn::And(centroids.unmixed[p], set(b)), set(0)));
     };
+    marks.below |= bits_of(hn::Or(has(1), hn::Lt(at_centroid, hn::Neg(bound))), k);
+    marks.opaque |= bits_of(hn::Or(has(2), hn::Gt(at_centroid, set(shape.bound - shape.gap))), k);
     marks.leans |= bits_of(hn::Or(has(4 + 8), hn::Gt(hn::Abs(lean), bound)), k);
     marks.leans_to_opaque |= bits_of(hn::Or(has(4), hn::Gt(lean, hn::Zero(f))), k);
   }
@@ -284,12 +288,13 @@ MMVERIFY_LARGE EdgeMarks ask_few_edges(const SixteenInput& in, const FewAlpha& c
   std::size_t count = 0;
   for (std::size_t n = 0; n < cells.count; ++n) {
     const std::uint32_t asked = (found.below_in[n] & ask_below) | (found.opaque_in[n] & ask_opaque);
+    const std::uint32_t asked_edges = micro_edges.low[asked & 255] | micro_edges.high[asked >> 8];
     const Int number = set(static_cast<std::int32_t>(n << 20));
     for (std::size_t e = 0; e < 32; e += lanes) {
-      const Int edges = hn::LoadU(I(), sixteen_lanes.edges.data() + e);
-      const Mask those = have_any(edges, asked);
-      hn::StoreU(hn::Compress(hn::Or(edges, number), hn::RebindMask(I(), those)), I(), list.data() + count);
-      count += hn::CountTrue(F(), those);
+      const std::uint32_t here = asked_edges >> e & ((1u << lanes) - 1);
+      const Int edges = hn::Or(hn::LoadU(I(), sixteen_lanes.edges.data() + e), number);
+      hn::StoreU(hn::Compress(edges, hn::RebindMask(I(), mask_of(here, 0))), I(), list.data() + count);
+      count += hwy::PopCount(here);
     }
   }
   PieceMarks pieces;

@@ -72,4 +72,19 @@ struct SixteenLanes {
 };
 inline constexpr SixteenLanes sixteen_lanes;
 
+/// The edges of several micro-triangles, bit e for edge e, from the low and the high byte of the micro-triangles' bits.
+struct SixteenEdges {
+  std::array<std::uint32_t, 256> low{}, high{};
+
+  constexpr SixteenEdges() {
+    for (std::uint32_t byte = 0; byte < 256; ++byte)
+      for (std::size_t e = 0; e < 32; ++e) {
+        const auto of = static_cast<std::uint32_t>(sixteen_lanes.edges[e]);
+        low[byte] |= std::uint32_t{(of & byte) != 0} << e;
+        high[byte] |= std::uint32_t{(of >> 8 & byte) != 0} << e;
+      }
+  }
+};
+inline constexpr SixteenEdges micro_edges;
+
 }  // namespace mmverify::impl::bake::detail

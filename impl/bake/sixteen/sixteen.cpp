@@ -90,24 +90,29 @@ MMVERIFY_LARGE CornerMarks ask_corners(const SixteenInput& in, const Words& word
   return of_corners(vertices, asked);
 }
 
-/// Writes how alpha leans at the centroids of `unknowns`.
+/// Writes how alpha leans at the centroids of the micro-triangles `asked`, and adds the marks that it bears there.
 template <class Texel>
-MMVERIFY_LARGE void ask_centroids(const SixteenInput& in, const Words& words, std::uint32_t unknowns,
+MMVERIFY_LARGE void ask_centroids(const SixteenInput& in, const Words& words, std::uint32_t all,
                                   SixteenMarks& marks) {
   const F f;
+  const Float bound = set(in.shape->bound);
   for (std::size_t k = 0; k < 16; k += hn::Lanes(f)) {
     const Float i = hn::LoadU(f, sixteen_lanes.centroid_i.data() + k),
                 j = hn::LoadU(f, sixteen_lanes.centroid_j.data() + k);
     const Located at(place(in, 0, i, j), place(in, 1, i, j));
-    std::uint32_t asked = unknowns;
+    std::uint32_t asked = all;
     const KnownBits known = known_by_cells(in, words, at, k);
-    marks.leans |= known.places & unknowns;
-    marks.leans_to_opaque |= known.opaque & unknowns;
+    marks.leans |= known.places & all;
+    marks.leans_to_opaque |= known.opaque & all;
+    marks.below |= known.places & ~known.opaque & all;
+    marks.opaque |= known.opaque & all;
     asked &= ~known.places;
     if ((asked >> k & ((1u << hn::Lanes(f)) - 1)) == 0) continue;
-    const Float g = hn::Sub(sampled<Texel>(in, at, mask_of(asked, k)), set(in.shape->lean));
-    marks.leans |= bits_of(hn::Gt(hn::Abs(g), set(in.shape->bound)), k) & asked;
-    marks.leans_to_opaque |= bits_of(hn::Gt(g, set(0.0f)), k) & asked;
+    const Float g = sampled<Texel>(in, at, mask_of(asked, k)), lean = hn::Sub(g, set(in.shape->lean));
+    marks.below |= bits_of(hn::Lt(g, hn::Neg(bound)), k) & asked;
+    marks.opaque |= bits_of(hn::Gt(g, set(in.shape->bound - in.shape->gap)), k) & asked;
+    marks.leans |= bits_of(hn::Gt(hn::Abs(lean), bound), k) & asked;
+    marks.leans_to_opaque |= bits_of(hn::Gt(lean, set(0.0f)), k) & asked;
   }
 }
 
@@ -162,6 +167,9 @@ HWY_INLINE void judge_few(const SixteenInput& in, const Words& words, const FewC
   marks.leans_to_opaque = found.leans_to_opaque;
   left &= ~(marks.lacks_below | marks.lacks_opaque);
   take_corners(corners, left, marks);
+  marks.below |= found.below & left;
+  marks.opaque |= found.opaque & left;
+  left &= ~(marks.below & marks.opaque);
   if (left == 0) return;
   const EdgeMarks edges = ask_few_edges(in, alpha, found, left & ~marks.below, left & ~marks.opaque);
   take_edges(edges, cells, corners.one_no_below, corners.one_no_opaque, left, marks);
@@ -175,6 +183,9 @@ HWY_INLINE void judge_many(const SixteenInput& in, const Words& words, SixteenMa
   if (left == 0) return;
   const CornerMarks corners = ask_corners<Texel>(in, words, left);
   take_corners(corners, left, marks);
+  if (left == 0) return;
+  ask_centroids<Texel>(in, words, left | (marks.below & marks.opaque), marks);
+  left &= ~(marks.below & marks.opaque);
   if (left == 0) return;
   take_edges(ask_edges<Texel>(in, words, left), cells, corners.no_below, corners.no_opaque, left, marks);
 }

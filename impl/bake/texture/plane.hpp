@@ -77,6 +77,7 @@ class Plane {
   BoxMarks in(std::int64_t left, std::int64_t right, std::int64_t top, std::int64_t bottom) const noexcept {
     const auto l = static_cast<std::size_t>(left), r = static_cast<std::size_t>(right),
                t = static_cast<std::size_t>(top), b = static_cast<std::size_t>(bottom);
+    if (r - l < small_columns && b - t < small_rows) return in_small(l, r, t, b);
     const std::size_t first = l / 8, last = r / 8, last_row = b / 8;
     std::uint64_t first_columns = columns(l % 8, 7);
     const std::uint64_t last_columns = columns(0, r % 8);
@@ -104,6 +105,25 @@ class Plane {
 
  private:
   static constexpr std::size_t few = 4;
+  /// A box that two words of each row hold, in so few rows that all are looked at sooner than tiles one by one.
+  static constexpr std::size_t small_columns = 32, small_rows = 32;
+
+  BoxMarks in_small(std::size_t l, std::size_t r, std::size_t t, std::size_t b) const noexcept {
+    const std::uint64_t mask = ~std::uint64_t{0} >> (63 - (r - l)) << (l % 32);
+    const auto low = static_cast<std::uint32_t>(mask), high = static_cast<std::uint32_t>(mask >> 32);
+    const std::uint32_t *const word = strips_.data() + strip_ * (l / 32), *const next = word + strip_;
+    std::uint32_t have = 0, have_not = 0;
+    for (std::size_t row = t; row <= b; ++row) {
+      have |= word[row] & low;
+      have_not |= ~word[row] & low;
+    }
+    if (high != 0)
+      for (std::size_t row = t; row <= b; ++row) {
+        have |= next[row] & high;
+        have_not |= ~next[row] & high;
+      }
+    return {have != 0, have_not != 0};
+  }
 
   static std::uint64_t columns(std::size_t from, std::size_t to) noexcept {
     return std::uint64_t{0x0101010101010101} * ((0xffu >> (7 - to)) & (0xffu << from) & 0xffu);

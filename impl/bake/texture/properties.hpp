@@ -109,26 +109,36 @@ class TexturePropertiesOf final : public TextureProperties {
     return {texel(i, j), texel(i + 1, j), texel(i, j + 1), texel(i + 1, j + 1)};
   }
 
-  /// The first of the texels [left, right] x [top, bottom], if these lie in one picture as they are.
-  /// Four bytes from each of them can be read.
+  /// The place in the picture of texel (left, top), if the texels [left, right] x [top, bottom] lie in one picture as
+  /// they are.
+  struct InPicture {
+    std::int64_t left, top;
+  };
+  std::optional<InPicture> place_in_one_picture(std::int64_t left, std::int64_t right, std::int64_t top,
+                                                std::int64_t bottom) const noexcept {
+    const auto moved = [](Wrap wrap, std::int64_t at, std::int64_t n) {
+      return wrap == Wrap::repeat && (at < 0 || at >= n) ? modulo(at, n) : at;
+    };
+    const std::int64_t x = moved(wrap_x_, left, width_), y = moved(wrap_y_, top, height_);
+    if (x < 0 || x + (right - left) >= width_ || y < 0 || y + (bottom - top) >= height_) return std::nullopt;
+    return InPicture{x, y};
+  }
+  /// The same with a pointer to that texel.  Four bytes from each of the texels can be read.
   struct InOnePicture {
     const Texel* first;
     std::int64_t left, top;  ///< its place in the picture
   };
   std::optional<InOnePicture> in_one_picture(std::int64_t left, std::int64_t right, std::int64_t top,
                                              std::int64_t bottom) const noexcept {
-    const auto moved = [](Wrap wrap, std::int64_t at, std::int64_t n) {
-      return wrap == Wrap::repeat && (at < 0 || at >= n) ? modulo(at, n) : at;
-    };
-    const std::int64_t x = moved(wrap_x_, left, width_), y = moved(wrap_y_, top, height_),
-                       end_x = x + (right - left), end_y = y + (bottom - top);
-    if (x < 0 || end_x >= width_ || y < 0 || end_y >= height_) return std::nullopt;
+    const auto place = place_in_one_picture(left, right, top, bottom);
+    if (!place) return std::nullopt;
     constexpr std::size_t beyond = 4 / sizeof(Texel) - 1;
     const auto at = [this](std::int64_t i, std::int64_t j) {
       return static_cast<std::size_t>(j) * texture_.pitch + static_cast<std::size_t>(i);
     };
-    if (at(end_x, end_y) + beyond > at(width_ - 1, height_ - 1)) return std::nullopt;
-    return InOnePicture{texture_.texels + at(x, y), x, y};
+    if (at(place->left + (right - left), place->top + (bottom - top)) + beyond > at(width_ - 1, height_ - 1))
+      return std::nullopt;
+    return InOnePicture{texture_.texels + at(place->left, place->top), place->left, place->top};
   }
   std::size_t pitch() const noexcept { return texture_.pitch; }
   /// Copies the texels [left, left + width) x [top, top + height), before wrapping, to rows of `pitch`, and their bits.
