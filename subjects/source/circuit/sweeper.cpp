@@ -82,7 +82,7 @@ Answer Sweeper::equals(Literal a, Literal b, Literal l) {
 
 Literal Sweeper::equal_to(Node n, Literal a, Literal b) {
   Values values = values_of(a, b);
-  // In a large graph a node that is merely rare is taken for `never` too often: each such question costs a model of all.
+  // A node that is merely rare looks like `never`.  In a large graph each such question costs a model of all inputs.
   const bool rare = values_.size() > large && signature(values) == signature(values_[0]);
   if (merging_ && !rare) {
     int tried = 0;
