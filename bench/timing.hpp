@@ -43,12 +43,18 @@ double once_ns(const Work& work) {
   return thread_ns() - start;
 }
 
+/// The spread of some rounds' times, in ns.  Domain: rounds > 0.
+template <class Work>
+Spread rounds_ns(std::size_t rounds, const Work& work) {
+  std::vector<double> ns;
+  for (std::size_t round = 0; round < rounds; ++round) ns.push_back(once_ns(work));
+  return spread_of(ns);
+}
+
 /// The median of some rounds' times, in ns.  Domain: rounds > 0.
 template <class Work>
 double median_ns(std::size_t rounds, const Work& work) {
-  std::vector<double> ns;
-  for (std::size_t round = 0; round < rounds; ++round) ns.push_back(once_ns(work));
-  return median(ns);
+  return rounds_ns(rounds, work).median;
 }
 
 }  // namespace mmverify::bench

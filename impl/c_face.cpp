@@ -151,6 +151,31 @@ std::vector<bake::PixelView> levels_of(std::span<const mmverify_pixels> mips, st
   return levels;
 }
 
+bake::BlockFormat block_format_of(std::uint32_t format) {
+  switch (format) {
+    case MMVERIFY_BLOCKS_BC1:
+      return bake::BlockFormat::bc1;
+    case MMVERIFY_BLOCKS_BC2:
+      return bake::BlockFormat::bc2;
+    case MMVERIFY_BLOCKS_BC3:
+      return bake::BlockFormat::bc3;
+    case MMVERIFY_BLOCKS_BC4:
+      return bake::BlockFormat::bc4;
+    case MMVERIFY_BLOCKS_BC7:
+      return bake::BlockFormat::bc7;
+    default:
+      throw std::invalid_argument("blocks are of format 1, 2, 3, 4 or 7, as BC1 to BC4 and BC7");
+  }
+}
+
+std::vector<bake::BlockView> levels_of(std::span<const mmverify_blocks> mips, std::uint32_t texel) {
+  need(texel == MMVERIFY_TEXEL_UNORM16, "texels of blocks are of 2, 16 bits");
+  std::vector<bake::BlockView> levels;
+  for (const mmverify_blocks& m : mips)
+    levels.push_back({block_format_of(m.format), m.bytes, m.width, m.height, m.pitch});
+  return levels;
+}
+
 template <class Mip>
 mmverify_baker* baker_of(std::span<const Mip> mips, const mmverify_sampling& how) {
   need(how.filter <= MMVERIFY_FILTER_NEAREST, "a filter is 0, bilinear, or 1, nearest");
@@ -348,6 +373,13 @@ mmverify_baker* mmverify_baker_new(const mmverify_texture* mips, size_t count,
 }
 
 mmverify_baker* mmverify_baker_of_pixels(const mmverify_pixels* mips, size_t count,
+                                         const mmverify_sampling* sampling) {
+  mmverify_baker* made = nullptr;
+  done([&] { made = baker_of(std::span(mips, count), *sampling); });
+  return made;
+}
+
+mmverify_baker* mmverify_baker_of_blocks(const mmverify_blocks* mips, size_t count,
                                          const mmverify_sampling* sampling) {
   mmverify_baker* made = nullptr;
   done([&] { made = baker_of(std::span(mips, count), *sampling); });

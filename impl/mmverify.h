@@ -103,13 +103,29 @@ typedef struct mmverify_texture {
 } mmverify_texture;
 
 /* One mip level of interleaved pixels of 8 bits a channel: alpha of texel (x, y) at pitch y + channels x + channel.
- * Alpha is linear in sRGB formats, too; blocks (BC1 to BC7) are decoded before: docs/ENGINE.md. */
+ * Alpha is linear in sRGB formats, too. */
 typedef struct mmverify_pixels {
   const uint8_t* bytes;
   uint32_t width, height;
   size_t pitch;               /* in bytes, at least channels width */
   uint32_t channels, channel; /* at most 16; RGBA8 has 4, and alpha in channel 3 */
 } mmverify_pixels;
+
+/* One mip level of blocks of 4 x 4 texels, row by row: block (i, j) at pitch j + size i, size 8 bytes in BC1 and BC4, 16 in
+ * the others.  BC4 is a mask of one channel, UNORM.  BC1 is the format with alpha.  sRGB formats have the same alpha. */
+enum {
+  MMVERIFY_BLOCKS_BC1 = 1,
+  MMVERIFY_BLOCKS_BC2 = 2,
+  MMVERIFY_BLOCKS_BC3 = 3,
+  MMVERIFY_BLOCKS_BC4 = 4,
+  MMVERIFY_BLOCKS_BC7 = 7
+};
+typedef struct mmverify_blocks {
+  uint32_t format;
+  const uint8_t* bytes;
+  uint32_t width, height; /* in texels; sides that are no multiples of four round up to whole blocks */
+  size_t pitch;           /* in bytes, from one row of blocks to the next */
+} mmverify_blocks;
 
 /* The sampling of a texture, and the rule by which alpha is opaque. */
 typedef struct mmverify_sampling {
@@ -123,11 +139,14 @@ typedef struct mmverify_sampling {
 } mmverify_sampling;
 
 /* Mip levels in the order in which they are sampled, the largest first.  The texels must outlive the baker; of pixels it
- * copies the channel, and their sampling's texel is MMVERIFY_TEXEL_UNORM8.  Null on failure. */
+ * copies the channel, and their sampling's texel is MMVERIFY_TEXEL_UNORM8; of blocks it keeps the alpha, and the texel
+ * is MMVERIFY_TEXEL_UNORM16.  Null on failure. */
 typedef struct mmverify_baker mmverify_baker;
 mmverify_baker* mmverify_baker_new(const mmverify_texture* mips, size_t count,
                                    const mmverify_sampling* sampling);
 mmverify_baker* mmverify_baker_of_pixels(const mmverify_pixels* mips, size_t count,
+                                         const mmverify_sampling* sampling);
+mmverify_baker* mmverify_baker_of_blocks(const mmverify_blocks* mips, size_t count,
                                          const mmverify_sampling* sampling);
 void mmverify_baker_free(mmverify_baker* baker);
 /* The 4-state map of the triangle with these texture coordinates, u and v of three vertices: O if alpha is opaque

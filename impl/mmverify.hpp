@@ -18,6 +18,7 @@
 #include "impl/attribute/order.hpp"
 #include "impl/attribute/plan.hpp"
 #include "impl/bake/bake.hpp"
+#include "impl/bake/blocks/blocks.hpp"
 #include "impl/bake/level.hpp"
 #include "impl/bake/mesh.hpp"
 #include "impl/bake/square/map.hpp"

@@ -55,7 +55,7 @@ const char* to_string(Remap remap);
 inline constexpr double least_in_ulps = 0x1p-12;
 
 struct RemapFigure {
-  double ns = 0;
+  double ns = 0, least_ns = 0, most_ns = 0;  ///< a point: median, fastest and slowest round
   double worst = 0;  ///< the greatest error of a weight, which is an error in heights of the micro-triangle
   double worst_ulp = 0;  ///< the same in ulps of the right weight, of weights from `least_in_ulps` on
   std::optional<double> condition =

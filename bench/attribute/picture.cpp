@@ -87,10 +87,12 @@ Panel error_against_time(const AttributeFigures& figures) {
     if (shown == nullptr || l.level <= 12) shown = &l;
   if (shown == nullptr) return panel;
   panel.title += ", level " + std::to_string(shown->level);
-  for (const auto& [remap, colour] : remap_colours)
+  for (const auto& [remap, colour] : remap_colours) {
+    const RemapFigure& f = shown->of(remap);
     panel.series.push_back({.colour = colour,
                             .joined = false,
-                            .points = {{shown->of(remap).ns, shown->of(remap).worst, to_string(remap)}}});
+                            .points = {{f.ns, f.worst, to_string(remap), Range{f.least_ns, f.most_ns}}}});
+  }
   return panel;
 }
 

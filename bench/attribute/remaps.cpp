@@ -148,7 +148,12 @@ RemapLevel measured(std::uint32_t level, const AttributeBenchOptions& o) {
   std::vector<Work> works;
   for (const Remap remap : all_remaps) works.push_back({points_timed, [&l, remap] { run(remap, l); }});
   const RoundTimes times = times_in_rounds(works, o.rounds);
-  for (std::size_t r = 0; r < remaps; ++r) result.by[r].ns = median(times[r]);
+  for (std::size_t r = 0; r < remaps; ++r) {
+    const Spread spread = spread_of(times[r]);
+    result.by[r].ns = spread.median;
+    result.by[r].least_ns = spread.least;
+    result.by[r].most_ns = spread.most;
+  }
   return result;
 }
 

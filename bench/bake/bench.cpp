@@ -106,7 +106,8 @@ std::uint64_t compare(const Specified& t, const BaseTriangle& uv, const States& 
   for (std::size_t k = 0; k < at.size(); ++k) {
     const double start = thread_ns();
     const std::uint8_t state = specified<spec::Rational128>(t.rational, uv, result.level, at[k]);
-    rational.ns += thread_ns() - start;
+    const double ns = thread_ns() - start;
+    rational.add({ns, ns, ns});
     ++rational.micro_triangles;
     if (state != ours[at[k]] || in_whole[k] != state)
       throw std::runtime_error(std::string("bake bench: ") +
@@ -135,7 +136,7 @@ void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds
         specification, spec::bake::Mask<spec::Rational>{{cutoff.numerator, cutoff.denominator}});
     for (const BaseTriangle& uv : halves) {
       Ours o;
-      figure(Baker::ours).ns += median_ns(rounds, [&] { o = ours(baker, uv, level); });
+      figure(Baker::ours).add(rounds_ns(rounds, [&] { o = ours(baker, uv, level); }));
       const States truth = unpacked(o.map, level);
       figure(Baker::ours).micro_triangles += truth.size();
       leaves += o.counts.leaves;
@@ -148,7 +149,7 @@ void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds
       for (const auto& [which, into] : obvious) {
         BakeFigure& f = figure(which);
         // The pass is long enough to be timed once.
-        f.ns += median_ns(1, [&, into = into] { into({v, 0.5}, uv, level, states); });
+        f.add(rounds_ns(1, [&, into = into] { into({v, 0.5}, uv, level, states); }));
         f.micro_triangles += states.size();
         for (std::size_t k = 0; k < states.size(); ++k) {
           f.wrong += !unknown(states[k]) && states[k] != truth[k] ? 1 : 0;
@@ -159,7 +160,9 @@ void measure_level(const std::vector<AlphaTexture>& textures, std::size_t rounds
   }
   result.whole_ns /=
       static_cast<double>(std::max<std::uint64_t>(1, result.of(Baker::rational).micro_triangles));
-  for (BakeFigure& f : result.by) f.ns /= static_cast<double>(std::max<std::uint64_t>(1, f.micro_triangles));
+  for (BakeFigure& f : result.by)
+    for (double* const ns : {&f.ns, &f.least_ns, &f.most_ns})
+      *ns /= static_cast<double>(std::max<std::uint64_t>(1, f.micro_triangles));
   result.unknown = static_cast<double>(mixed) / static_cast<double>(all);
   result.exact = leaves == 0 ? 0 : static_cast<double>(exact) / static_cast<double>(leaves);
 }

@@ -9,6 +9,7 @@
 
 #include "bench/bake/updates.hpp"
 #include "bench/textures/alpha_textures.hpp"
+#include "bench/timing.hpp"
 
 namespace mmverify::bench {
 
@@ -33,7 +34,14 @@ struct BakeFigure {
   std::uint64_t wrong = 0;            ///< O or T, but not on the whole micro-triangle
   std::uint64_t needless = 0;         ///< unknown, but one state on the whole micro-triangle
   double ns = 0;                      ///< a micro-triangle, without the preparation of the texture
+  /// The same of the fastest and the slowest round of each triangle; of bakers that run once, ns.
+  double least_ns = 0, most_ns = 0;
 
+  void add(const Spread& of_a_triangle) {
+    ns += of_a_triangle.median;
+    least_ns += of_a_triangle.least;
+    most_ns += of_a_triangle.most;
+  }
   double wrong_per_million() const;
   double needless_per_million() const;
 };

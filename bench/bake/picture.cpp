@@ -20,11 +20,11 @@ Panel error_against_time(const BakeLevel& level) {
       .y = {.title = "a million", .logarithmic = true, .least = 1, .most = 2e6}};
   for (const Look& look : looks) {
     const BakeFigure& f = level.of(look.baker);
-    panel.series.push_back(
-        {.name = "",
-         .colour = look.colour,
-         .joined = false,
-         .points = {{f.ns, f.wrong_per_million() + f.needless_per_million(), to_string(look.baker)}}});
+    panel.series.push_back({.name = "",
+                            .colour = look.colour,
+                            .joined = false,
+                            .points = {{f.ns, f.wrong_per_million() + f.needless_per_million(),
+                                        to_string(look.baker), Range{f.least_ns, f.most_ns}}}});
   }
   return panel;
 }

@@ -41,6 +41,10 @@ Fields<BakerOf> baker_fields() {
        [](const B& b) { return b.figure.needless_per_million(); }},
       {{time("ns", "ns a micro-triangle, textures ready"), "a state", "ns"},
        [](const B& b) { return b.figure.ns; }},
+      {{number("least_ns", left_out, "of the fastest round").if_any()},
+       [](const B& b) { return b.figure.least_ns; }},
+      {{number("most_ns", left_out, "of the slowest round").if_any()},
+       [](const B& b) { return b.figure.most_ns; }},
       {{ratio("times_ours", speed_more, "ns / that of ours"), "x ours"},
        [](const B& b) { return b.figure.ns / b.ns_of_ours; }},
   };

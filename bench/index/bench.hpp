@@ -40,7 +40,8 @@ struct IndexErrors {
 /// A time of one level; see add_index_times.
 struct IndexTime {
   std::uint32_t level = 0;
-  double ns_per_index = 0;  ///< processor time, median over the rounds
+  double ns_per_index = 0;           ///< processor time, median over the rounds
+  double least_ns = 0, most_ns = 0;  ///< of the fastest and the slowest round
   /// Median over the rounds of ns / reference-f32's ns at this level in the same round; below 1 is faster.
   double ratio_to_reference_f32 = 0;
 };

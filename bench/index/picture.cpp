@@ -49,7 +49,8 @@ Panel error_against_time(const std::vector<IndexFigures>& figures, std::uint64_t
   for (const IndexFigures& f : figures) {
     if (f.times.empty() || f.stiff.empty()) continue;
     Series series = look_of(f);
-    series.points = {{f.times.back().ns_per_index, f.stiff.back().rate()}};
+    const IndexTime& time = f.times.back();
+    series.points = {{time.ns_per_index, f.stiff.back().rate(), "", Range{time.least_ns, time.most_ns}}};
     panel.series.push_back(series);
     fewest = std::min(fewest, f.stiff.back().samples);
   }

@@ -126,7 +126,8 @@ void add_index_times(const IndexBenchOptions& options, std::vector<IndexFigures>
       const std::vector<double>& ns = collector.ns(row_name(subject.name, level), rounds);
       std::vector<double> ratios(rounds);
       std::transform(ns.begin(), ns.end(), reference.begin(), ratios.begin(), std::divides<>());
-      subject.times.push_back({level, median(ns), median(ratios)});
+      const Spread spread = spread_of(ns);
+      subject.times.push_back({level, spread.median, spread.least, spread.most, median(ratios)});
     }
   }
 }

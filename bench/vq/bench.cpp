@@ -49,7 +49,10 @@ VqEncoded measured(const char* encoder, const std::string& of, const Map& map, s
       result.transforms = transforms_of(encoded.block);
     }
   }
-  result.ms = median(ms);
+  const Spread spread = spread_of(ms);
+  result.ms = spread.median;
+  result.least_ms = spread.least;
+  result.most_ms = spread.most;
   return result;
 }
 

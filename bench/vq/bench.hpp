@@ -31,8 +31,9 @@ const char* to_string(Vq4Encoder encoder);
 /// The result of an encoder on one map.
 struct VqEncoded {
   std::uint32_t substitutions = 0;
-  std::uint32_t transforms = 0;  ///< of TR, BL and BR by their numbers in table 1, three bits each
-  double ms = 0;                 ///< median over the rounds; proved has one round
+  std::uint32_t transforms = 0;      ///< of TR, BL and BR by their numbers in table 1, three bits each
+  double ms = 0;                     ///< median over the rounds; proved has one round
+  double least_ms = 0, most_ms = 0;  ///< of the fastest and the slowest round
 };
 
 /// The figures of one texture's maps.

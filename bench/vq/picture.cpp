@@ -42,10 +42,13 @@ template <class Encoder>
 Series mark(const std::vector<VqRow>& rows, const std::string& codec, Encoder e, const char* colour) {
   const double lost = sum_over(rows, [e](const VqRow& r) { return r.by(e).substitutions; });
   const double states = sum_over(rows, [e](const VqRow& r) { return states_of(r, e); });
-  const double ms = mean_over(rows, [e](const VqRow& r) { return r.by(e).ms; });
+  const auto mean = [&](double VqEncoded::*ms) {
+    return mean_over(rows, [e, ms](const VqRow& r) { return r.by(e).*ms; });
+  };
   return {.colour = colour,
           .joined = false,
-          .points = {{ms, per_cent_of(lost, states), codec + " " + to_string(e)}}};
+          .points = {{mean(&VqEncoded::ms), per_cent_of(lost, states), codec + " " + to_string(e),
+                      Range{mean(&VqEncoded::least_ms), mean(&VqEncoded::most_ms)}}}};
 }
 
 /// A panel of the share of O and T that is lost, over the time of a map.

@@ -58,6 +58,10 @@ Fields<EncodedMap> encoded_fields() {
       {{whole("transforms", same, {0, 7}, "of TR, BL and BR, by their numbers in table 1").list_of(3)},
        transforms},
       {{.key = time("ms", "ms a map"), .unit = "ms"}, [](const E& e) { return e.by.ms; }},
+      {{number("least_ms", left_out, "of the fastest round").if_any()},
+       [](const E& e) { return e.by.least_ms; }},
+      {{number("most_ms", left_out, "of the slowest round").if_any()},
+       [](const E& e) { return e.by.most_ms; }},
       {{ratio("times_paper", speed_less, "ms / that of paper")}, [](const E& e) { return e.times_paper; }},
   };
 }

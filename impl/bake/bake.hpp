@@ -23,7 +23,7 @@ using AlphaView = TexelView<std::uint8_t>;
 
 /// Interleaved pixels of 8 bits a channel, not owned: alpha of texel (x, y) is bytes[pitch y + channels x + channel].
 /// Domain: 1..16 channels, channel < channels, pitch >= channels width.  RGBA8 has alpha in channel 3, which is linear in
-/// sRGB formats, too: their bytes are passed as they are.  Blocks (BC1 to BC7) are decoded before: docs/ENGINE.md.
+/// sRGB formats, too: their bytes are passed as they are.  Blocks (BC1 to BC7): BlockView, impl/bake/blocks/blocks.hpp.
 struct PixelView {
   const std::uint8_t* bytes;
   std::uint32_t width, height;

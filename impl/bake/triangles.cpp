@@ -78,6 +78,16 @@ TriangleBaker::TriangleBaker(std::span<const PixelView> mips, const AlphaMode& m
   }
   prepare(texels, mode, sampling);
 }
+TriangleBaker::TriangleBaker(std::span<const BlockView> mips, const AlphaMode& mode,
+                             const Sampling& sampling) {
+  std::vector<Texels> texels;
+  for (const BlockView& blocks : mips) {
+    decoded_.push_back(alpha_of(blocks));
+    texels.push_back(
+        TexelView<std::uint16_t>{decoded_.back().data(), blocks.width, blocks.height, blocks.width});
+  }
+  prepare(texels, mode, sampling);
+}
 
 void TriangleBaker::prepare(std::span<const Texels> mips, const AlphaMode& mode, const Sampling& sampling) {
   if (mips.empty()) throw std::invalid_argument("bake: no mip level");

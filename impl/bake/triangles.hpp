@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "impl/bake/bake.hpp"
+#include "impl/bake/blocks/blocks.hpp"
 #include "impl/bake/texture/wrap.hpp"
 
 namespace mmverify::impl::bake {
@@ -99,6 +100,11 @@ class TriangleBaker {
   /// Errors: as above; and channels, a channel or a pitch outside the domain of PixelView.
   /// Test: impl_bake_engine_test
   TriangleBaker(std::span<const PixelView> mips, const AlphaMode& mode, const Sampling& sampling = {});
+  /// A baker of blocks, BC1 to BC4 or BC7, whose alpha it decodes: two bytes a texel.  The blocks need not outlive it.  A
+  /// border is of 65535.
+  /// Errors: as above, and those of alpha_of(BlockView).
+  /// Test: impl_blocks_test
+  TriangleBaker(std::span<const BlockView> mips, const AlphaMode& mode, const Sampling& sampling = {});
   /// A baker for 8 bits, MASK, bilinear.
   /// Test: impl_bake_errors_test
   TriangleBaker(const AlphaView& texture, Cutoff cutoff, const Addressing& addressing = {});
@@ -147,6 +153,7 @@ class TriangleBaker {
   void prepare(std::span<const Texels> mips, const AlphaMode& mode, const Sampling& sampling);
 
   std::vector<std::vector<std::uint8_t>> channels_;  ///< copies of interleaved pixels, by mip level
+  std::vector<std::vector<std::uint16_t>> decoded_;  ///< the alpha of blocks, by mip level
   std::vector<std::unique_ptr<const detail::MipBaker>> mips_;
 };
 

@@ -6,8 +6,8 @@
 //   w_minor             index in row order (Gruen et al.)
 //   w_minor_corners     the micro-triangle that carries an index of row order
 //
-// Each function has two forms, which give the same bits: inline for a single value; for spans, in SIMD chosen at run
-// time.
+// Each function has two forms, which give the same bits: in this header for a single value, which a compiler may also
+// evaluate; for spans, in SIMD chosen at run time.
 // IEEE arithmetic must be rounded to nearest, the default (no -ffast-math).  Flushing subnormals to zero changes no
 // answer: a subnormal u or v completes no sum to 1, and before the first grid line dia is N-1 with or without it.
 #pragma once
@@ -50,13 +50,13 @@ namespace detail {
 /// x clamped to [0,1].  NaN and everything at or below zero become +0: std::max returns its first argument unless 0 <
 /// x.
 template <class F>
-inline F clamped(F x) noexcept {
+constexpr F clamped(F x) noexcept {
   return std::min(std::max(F(0.0f), x), F(1.0f));
 }
 
 /// x N for a clamped x, exact since N = 2^n is a power of two.  n in 0..30.
 template <class F>
-inline F scaled(F x, F N) noexcept {
+constexpr F scaled(F x, F N) noexcept {
   return clamped(x) * N;
 }
 
@@ -70,7 +70,7 @@ struct Cut {
 /// y cut exactly: the rest only drops leading bits.  Domain: 0 <= y <= 2^30.
 /// Signed: x86 converts only signed words in one instruction.
 template <class Signed, class F>
-inline Cut<Signed, F> cut(F y) noexcept {
+constexpr Cut<Signed, F> cut(F y) noexcept {
   const Signed whole = static_cast<Signed>(y);
   return {whole, y - static_cast<F>(whole)};
 }
@@ -79,13 +79,13 @@ inline Cut<Signed, F> cut(F y) noexcept {
 /// greater >= 1/2 the difference is exact (Sterbenz).  Else both are below 1/2 and the sum is below 1, and the rounded
 /// difference, at least 1/2, tells that.
 template <class F>
-inline bool reach_one(F uf, F vf) noexcept {
+constexpr bool reach_one(F uf, F vf) noexcept {
   return std::min(uf, vf) >= F(1.0f) - std::max(uf, vf);
 }
 
 /// Whether a part is not 0.
 template <class F>
-inline bool is_more_than_none(F uf) noexcept {
+constexpr bool is_more_than_none(F uf) noexcept {
   return uf > F(0.0f);
 }
 
@@ -164,7 +164,7 @@ struct GridPoint {
 };
 
 /// Finds a point.  Domain: any bit patterns; n in 0..30.
-inline GridPoint find(float u, float v, Level n) noexcept {
+constexpr GridPoint find(float u, float v, Level n) noexcept {
   const float N = static_cast<float>(std::int32_t{1} << n);
   const auto pu = cut<std::int32_t>(scaled(u, N)), pv = cut<std::int32_t>(scaled(v, N));
   return {static_cast<std::uint32_t>(pu.whole), static_cast<std::uint32_t>(pv.whole),
@@ -178,7 +178,7 @@ struct GridSquare {
 };
 
 /// Locates a point by its u and v; rounding decides nothing.  n in 0..16.
-inline GridSquare locate(float u, float v, Level n) noexcept {
+constexpr GridSquare locate(float u, float v, Level n) noexcept {
   const GridPoint p = find(u, v, n);
   return {p.iu, p.iv, row_of(p.iu, p.iv, p.carry, std::uint32_t{1} << n), p.iu + (p.beyond ? 1u : 0u)};
 }
@@ -191,7 +191,7 @@ inline GridSquare locate(float u, float v, Level n) noexcept {
 /// Result in [0, 4^level): exactly the rational evaluation of the reference for every pair of finite floats.
 /// Source: VK_EXT_opacity_micromap, appendix "Reference Code".
 /// Law: index.equals_reference, index.floats
-inline std::uint32_t from_barycentrics(float u, float v, Level level) noexcept {
+constexpr std::uint32_t from_barycentrics(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
   const detail::GridPoint p = detail::find(u, v, n);
   return detail::curve(detail::square(p.iu, p.iv, p.carry, std::uint32_t{1} << n));
@@ -238,7 +238,7 @@ void corners(std::span<const std::uint32_t> index, Level level, const CornerSpan
 /// the clamped numbers; the result stays in the range because dia >= N-1-row even there.
 /// Source: Color and Attribute Micromaps, figure 4, wminor_uv2triangle_index.
 /// Law: index.row_order, index.row_floats
-inline std::uint32_t w_minor(float u, float v, Level level) noexcept {
+constexpr std::uint32_t w_minor(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_level);
   const detail::GridPoint p = detail::find(u, v, n);
   const std::uint32_t N = std::uint32_t{1} << n;

@@ -42,7 +42,7 @@ constexpr Word wide_curve(const Square<Word>& q) noexcept {
 /// detail::cut and detail::reach_one.
 /// Source: VK_EXT_opacity_micromap, appendix "Reference Code"; the words' width is ours.
 /// Law: index.wide_equals_reference, index.impl_wide_is_wide, index.wide_exact_on_floats
-inline std::uint64_t from_barycentrics_wide(float u, float v, Level level) noexcept {
+constexpr std::uint64_t from_barycentrics_wide(float u, float v, Level level) noexcept {
   const Level n = std::min(level, max_wide_level);
   const detail::GridPoint p = detail::find(u, v, n);
   return detail::wide_curve(

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <string_view>
 
+#include "impl/bake/blocks/bc.hpp"
+#include "impl/bake/blocks/bc7.hpp"
 #include "scene/read/bad_scene.hpp"
-#include "scene/read/bc.hpp"
-#include "scene/read/bc7.hpp"
 #include "scene/read/image.hpp"
 #include "scene/read/word.hpp"
 
 namespace mmverify::scene {
 namespace {
+
+using namespace impl::bake::blocks;
 
 using DdsBytes = std::span<const unsigned char>;
 

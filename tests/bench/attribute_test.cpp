@@ -55,6 +55,11 @@ TEST(BenchAttribute, OnlyCramersRuleLosesBitsFromLevelToLevel) {
       // An error of 2^-24 is half an ulp of 1, and 2^12 times as many of a weight of 2^-12.
       EXPECT_LE(l.of(r).worst_ulp, l.of(r).worst * 0x1p23 / least_in_ulps);
     }
+  for (const RemapFigure& f : levels[7].by) {
+    EXPECT_GT(f.least_ns, 0);
+    EXPECT_LE(f.least_ns, f.ns);
+    EXPECT_LE(f.ns, f.most_ns);
+  }
   EXPECT_EQ(levels[7].of(Remap::cramer).condition, 511);
   EXPECT_EQ(levels[7].of(Remap::two_equations).condition, 1);
   EXPECT_FALSE(levels[7].of(Remap::pattern).condition);

@@ -15,7 +15,7 @@ using mmverify::impl::bake::AlphaView;
 using mmverify::impl::bake::BaseTriangle;
 
 TEST(BenchBake, FiguresKeepTheirOrder) {
-  const BakeFigures figures = bake_figures({.first = 4, .last = 5, .maps = 1, .rounds = 1, .largest = 64});
+  const BakeFigures figures = bake_figures({.first = 4, .last = 5, .maps = 1, .rounds = 3, .largest = 64});
   ASSERT_EQ(figures.levels.size(), 2u);
   EXPECT_GT(figures.compared, 40u);
   for (const BakeLevel& level : figures.levels) {
@@ -23,7 +23,9 @@ TEST(BenchBake, FiguresKeepTheirOrder) {
     for (const Baker b :
          {Baker::centre, Baker::corners, Baker::sixteen_samples, Baker::rasterised, Baker::ours}) {
       EXPECT_EQ(level.of(b).micro_triangles, states);
-      EXPECT_GT(level.of(b).ns, 0);
+      EXPECT_GT(level.of(b).least_ns, 0);
+      EXPECT_LE(level.of(b).least_ns, level.of(b).ns);
+      EXPECT_LE(level.of(b).ns, level.of(b).most_ns);
     }
     EXPECT_EQ(level.of(Baker::ours).wrong + level.of(Baker::ours).needless, 0u);
     EXPECT_EQ(level.of(Baker::centre).needless, 0u) << "it calls nothing unknown";
@@ -32,6 +34,8 @@ TEST(BenchBake, FiguresKeepTheirOrder) {
     EXPECT_GT(level.of(Baker::corners).wrong, 0u);
     EXPECT_LT(level.of(Baker::rasterised).wrong_per_million(), 1000);
     EXPECT_GT(level.of(Baker::rational).ns, level.of(Baker::ours).ns);
+    EXPECT_LT(level.of(Baker::ours).least_ns, level.of(Baker::ours).most_ns)
+        << "no two of three rounds take the same";
   }
   for (std::size_t k = 1; k < figures.margins.size(); ++k)
     EXPECT_GE(figures.margins[k].unknown, figures.margins[k - 1].unknown) << "a wider margin settles nothing";

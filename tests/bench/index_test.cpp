@@ -21,6 +21,7 @@
 #include "bench/index/distance.hpp"
 #include "bench/index/inputs.hpp"
 #include "bench/index/subjects.hpp"
+#include "bench/index/times.hpp"
 #include "bench/number_type.hpp"
 #include "impl/common/binary16.hpp"
 
@@ -320,6 +321,19 @@ TEST(BenchIndexErrors, ProgressCountsEveryPoint) {
   options.progress = [&told](std::uint64_t points) { told += points; };
   index_errors(options);
   EXPECT_EQ(told, index_points(options));
+}
+
+TEST(BenchIndexTimes, ComeWithTheFastestAndTheSlowestRound) {
+  IndexBenchOptions options{.samples = 100, .first = 4, .last = 4};
+  options.rounds = 3;
+  std::vector<IndexFigures> figures = index_errors(options);
+  add_index_times(options, figures);
+  for (const IndexFigures& f : figures) {
+    ASSERT_EQ(f.times.size(), 1u) << f.name;
+    EXPECT_GT(f.times[0].least_ns, 0) << f.name;
+    EXPECT_LE(f.times[0].least_ns, f.times[0].ns_per_index) << f.name;
+    EXPECT_LE(f.times[0].ns_per_index, f.times[0].most_ns) << f.name;
+  }
 }
 
 TEST(BenchIndexErrors, RefusesLevelsAndSamplesThatMeanNothing) {

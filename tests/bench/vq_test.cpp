@@ -30,7 +30,9 @@ TEST(BenchVq, FiguresKeepTheirOrder) {
                                Vq4Encoder::balanced, Vq4Encoder::thorough, Vq4Encoder::proved}) {
       EXPECT_GE(row.by(e).substitutions, row.least);
       EXPECT_LE(row.savings(e), row.savings_32);
-      EXPECT_GT(row.by(e).ms, 0);
+      EXPECT_GT(row.by(e).least_ms, 0);
+      EXPECT_LE(row.by(e).least_ms, row.by(e).ms);
+      EXPECT_LE(row.by(e).ms, row.by(e).most_ms);
     }
     EXPECT_LE(row.by(Vq4Encoder::balanced).substitutions, row.by(Vq4Encoder::fast).substitutions);
     EXPECT_LE(row.by(Vq4Encoder::proved).substitutions, row.by(Vq4Encoder::thorough).substitutions);

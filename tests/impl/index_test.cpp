@@ -19,6 +19,7 @@
 
 #include "impl/common/binary16.hpp"
 #include "impl/index/index.hpp"
+#include "impl/index/wide.hpp"
 #include "spec/fixed.hpp"
 #include "spec/index/index.hpp"
 #include "spec/rational.hpp"
@@ -210,6 +211,16 @@ TEST(ImplIndex, AnswersAlikeWithSubnormalsFlushed) {
   }
 }
 #endif
+
+// Level 1: the children at the corners w, u and v are 0, 2 and 3, the one between them 1.  A compiler evaluates the index.
+static_assert(fast::from_barycentrics(0.125f, 0.125f, 1) == 0 &&
+              fast::from_barycentrics(0.25f, 0.375f, 1) == 1 &&
+              fast::from_barycentrics(0.75f, 0.125f, 1) == 2 &&
+              fast::from_barycentrics(0.125f, 0.75f, 1) == 3);
+static_assert(fast::from_barycentrics(0.5f, 0, 1) == 2, "a tie goes to the greater u");
+static_assert(fast::from_barycentrics(std::numeric_limits<float>::quiet_NaN(), 0, 1) == 0 &&
+              fast::from_barycentrics(std::numeric_limits<float>::infinity(), -1, 1) == 2);
+static_assert(fast::from_barycentrics_wide(0.75f, 0.125f, 1) == 2 && fast::w_minor(0.125f, 0.125f, 1) == 0);
 
 TEST(ImplIndex, TakesLevelsBeyondTheLastForTheLast) {
   const std::array<float, 1> u{0.3f}, v{0.6f};

@@ -3,6 +3,7 @@ if(NOT MMVERIFY_SANITIZE)
   add_test(NAME action_files_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/action_test.sh --files)
   add_test(NAME describe_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/describe_test.sh $<TARGET_FILE:mmverify>)
   set_tests_properties(describe_test PROPERTIES TIMEOUT 300)
+  add_test(NAME performance_self_test COMMAND ${PROJECT_SOURCE_DIR}/scripts/performance --self-test)
   add_test(NAME skipped_tests_self_test COMMAND ${PROJECT_SOURCE_DIR}/scripts/skipped-tests --self-test)
   add_test(NAME signals_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/signals_test.py $<TARGET_FILE_DIR:mmverify>
     ${subjects_dir}/example.so ${PROJECT_SOURCE_DIR}/examples/subject_published/published.c $<IF:$<BOOL:${MMVERIFY_BRIEF}>,1,5>)

@@ -1,9 +1,9 @@
 // scene/: pictures besides PNG and JPEG, and which image of a texture is judged.
 #include <boost/crc.hpp>
 
+#include "impl/bake/blocks/bc.hpp"
+#include "impl/bake/blocks/bc7.hpp"
 #include "scene/plan/plan.hpp"
-#include "scene/read/bc.hpp"
-#include "scene/read/bc7.hpp"
 #include "scene/read/dds.hpp"
 #include "scene/read/image.hpp"
 #include "scene/read/picture_kind.hpp"
@@ -27,6 +27,7 @@
 
 namespace scene_pictures_test {
 
+using namespace mmverify::impl::bake::blocks;
 using namespace mmverify::scene;
 using namespace mmverify::tests;
 using testing::ElementsAre;

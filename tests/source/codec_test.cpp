@@ -57,7 +57,7 @@ std::vector<Question> asked(const CodecLaw& law, const Facts& facts, Level level
 /// Whether the law holds for a question by its proof.  The proof agrees with the enumeration of the question's choices,
 /// if they have at most so many bits: what is proved holds there, and what is refuted fails on the compiled codec.
 bool proved(Made& made, const CodecLaw& law, const Question& q, unsigned bits) {
-  constexpr double seconds = 120;
+  constexpr double seconds = 1200;
   const source::CodecAnswer answer = made.codec->prove(call_of(q), {seconds, {}, {}, {}});
   EXPECT_NE(answer.kind, source::CodecAnswer::Kind::unknown) << name_of(law, q) << ": " << answer.text;
   const bool holds = answer.kind == source::CodecAnswer::Kind::proved;
@@ -139,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(OfExamples, RightCodec,
 /// Two codecs that are written from the paper alone, with recursion and with an explicit stack, for every map of level 1.
 TEST(CodecsOfAnotherHand, AreProved) {
   if (no_prover()) GTEST_SKIP() << "this build has no mmverify-codec";
-  constexpr double seconds = 120;
+  constexpr double seconds = 1200;
   for (const char* file : {"tests/subjects/codecs/tree_recursive.c", "tests/subjects/codecs/tree_stack.c"}) {
     Made made(source_text(file));
     for (const CodecLaw& law : codecs::laws()) {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/read/bc.hpp"
+#include "impl/bake/blocks/bc.hpp"
 #include "scene/read/damaged_picture.hpp"
 #include "scene/read/word.hpp"
 
@@ -233,8 +233,9 @@ std::size_t unit_bytes(const Ktx2& ktx2) {
 }
 
 std::uint64_t level_bytes(const Ktx2& ktx2) {
-  const std::uint64_t units = ktx2.coding == Ktx2Coding::plain ? std::uint64_t{ktx2.width} * ktx2.height
-                                                               : count_blocks(ktx2.width, ktx2.height);
+  const std::uint64_t units = ktx2.coding == Ktx2Coding::plain
+                                  ? std::uint64_t{ktx2.width} * ktx2.height
+                                  : impl::bake::blocks::count_blocks(ktx2.width, ktx2.height);
   return units * unit_bytes(ktx2);
 }
 

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <limits>
 
+#include "impl/bake/blocks/bc.hpp"
+#include "impl/bake/blocks/bc7.hpp"
 #include "scene/read/bad_scene.hpp"
-#include "scene/read/bc.hpp"
-#include "scene/read/bc7.hpp"
 #include "scene/read/damaged_picture.hpp"
 #include "scene/read/image.hpp"
 #include "scene/read/ktx2/container.hpp"
@@ -20,6 +20,8 @@
 
 namespace mmverify::scene {
 namespace {
+
+using namespace impl::bake::blocks;
 
 bool has_colours(const Ktx2& ktx2) {
   return (ktx2.coding == Ktx2Coding::plain && ktx2.number == Ktx2Number::byte) ||

@@ -12,6 +12,9 @@ constexpr int tried_most = 2;
 /// Models that make a new word of patterns: more in large graphs, in which a word costs more.
 constexpr std::size_t least_models = 16, most_models = 64, nodes_a_model = 8192;
 
+/// Nodes of a large graph.
+constexpr std::size_t large = 40000;
+
 constexpr std::uint64_t ones = ~std::uint64_t{0};
 
 }  // namespace
@@ -79,7 +82,9 @@ Answer Sweeper::equals(Literal a, Literal b, Literal l) {
 
 Literal Sweeper::equal_to(Node n, Literal a, Literal b) {
   Values values = values_of(a, b);
-  if (merging_) {
+  // In a large graph a node that is merely rare is taken for `never` too often: each such question costs a model of all.
+  const bool rare = values_.size() > large && signature(values) == signature(values_[0]);
+  if (merging_ && !rare) {
     int tried = 0;
     // A model may refine the classes, so a candidate is found anew each time.
     const std::vector<Node> candidates = classes_.of(signature(values));

@@ -1,11 +1,11 @@
-// The alpha of BC7's blocks.
+// The alpha of BC7's blocks.  Internal to impl and scene.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 
-namespace mmverify::scene {
+namespace mmverify::impl::bake::blocks {
 
 /// The 16 alphas of a BC7 block, row by row, of 255.
 ///   ((64 - w) e0 + w e1 + 32) / 64, rounded down, by the weight w of the texel's index and the ends e0, e1 of its subset
@@ -14,4 +14,4 @@ namespace mmverify::scene {
 /// Test: pictures_test compares random blocks with what another decoder made of them.
 std::array<std::uint8_t, 16> alpha_of_bc7(std::span<const unsigned char> block);
 
-}  // namespace mmverify::scene
+}  // namespace mmverify::impl::bake::blocks

@@ -1,4 +1,4 @@
-// The alpha of BC1 to BC3, and pictures of 4 x 4 blocks.
+// The alpha of BC1 to BC4's blocks, and pictures of 4 x 4 blocks.  Internal to impl and scene.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace mmverify::scene {
+namespace mmverify::impl::bake::blocks {
 
 /// Blocks of 4 x 4 texels that cover a picture; sides of the picture that are no multiples of four round up.
 inline std::size_t count_blocks(std::uint32_t width, std::uint32_t height) {
@@ -46,10 +46,11 @@ std::array<std::uint8_t, 16> alpha_of_bc1(std::span<const unsigned char> block);
 /// The 16 alphas of a BC2 block, of 255: code / 15.  Domain: 8 bytes or more.  Source: as for BC1.
 std::array<std::uint8_t, 16> alpha_of_bc2(std::span<const unsigned char> block);
 
-/// The 16 alphas of a BC3 block, row by row, of 65535: the rational of the specification, rounded to nearest.
+/// The 16 alphas of a BC3 block, or the 16 numbers of a BC4 block, row by row, of 65535: the rational of the
+/// specification, rounded to nearest.
 ///   a0 > a1: ((7 - i) a0 + i a1) / 7, i in 0..7; else ((5 - i) a0 + i a1) / 5, i in 0..5, then 0 and 1
 /// The code k stands for i = 0, 7 (or 5), 1, 2, ...  Domain: 8 bytes.
 /// Test: pictures_test compares all endpoints and codes with rationals.
 std::array<std::uint16_t, 16> alpha_of_bc3(std::span<const unsigned char> block);
 
-}  // namespace mmverify::scene
+}  // namespace mmverify::impl::bake::blocks

@@ -1,11 +1,26 @@
-#include "scene/read/bc7.hpp"
+#include "impl/bake/blocks/bc7.hpp"
 
-#include "scene/read/low_bits.hpp"
-
-namespace mmverify::scene {
+namespace mmverify::impl::bake::blocks {
 namespace {
 
 constexpr std::size_t texels = 16;
+
+/// The bits of a block, one after another, each byte from its lowest bit on.  No mode has more than the block's 128.
+class Bits {
+ public:
+  explicit Bits(std::span<const unsigned char> block) : block_(block) {}
+
+  /// The next `count` bits, the first one lowest.
+  unsigned take(unsigned count) {
+    unsigned value = 0;
+    for (unsigned k = 0; k < count; ++k, ++at_) value |= (block_[at_ / 8] >> (at_ % 8) & 1u) << k;
+    return value;
+  }
+
+ private:
+  std::span<const unsigned char> block_;
+  std::size_t at_ = 0;
+};
 
 /// Bit t: the subset of texel t, of partitions of two subsets.
 constexpr std::uint16_t partitions[64] = {
@@ -38,7 +53,7 @@ std::uint8_t between(unsigned e0, unsigned e1, unsigned w) {
 using Indices = std::array<unsigned, texels>;
 
 /// The indices of all texels; those of the anchors lack their highest bit.
-Indices indices_of(LowBits& bits, unsigned count, std::size_t second_anchor = 0) {
+Indices indices_of(Bits& bits, unsigned count, std::size_t second_anchor = 0) {
   Indices indices;
   for (std::size_t t = 0; t < texels; ++t)
     indices[t] = bits.take(count - (t == 0 || t == second_anchor ? 1 : 0));
@@ -46,7 +61,7 @@ Indices indices_of(LowBits& bits, unsigned count, std::size_t second_anchor = 0)
 }
 
 /// Modes 4 and 5: alpha has ends and indices of its own, and may be exchanged with a colour.
-std::array<std::uint8_t, texels> with_own_alpha(LowBits& bits, bool is_mode_4) {
+std::array<std::uint8_t, texels> with_own_alpha(Bits& bits, bool is_mode_4) {
   const unsigned rotation = bits.take(2), exchanged = is_mode_4 ? bits.take(1) : 0;
   const unsigned colour_bits = is_mode_4 ? 5 : 7, alpha_bits = is_mode_4 ? 6 : 8;
   unsigned ends[4][2];
@@ -66,7 +81,7 @@ std::array<std::uint8_t, texels> with_own_alpha(LowBits& bits, bool is_mode_4) {
   return alpha;
 }
 
-std::array<std::uint8_t, texels> of_mode_6(LowBits& bits) {
+std::array<std::uint8_t, texels> of_mode_6(Bits& bits) {
   for (int colours = 0; colours < 6; ++colours) bits.take(7);
   unsigned ends[2] = {bits.take(7), 0};
   ends[1] = bits.take(7);
@@ -77,7 +92,7 @@ std::array<std::uint8_t, texels> of_mode_6(LowBits& bits) {
   return alpha;
 }
 
-std::array<std::uint8_t, texels> of_mode_7(LowBits& bits) {
+std::array<std::uint8_t, texels> of_mode_7(Bits& bits) {
   const unsigned partition = bits.take(6);
   for (int colours = 0; colours < 12; ++colours) bits.take(5);
   unsigned ends[4];
@@ -95,7 +110,7 @@ std::array<std::uint8_t, texels> of_mode_7(LowBits& bits) {
 }  // namespace
 
 std::array<std::uint8_t, 16> alpha_of_bc7(std::span<const unsigned char> block) {
-  LowBits bits(block);
+  Bits bits(block);
   unsigned mode = 0;
   while (mode < 8 && bits.take(1) == 0) ++mode;
   std::array<std::uint8_t, texels> alpha;
@@ -113,4 +128,4 @@ std::array<std::uint8_t, 16> alpha_of_bc7(std::span<const unsigned char> block) 
   }
 }
 
-}  // namespace mmverify::scene
+}  // namespace mmverify::impl::bake::blocks

@@ -1,6 +1,6 @@
-#include "scene/read/bc.hpp"
+#include "impl/bake/blocks/bc.hpp"
 
-namespace mmverify::scene {
+namespace mmverify::impl::bake::blocks {
 
 std::array<std::uint8_t, 16> alpha_of_bc1(std::span<const unsigned char> block) {
   constexpr int transparent = 3;
@@ -44,4 +44,4 @@ std::array<std::uint16_t, 16> alpha_of_bc3(std::span<const unsigned char> block)
   return alpha;
 }
 
-}  // namespace mmverify::scene
+}  // namespace mmverify::impl::bake::blocks
