@@ -111,8 +111,8 @@ typedef struct mmverify_pixels {
   uint32_t channels, channel; /* at most 16; RGBA8 has 4, and alpha in channel 3 */
 } mmverify_pixels;
 
-/* One mip level of blocks of 4 x 4 texels, row by row: block (i, j) at pitch j + size i, size 8 bytes in BC1 and BC4, 16 in
- * the others.  BC4 is a mask of one channel, UNORM.  BC1 is the format with alpha.  sRGB formats have the same alpha. */
+/* Formats of blocks of 4 x 4 texels.  BC4 is a mask of one channel, UNORM.  BC1 is the format with alpha.  sRGB formats have
+ * the same alpha. */
 enum {
   MMVERIFY_BLOCKS_BC1 = 1,
   MMVERIFY_BLOCKS_BC2 = 2,
@@ -120,6 +120,8 @@ enum {
   MMVERIFY_BLOCKS_BC4 = 4,
   MMVERIFY_BLOCKS_BC7 = 7
 };
+/* One mip level of blocks of 4 x 4 texels, row by row: block (i, j) at pitch j + size i, size 8 bytes in BC1 and BC4, 16 in
+ * the others. */
 typedef struct mmverify_blocks {
   uint32_t format;
   const uint8_t* bytes;
