@@ -30,6 +30,7 @@ struct BlockView {
 };
 
 /// The bytes of a block: 8 or 16.
+/// Test: impl_blocks_test
 constexpr std::size_t block_bytes(BlockFormat format) {
   return format == BlockFormat::bc1 || format == BlockFormat::bc4 ? 8 : 16;
 }
