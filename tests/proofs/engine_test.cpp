@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <ctime>
 #include <mutex>
 #include <numeric>
@@ -566,9 +568,22 @@ TEST(InterruptDeathTest, TheSecondSignalEndsTheProcess) {
       {
         const InterruptGuard guard;
         std::raise(SIGINT);
+        std::this_thread::sleep_for(std::chrono::milliseconds(400));
         std::raise(SIGINT);
       },
       testing::KilledBySignal(SIGINT), "");
+}
+
+// timeout(1) signals its child, and at once the group that holds it.
+TEST(InterruptDeathTest, TwoSignalsAtOnceAreOneWish) {
+  EXPECT_EXIT(
+      {
+        const InterruptGuard guard;
+        std::raise(SIGTERM);
+        std::raise(SIGTERM);
+        std::_Exit(interrupted() ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
