@@ -124,7 +124,7 @@ std::string next_text(const std::optional<unsigned>& level, const char* option, 
                       const AskedOf& asked) {
   if (!level && !asked.written.empty()) return "mmverify check maps " + shell_quoted(asked.written);
   return fmt::format("{}mmverify scene {}{}{}-o {}",
-                     asked.written.empty() ? "" : "the file has the finest levels; what was asked for: ",
+                     asked.written.empty() ? "" : "the file was written without this limit; with it: ",
                      file.empty() ? "" : shell_quoted(file) + " ",
                      level ? fmt::format("{} {} ", option, *level) : asked.levels, asked.options,
                      asked.written.empty() ? "OUT.glb" : shell_quoted(asked.written));

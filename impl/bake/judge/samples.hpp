@@ -16,7 +16,14 @@ struct FourPlaces {
 inline constexpr std::array<std::array<std::size_t, 3>, 4> four_corners{
     {{0, 1, 2}, {2, 4, 1}, {1, 3, 4}, {4, 2, 5}}};
 /// The places of each child's corners and centroid, a bit each.
-inline constexpr std::array<std::uint32_t, 4> four_places{0x047, 0x096, 0x11a, 0x234};
+inline constexpr std::array<std::uint32_t, 4> four_places = [] {
+  std::array<std::uint32_t, 4> bits{};
+  for (std::size_t c = 0; c < 4; ++c) {
+    bits[c] = 1u << (FourPlaces::centroids + c);
+    for (const std::size_t corner : four_corners[c]) bits[c] |= 1u << corner;
+  }
+  return bits;
+}();
 
 /// The texels about places, and how g is judged; impl/bake/judge/filter.hpp defines g and its bound.
 struct FourWindow {
