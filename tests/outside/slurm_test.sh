@@ -75,7 +75,8 @@ strike() {
     catch "$other"
     "$@" "$pid" || continue
     log=$folder/run/shard-$shard.log
-    until grep -qs "queued again" "$log"; do
+    # Slurm may end the script before it says so; then the next start does.
+    until grep -qsE 'queued again|DUE TO JOB REQUEUE|restart [1-9]' "$log"; do
       [[ $(state "${array}_$shard") != COMPLETED* ]] || continue 2  # it was done before the signal came
       ((SECONDS < 240)) || fail "shard $shard was not queued again"
       sleep 0.05
