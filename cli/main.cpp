@@ -69,6 +69,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App program("mmverify: an exact referee for opacity micromaps", "mmverify");
   program.require_subcommand(1);
+  program.footer("Documents: PREFIX/share/doc/mmverify/README.md, for a program in PREFIX/bin");
   program.set_version_flag(
       "--version", fmt::format("mmverify {}\nspecification {:.16}; spec, impl and proofs {:.16}\n{}, {}\n{}",
                                build::version, std::string(build::spec_hash), std::string(build::source_hash),
