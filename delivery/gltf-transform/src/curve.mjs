@@ -9,8 +9,9 @@ function spread(x) {
 }
 
 /**
- * The index of a micro-triangle on the curve: iw = NOT(i+j), one less in the upper half of a square; b0 = NOT(i XOR iw),
- * t = (i XOR j) AND b0, f = XOR of t from above, b1 = ((f XOR i) AND NOT b0) OR t; b0 in the even bits, b1 in the odd ones.
+ * The index of a micro-triangle on the curve: iw = NOT(i+j), one less in the upper half of a square;
+ * b0 = NOT(i XOR iw), t = (i XOR j) AND b0, f = XOR of t from above, b1 = ((f XOR i) AND NOT b0) OR t; b0 in the even
+ * bits, b1 in the odd ones.
  * Domain: level 0..12; i, j: its square on the grid of u and v; upper: it is the upper half of the square.
  * Source: VK_EXT_opacity_micromap, appendix "Reference Code".
  */
@@ -32,8 +33,8 @@ const made = new Map();
 const kept = 8; /* check-magic: 1572864 == 6 * 4 * 4^8 */
 
 /**
- * Where the states of a permuted triangle's map lie in its old map: state k of the new map is state result[k] of the old.
- * Corner c of the new triangle is corner `corners[c]` of the old one; corners 0, 1, 2 have the weights w, u, v.
+ * Where the states of a permuted triangle's map lie in its old map: state k of the new map is state result[k] of the
+ * old.  Corner c of the new triangle is corner `corners[c]` of the old one; corners 0, 1, 2 have the weights w, u, v.
  */
 export function permutation(level, corners) {
   const key = `${level}:${corners}`;
@@ -46,13 +47,18 @@ export function permutation(level, corners) {
     for (let j = 0; i + j < size; ++j)
       for (const upper of i + j + 1 < size ? [0, 1] : [0]) {
         // Thirds of a square's side: the centre of a lower half lies 1 beyond the square's corner, of an upper half 2.
-        const u = 3 * i + 1 + upper, v = 3 * j + 1 + upper;
+        const u = 3 * i + 1 + upper,
+          v = 3 * j + 1 + upper;
         weights[corners[0]] = 3 * size - u - v;
         weights[corners[1]] = u;
         weights[corners[2]] = v;
         const [, oldU, oldV] = weights;
-        from[curveIndex(i, j, upper === 1, level)] =
-          curveIndex(Math.floor(oldU / 3), Math.floor(oldV / 3), oldU % 3 === 2, level);
+        from[curveIndex(i, j, upper === 1, level)] = curveIndex(
+          Math.floor(oldU / 3),
+          Math.floor(oldV / 3),
+          oldU % 3 === 2,
+          level,
+        );
       }
   if (level <= kept) made.set(key, from);
   return from;

@@ -9,6 +9,13 @@ const INT = 5124;
 const UNSIGNED_INT = 5125;
 /** Extensions that order a primitive's triangles while they write it. */
 const reordering = ["EXT_meshopt_compression", "KHR_draco_mesh_compression", "KHR_meshopt_compression"];
+/** The first of them that a document uses. */
+export const reordererOf = (document) =>
+  document
+    .getRoot()
+    .listExtensionsUsed()
+    .map((used) => used.extensionName)
+    .find((name) => reordering.includes(name));
 
 const setUp = (property, def) => property.setName(def.name ?? "").setExtras(def.extras ?? {});
 
@@ -28,15 +35,22 @@ function extensionOf(name) {
     extensionName = name;
     prereadTypes = [PropertyType.BUFFER];
     prewriteTypes = [PropertyType.BUFFER];
-    /** Not null while write() or writeBinary() of this package orders maps as a compressor orders triangles: the arrays that
-     *  others stand for. */
+    /** While write() orders maps as a compressor orders triangles: the arrays that others stand for.  Null else. */
     hidden = null;
 
-    createMicromap() { return new Micromap(this.document.getGraph()); }
-    createLink() { return new MicromapLink(this.document.getGraph()); }
-    listMicromaps() { return this.listProperties().filter((property) => property instanceof Micromap); }
+    createMicromap() {
+      return new Micromap(this.document.getGraph());
+    }
+    createLink() {
+      return new MicromapLink(this.document.getGraph());
+    }
+    listMicromaps() {
+      return this.listProperties().filter((property) => property instanceof Micromap);
+    }
 
-    written() { return this.listMicromaps().filter((micromap) => !this.hidden?.has(micromap)); }
+    written() {
+      return this.listMicromaps().filter((micromap) => !this.hidden?.has(micromap));
+    }
 
     /** [primitive of the document, its definition, a name for messages] of each primitive. */
     *primitives(json, meshes) {
@@ -45,12 +59,18 @@ function extensionOf(name) {
           yield [primitive, json.meshes[m].primitives[p], `mesh ${m} primitive ${p}`];
     }
 
-    /** glTF-Transform cannot read accessors of type 5124: they become 5125, with the same bits, in a copy of the JSON. */
+    /** glTF-Transform cannot read accessors of type 5124: they become 5125, with the same bits, in a copy. */
     preread({ jsonDoc: { json } }) {
-      const links = (json.meshes ?? []).flatMap((mesh) => mesh.primitives.map((primitive) => primitive.extensions?.[name]));
-      this.signed = new Set(links.map((link) => link?.micromapIndices).filter((k) => json.accessors?.[k]?.componentType === INT));
+      const links = (json.meshes ?? []).flatMap((mesh) =>
+        mesh.primitives.map((primitive) => primitive.extensions?.[name]),
+      );
+      this.signed = new Set(
+        links.map((link) => link?.micromapIndices).filter((k) => json.accessors?.[k]?.componentType === INT),
+      );
       if (this.signed.size > 0)
-        json.accessors = json.accessors.map((def, k) => (this.signed.has(k) ? { ...def, componentType: UNSIGNED_INT } : def));
+        json.accessors = json.accessors.map((def, k) =>
+          this.signed.has(k) ? { ...def, componentType: UNSIGNED_INT } : def,
+        );
       return this;
     }
 
@@ -69,13 +89,20 @@ function extensionOf(name) {
         const def = primitiveDef.extensions?.[name];
         if (!def) continue;
         if (!micromaps[def.micromap]) throw new Error(`${name}: ${what}: there is no micromap ${def.micromap}`);
-        const link = setUp(this.createLink(), def).setMicromap(micromaps[def.micromap]).setBaseTriangle(def.micromapBaseTriangle ?? 0);
-        if (def.micromapIndices !== undefined) this.readIndices(link, context, def.micromapIndices, stored, `${name}: ${what}`);
+        const link = setUp(this.createLink(), def)
+          .setMicromap(micromaps[def.micromap])
+          .setBaseTriangle(def.micromapBaseTriangle ?? 0);
+        if (def.micromapIndices !== undefined)
+          this.readIndices(link, context, def.micromapIndices, stored, `${name}: ${what}`);
         primitive.setExtension(name, link);
       }
       // The codes are the link's now: an accessor beside it would be written again.
       for (const accessor of stored)
-        if (accessor.listParents().every((parent) => parent.propertyType === PropertyType.ROOT || parent.propertyType === PropertyType.BUFFER))
+        if (
+          accessor
+            .listParents()
+            .every((parent) => parent.propertyType === PropertyType.ROOT || parent.propertyType === PropertyType.BUFFER)
+        )
           accessor.dispose();
       return this;
     }
@@ -97,14 +124,20 @@ function extensionOf(name) {
     prewrite(context) {
       const root = this.document.getRoot();
       const micromaps = this.written();
-      const links = root.listMeshes().flatMap((mesh) => mesh.listPrimitives()).map((primitive) => primitive.getExtension(name)).filter(Boolean);
-      const order = root.listExtensionsUsed().map((used) => used.extensionName).find((used) => reordering.includes(used));
+      const links = root
+        .listMeshes()
+        .flatMap((mesh) => mesh.listPrimitives())
+        .map((primitive) => primitive.getExtension(name))
+        .filter(Boolean);
+      const order = reordererOf(this.document);
       if (order && !this.hidden && links.length > 0)
-        throw new Error(`${name}: ${order} orders triangles anew while it writes, and maps would not fit; ` +
-          "use write(io, path, document) or writeBinary(io, document) of @mmverify/gltf-transform");
+        throw new Error(
+          `${name}: ${order} orders triangles anew while it writes, and maps would not fit; ` +
+            "use write(io, path, document) or writeBinary(io, document) of @mmverify/gltf-transform",
+        );
+      if (micromaps.length === 0) return this;
       const buffer = root.listBuffers()[0] ?? this.document.createBuffer();
-      const views = context.otherBufferViews.get(buffer) ?? [];
-      context.otherBufferViews.set(buffer, views);
+      const views = [];
       this.sizes = new Map();
       const view = (bytes) => {
         const copy = padded(bytes);
@@ -112,9 +145,17 @@ function extensionOf(name) {
         views.push(copy);
         return copy;
       };
-      this.parts = new Map(micromaps.map((micromap) => [micromap, { data: view(micromap.getData()), triangles: view(micromap.getTriangles()) }]));
+      this.parts = new Map(
+        micromaps.map((micromap) => [
+          micromap,
+          { data: view(micromap.getData()), triangles: view(micromap.getTriangles()) },
+        ]),
+      );
       for (const link of new Set(links))
-        if (link.getIndices()) this.parts.set(link, { indices: view(writeCodes(link.getIndexType(), link.getIndices(), name)) });
+        if (link.getIndices())
+          this.parts.set(link, { indices: view(writeCodes(link.getIndexType(), link.getIndices(), name)) });
+      // They come first: Draco's data, which other extensions put there, have any size, and indices are aligned.
+      context.otherBufferViews.set(buffer, [...views, ...(context.otherBufferViews.get(buffer) ?? [])]);
       return this;
     }
 
@@ -127,30 +168,48 @@ function extensionOf(name) {
         json.bufferViews[number].byteLength = this.sizes.get(bytes);
         return number;
       };
-      json.extensions = { ...json.extensions, [name]: { micromaps: micromaps.map((micromap) => {
-        const { data, triangles } = this.parts.get(micromap);
-        const { counts, levels, formats } = micromap.getUsage();
-        return { ...context.createPropertyDef(micromap), data: viewOf(data), triangles: viewOf(triangles),
-          usageCounts: counts, usageLevels: levels, usageFormats: formats };
-      }) } };
+      json.extensions = {
+        ...json.extensions,
+        [name]: {
+          micromaps: micromaps.map((micromap) => {
+            const { data, triangles } = this.parts.get(micromap);
+            const { counts, levels, formats } = micromap.getUsage();
+            return {
+              ...context.createPropertyDef(micromap),
+              data: viewOf(data),
+              triangles: viewOf(triangles),
+              usageCounts: counts,
+              usageLevels: levels,
+              usageFormats: formats,
+            };
+          }),
+        },
+      };
       const accessors = new Map();
       const accessorOf = (link) => {
         if (!accessors.has(link)) {
           accessors.set(link, json.accessors.length);
-          json.accessors.push({ type: "SCALAR", componentType: link.getIndexType(), count: link.getIndices().length,
-            bufferView: viewOf(this.parts.get(link).indices) });
+          json.accessors.push({
+            type: "SCALAR",
+            componentType: link.getIndexType(),
+            count: link.getIndices().length,
+            bufferView: viewOf(this.parts.get(link).indices),
+          });
         }
         return accessors.get(link);
       };
       for (const [primitive, def] of this.primitives(json, this.document.getRoot().listMeshes())) {
         const link = primitive.getExtension(name);
         if (!link) continue;
-        def.extensions = { ...def.extensions, [name]: {
-          ...context.createPropertyDef(link),
-          micromap: micromaps.indexOf(link.getMicromap()),
-          ...(link.getIndices() ? { micromapIndices: accessorOf(link) } : {}),
-          ...(link.getBaseTriangle() !== 0 ? { micromapBaseTriangle: link.getBaseTriangle() } : {}),
-        } };
+        def.extensions = {
+          ...def.extensions,
+          [name]: {
+            ...context.createPropertyDef(link),
+            micromap: micromaps.indexOf(link.getMicromap()),
+            ...(link.getIndices() ? { micromapIndices: accessorOf(link) } : {}),
+            ...(link.getBaseTriangle() !== 0 ? { micromapBaseTriangle: link.getBaseTriangle() } : {}),
+          },
+        };
       }
       return this;
     }

@@ -4,7 +4,7 @@ import { bytesOfRecords, mapOf, recordAt, turnedMap, usageOf } from "./states.mj
 
 /** UO: it asks the shader, which is always right. */
 export const unknown = { code: -4 };
-/** An array has a record, also if all its triangles have special indices: the draft has no empty arrays of usage counts. */
+/** An array of special indices alone has a record, too: the draft has no empty arrays of usage counts. */
 const spare = { level: 0, format: 2, bytes: Uint8Array.of(3), key: "spare" };
 
 /** What a triangle had, turned by an order: { code } of a special index, or { level, format, bytes, key } of a map. */
@@ -26,7 +26,9 @@ function mapAt(link, { triangle, order }, what) {
 export function mapOfOrigins(origins, linkOf, newIsUnknown, what) {
   if (origins.length === 0) {
     if (newIsUnknown) return unknown;
-    throw new Error(`${what} is new: no triangle had its corners before. Bake anew after this operation, or give { newIsUnknown: true }`);
+    throw new Error(
+      `${what} is new: no triangle had its corners before. Bake again, or give { newIsUnknown: true }`,
+    );
   }
   const [map, ...others] = origins.map((origin) => {
     const link = linkOf(origin.primitive);

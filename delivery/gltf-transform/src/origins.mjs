@@ -2,7 +2,14 @@
 import { tag, trianglesOf } from "./tags.mjs";
 
 /** The orders of three corners, those that keep the winding first. */
-const orders = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
+const orders = [
+  [0, 1, 2],
+  [1, 2, 0],
+  [2, 0, 1],
+  [0, 2, 1],
+  [2, 1, 0],
+  [1, 0, 2],
+];
 const windings = 3;
 
 const tagsOf = ({ primitive, corners }) => {
@@ -26,9 +33,9 @@ export function remember(document) {
 }
 
 /**
- * For each triangle of a tagged primitive, the remembered triangles that it may be: { primitive, triangle, order }, where
- * corner c is corner order[c] of the old one.  They are of the likeliest kind alone: of the primitive `before` if any is,
- * and of those, wound the same way if any is.
+ * For each triangle of a tagged primitive, the remembered triangles that it may be: { primitive, triangle, order },
+ * where corner c is corner order[c] of the old one.  The likeliest are listed alone: those of the primitive `before` if
+ * there are any, and of these, those wound the same way if there are any.
  */
 export function originsOf(list, byKey, before) {
   const tags = tagsOf(list);
@@ -36,7 +43,12 @@ export function originsOf(list, byKey, before) {
     const now = tags.subarray(3 * t, 3 * t + 3);
     const found = (byKey.get(keyOf(tags, t)) ?? []).map(({ primitive, triangle, tags: old }) => {
       const order = orders.findIndex((one) => one.every((from, c) => old[from] === now[c]));
-      return { primitive, triangle, order: orders[order], rank: (primitive === before ? 0 : 2) + (order < windings ? 0 : 1) };
+      return {
+        primitive,
+        triangle,
+        order: orders[order],
+        rank: (primitive === before ? 0 : 2) + (order < windings ? 0 : 1),
+      };
     });
     const likeliest = Math.min(...found.map(({ rank }) => rank));
     return found.filter(({ rank }) => rank === likeliest);

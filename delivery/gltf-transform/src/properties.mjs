@@ -11,21 +11,37 @@ export class Micromap extends ExtensionProperty {
   }
   getDefaults() {
     return Object.assign(super.getDefaults(), {
-      data: new Uint8Array(), triangles: new Uint8Array(), usageCounts: [], usageLevels: [], usageFormats: [],
+      data: new Uint8Array(),
+      triangles: new Uint8Array(),
+      usageCounts: [],
+      usageLevels: [],
+      usageFormats: [],
     });
   }
   /** The states of all maps, packed. */
-  getData() { return this.get("data"); }
-  setData(data) { return this.set("data", data); }
+  getData() {
+    return this.get("data");
+  }
+  setData(data) {
+    return this.set("data", data);
+  }
   /** The records, 8 bytes each. */
-  getTriangles() { return this.get("triangles"); }
-  setTriangles(triangles) { return this.set("triangles", triangles); }
+  getTriangles() {
+    return this.get("triangles");
+  }
+  setTriangles(triangles) {
+    return this.set("triangles", triangles);
+  }
   /** The usage counts: so many records have this level and format. */
-  getUsage() { return { counts: this.get("usageCounts"), levels: this.get("usageLevels"), formats: this.get("usageFormats") }; }
+  getUsage() {
+    return { counts: this.get("usageCounts"), levels: this.get("usageLevels"), formats: this.get("usageFormats") };
+  }
   setUsage({ counts, levels, formats }) {
     return this.set("usageCounts", counts).set("usageLevels", levels).set("usageFormats", formats);
   }
-  listRecords() { return recordsOf(this.getTriangles()); }
+  listRecords() {
+    return recordsOf(this.getTriangles());
+  }
   /** The states of one record: 0 T, 1 O, 2 UT, 3 UO. */
   getStates(record) {
     const found = recordAt(this.getTriangles(), record);
@@ -43,17 +59,33 @@ export class MicromapLink extends ExtensionProperty {
   getDefaults() {
     return Object.assign(super.getDefaults(), { micromap: null, indices: null, indexType: 5125, baseTriangle: 0 });
   }
-  getMicromap() { return this.getRef("micromap"); }
-  setMicromap(micromap) { return this.setRef("micromap", micromap); }
-  /** A code for each triangle: a record less the base triangle, or a special index from -1 (T) to -4 (UO).  Null: triangle t
-   *  has code t. */
-  getIndices() { return this.get("indices"); }
-  setIndices(indices) { return this.set("indices", indices); }
+  getMicromap() {
+    return this.getRef("micromap");
+  }
+  setMicromap(micromap) {
+    return this.setRef("micromap", micromap);
+  }
+  /** A code for each triangle: a record less the base triangle, or a special index from -1 (T) to -4 (UO).
+   *  Null: triangle t has code t. */
+  getIndices() {
+    return this.get("indices");
+  }
+  setIndices(indices) {
+    return this.set("indices", indices);
+  }
   /** The component type that the codes are stored by: 5121, 5122, 5123, 5124 or 5125. */
-  getIndexType() { return this.get("indexType"); }
-  setIndexType(type) { return this.set("indexType", type); }
-  getBaseTriangle() { return this.get("baseTriangle"); }
-  setBaseTriangle(base) { return this.set("baseTriangle", base); }
+  getIndexType() {
+    return this.get("indexType");
+  }
+  setIndexType(type) {
+    return this.set("indexType", type);
+  }
+  getBaseTriangle() {
+    return this.get("baseTriangle");
+  }
+  setBaseTriangle(base) {
+    return this.set("baseTriangle", base);
+  }
   /** What a triangle has: a record of the array, or a special index, which is negative. */
   codeOf(triangle) {
     const indices = this.getIndices();

@@ -7,7 +7,12 @@ const firstTag = 2;
 const TRIANGLES = 4;
 
 const attributesOf = (primitive) =>
-  [primitive, ...primitive.listTargets()].flatMap((of) => of.listSemantics().filter((name) => name !== tag).map((name) => of.getAttribute(name)));
+  [primitive, ...primitive.listTargets()].flatMap((of) =>
+    of
+      .listSemantics()
+      .filter((name) => name !== tag)
+      .map((name) => of.getAttribute(name)),
+  );
 
 /** The bytes of a vertex in all its attributes; vertices of equal bytes are one to weld(), and get one tag. */
 function vertexKeys(attributes) {
@@ -16,46 +21,66 @@ function vertexKeys(attributes) {
     const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
     return { bytes, size: array.BYTES_PER_ELEMENT * accessor.getElementSize() };
   });
-  return (vertex) => rows.map(({ bytes, size }) => String.fromCharCode(...bytes.subarray(vertex * size, (vertex + 1) * size))).join("");
+  return (vertex) =>
+    rows.map(({ bytes, size }) => String.fromCharCode(...bytes.subarray(vertex * size, (vertex + 1) * size))).join("");
 }
 
 const primitivesOf = (document) =>
-  document.getRoot().listMeshes().flatMap((mesh, m) => mesh.listPrimitives().map((primitive, p) => ({ primitive, what: `mesh ${m} primitive ${p}` })));
+  document
+    .getRoot()
+    .listMeshes()
+    .flatMap((mesh, m) =>
+      mesh.listPrimitives().map((primitive, p) => ({ primitive, what: `mesh ${m} primitive ${p}` })),
+    );
 
 /** Each list of triangles of a document: { primitive, what, corners }, with the number of a vertex for each corner. */
 export function trianglesOf(document) {
   return primitivesOf(document)
     .filter(({ primitive }) => primitive.getMode() === TRIANGLES && primitive.getAttribute("POSITION"))
-    .map((found) => ({ ...found, corners: found.primitive.getIndices()?.getArray() ?? Uint32Array.from({ length: found.primitive.getAttribute("POSITION").getCount() }, (_, k) => k) }));
+    .map((found) => ({
+      ...found,
+      corners:
+        found.primitive.getIndices()?.getArray() ??
+        Uint32Array.from({ length: found.primitive.getAttribute("POSITION").getCount() }, (_, k) => k),
+    }));
 }
 
 /** Tags every vertex of every primitive.  Primitives of the same accessors share the accessor of tags, too. */
 export function addTags(document) {
-  const shared = new Map(), numbers = new Map();
+  const shared = new Map(),
+    numbers = new Map();
   let next = firstTag;
   for (const { primitive, what } of primitivesOf(document)) {
-    if (primitive.getAttribute(tag)) throw new Error(`${what}: it has an attribute ${tag}, which this package needs for itself`);
+    if (primitive.getAttribute(tag))
+      throw new Error(`${what}: it has an attribute ${tag}, which this package needs for itself`);
     const attributes = attributesOf(primitive);
     if (!primitive.getAttribute("POSITION")) continue;
-    const set = attributes.map((accessor) => (numbers.has(accessor) || numbers.set(accessor, numbers.size), numbers.get(accessor))).join();
+    const set = attributes
+      .map((accessor) => (numbers.has(accessor) || numbers.set(accessor, numbers.size), numbers.get(accessor)))
+      .join();
     if (!shared.has(set)) {
-      const keyOf = vertexKeys(attributes), known = new Map();
+      const keyOf = vertexKeys(attributes),
+        known = new Map();
       const tags = Uint32Array.from({ length: primitive.getAttribute("POSITION").getCount() }, (_, vertex) => {
         const key = keyOf(vertex);
         if (!known.has(key)) known.set(key, next++);
         return known.get(key);
       });
-      shared.set(set, document.createAccessor().setType("SCALAR").setArray(tags).setBuffer(primitive.getAttribute("POSITION").getBuffer()));
+      shared.set(
+        set,
+        document
+          .createAccessor(tag)
+          .setType("SCALAR")
+          .setArray(tags)
+          .setBuffer(primitive.getAttribute("POSITION").getBuffer()),
+      );
     }
     primitive.setAttribute(tag, shared.get(set));
   }
 }
 
+/** Takes the tags off, also those that an operation copied and left behind. */
 export function removeTags(document) {
-  const accessors = new Set();
-  for (const { primitive } of primitivesOf(document)) {
-    accessors.add(primitive.getAttribute(tag));
-    primitive.setAttribute(tag, null);
-  }
-  for (const accessor of accessors) accessor?.dispose();
+  for (const { primitive } of primitivesOf(document)) primitive.setAttribute(tag, null);
+  for (const accessor of document.getRoot().listAccessors()) if (accessor.getName() === tag) accessor.dispose();
 }

@@ -7,7 +7,10 @@ import { movedWarning, rememberUvs } from "./uvs.mjs";
 
 /** The extensions of a document that give its primitives maps. */
 export const micromapExtensions = (document) =>
-  document.getRoot().listExtensionsUsed().filter((used) => used instanceof EXTMeshOpacityMicromap || used instanceof KHRMeshOpacityMicromap);
+  document
+    .getRoot()
+    .listExtensionsUsed()
+    .filter((used) => used instanceof EXTMeshOpacityMicromap || used instanceof KHRMeshOpacityMicromap);
 
 /** What turn() asks of a tagged document before an operation. */
 export function memoryOf(document, extensions) {
@@ -15,12 +18,21 @@ export function memoryOf(document, extensions) {
   return {
     byKey: remember(document),
     counts: new Map(lists.map(({ primitive, corners }) => [primitive, corners.length / 3])),
-    links: new Map(extensions.map(({ extensionName }) =>
-      [extensionName, new Map(lists.map(({ primitive }) => [primitive, primitive.getExtension(extensionName)]).filter(([, link]) => link))])),
+    links: new Map(
+      extensions.map(({ extensionName }) => [
+        extensionName,
+        new Map(
+          lists.map(({ primitive }) => [primitive, primitive.getExtension(extensionName)]).filter(([, link]) => link),
+        ),
+      ]),
+    ),
   };
 }
 
-export const memoryFor = ({ links, ...memory }, extension) => ({ ...memory, links: links.get(extension.extensionName) });
+export const memoryFor = ({ links, ...memory }, extension) => ({
+  ...memory,
+  links: links.get(extension.extensionName),
+});
 
 /** quantize() warns of each attribute that it leaves alone; of the tags nobody has to know. */
 function quiet(logger) {
@@ -36,7 +48,8 @@ function apply({ links, replaced }, extension) {
     if (old && isUnused(old)) old.dispose();
   }
   for (const micromap of replaced) {
-    for (const link of micromap.listParents()) if (link.propertyType === "MicromapLink" && isUnused(link)) link.dispose();
+    for (const link of micromap.listParents())
+      if (link.propertyType === "MicromapLink" && isUnused(link)) link.dispose();
     if (isUnused(micromap)) micromap.dispose();
   }
 }
@@ -55,10 +68,12 @@ export function withMicromaps(transforms, options = {}) {
     const logger = document.getLogger();
     addTags(document);
     try {
-      const memory = memoryOf(document, extensions), moved = rememberUvs(document);
+      const memory = memoryOf(document, extensions),
+        moved = rememberUvs(document);
       document.setLogger(quiet(logger));
       await document.transform(...[transforms].flat());
-      for (const extension of extensions) apply(turn(document, extension, memoryFor(memory, extension), options), extension);
+      for (const extension of extensions)
+        apply(turn(document, extension, memoryFor(memory, extension), options), extension);
       const greatest = moved(document);
       if (greatest > 0) logger.warn(movedWarning(greatest));
     } finally {

@@ -13,36 +13,39 @@ const unmoved = ({ primitive, origins, count }) =>
   origins.every((of, t) => of.some((o) => o.primitive === primitive && o.triangle === t && isStraight(o.order)));
 
 /** Lists of triangles in groups that share arrays of maps, directly or over others. */
-function groupsOf(lists, linkOf) {
+function groupsOf(lists) {
   let groups = [];
   for (const list of lists) {
-    const arrays = new Set(list.origins.flat().map(({ primitive }) => linkOf(primitive)?.getMicromap()).filter(Boolean));
-    if (arrays.size === 0) continue;
-    const joined = { lists: [list], arrays };
-    groups = groups.filter((group) => {
-      const apart = [...group.arrays].every((array) => !joined.arrays.has(array));
+    const group = { lists: [list], arrays: new Set(list.links.map((link) => link.getMicromap())) };
+    if (group.arrays.size === 0) continue;
+    groups = groups.filter(({ lists: others, arrays }) => {
+      const apart = [...arrays].every((array) => !group.arrays.has(array));
       if (!apart) {
-        joined.lists.unshift(...group.lists);
-        for (const array of group.arrays) joined.arrays.add(array);
+        group.lists.unshift(...others);
+        for (const array of arrays) group.arrays.add(array);
       }
       return apart;
     });
-    groups.push(joined);
+    groups.push(group);
   }
   return groups;
 }
 
-function newLink(extension, list, linkOf, micromap, codes) {
-  const old = list.origins.flat().map(({ primitive }) => linkOf(primitive)).find(Boolean);
+function newLink(extension, list, micromap, codes) {
+  const [old] = list.links;
   const { [bakeRecord]: record, ...extras } = old.getExtras();
-  return extension.createLink().setName(old.getName()).setMicromap(micromap).setIndices(Int32Array.from(codes))
+  return extension
+    .createLink()
+    .setName(old.getName())
+    .setMicromap(micromap)
+    .setIndices(Int32Array.from(codes))
     .setIndexType(roomyType(old.getIndexType(), codes))
     .setExtras(record !== undefined && unmoved(list) ? { ...extras, [bakeRecord]: record } : extras);
 }
 
 /**
- * The links that fit the triangles of `tagged`, a document with tags: a map from the place of a primitive in its list of
- * triangles to its link, and the arrays that they replace.
+ * The links that fit the triangles of `tagged`, a document with tags: a map from primitives to links, and the arrays
+ * that they replace.
  *   memory    { byKey, links, counts }: remember() of the document as it was; its links and numbers of triangles
  *   wasOf     the primitive of that document which a primitive of `tagged` is
  */
@@ -50,19 +53,22 @@ export function turn(tagged, extension, memory, { newIsUnknown = false, wasOf = 
   const linkOf = (primitive) => memory.links.get(primitive);
   const lists = trianglesOf(tagged).map((list) => {
     const primitive = wasOf(list.primitive);
-    return { primitive, what: list.what, origins: originsOf(list, memory.byKey, primitive), count: memory.counts.get(primitive) };
+    const origins = originsOf(list, memory.byKey, primitive);
+    const sources = new Set([primitive, ...origins.flat().map((origin) => origin.primitive)]);
+    const links = [...sources].map(linkOf).filter(Boolean);
+    return { primitive, what: list.what, origins, links, count: memory.counts.get(primitive) };
   });
-  const links = new Map(), replaced = new Set();
-  for (const group of groupsOf(lists, linkOf)) {
+  const links = new Map();
+  const replaced = new Set();
+  for (const group of groupsOf(lists)) {
     if (group.lists.every(unmoved)) continue;
-    const collector = new Collector(), micromap = extension.createMicromap();
-    for (const list of group.lists) {
-      const codes = list.origins.map((of, t) =>
-        collector.codeOf(mapOfOrigins(of, linkOf, newIsUnknown, `${list.what} triangle ${t}`)));
-      links.set(list.primitive, newLink(extension, list, linkOf, micromap, codes));
-    }
+    const collector = new Collector();
+    const codes = group.lists.map(({ origins, what }) =>
+      origins.map((of, t) => collector.codeOf(mapOfOrigins(of, linkOf, newIsUnknown, `${what} triangle ${t}`))),
+    );
     const [first] = group.arrays;
-    collector.fill(micromap).setName(first.getName()).setExtras(first.getExtras());
+    const micromap = collector.fill(extension.createMicromap()).setName(first.getName()).setExtras(first.getExtras());
+    group.lists.forEach((list, k) => links.set(list.primitive, newLink(extension, list, micromap, codes[k])));
     for (const array of group.arrays) replaced.add(array);
   }
   return { links, replaced };

@@ -6,7 +6,8 @@ function uvsOf(document) {
   const uvs = new Map();
   for (const { primitive } of trianglesOf(document)) {
     const set = primitive.getMaterial()?.getBaseColorTextureInfo()?.getTexCoord() ?? 0;
-    const accessor = primitive.getAttribute(`TEXCOORD_${set}`), tags = primitive.getAttribute(tag).getArray();
+    const accessor = primitive.getAttribute(`TEXCOORD_${set}`),
+      tags = primitive.getAttribute(tag).getArray();
     if (accessor) tags.forEach((number, vertex) => uvs.set(number, accessor.getElement(vertex, [])));
   }
   return uvs;
@@ -27,4 +28,4 @@ export function rememberUvs(document) {
 
 /** What a user has to know of UVs that moved. */
 export const movedWarning = (greatest) =>
-  `UVs moved by up to ${greatest.toPrecision(2)}: maps were baked by the old ones, and may not fit; mmverify check maps judges them`;
+  `UVs moved by up to ${greatest.toPrecision(2)}: maps may not fit them; mmverify check maps judges`;

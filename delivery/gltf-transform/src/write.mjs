@@ -1,26 +1,42 @@
 // Files whose triangles a compressor orders while they are written.
+import { reordererOf } from "./extension.mjs";
 import { micromapExtensions, memoryFor, memoryOf } from "./transform.mjs";
-import { addTags, removeTags, trianglesOf } from "./tags.mjs";
+import { addTags, removeTags, tag, trianglesOf } from "./tags.mjs";
 import { turn } from "./turn.mjs";
 import { movedWarning, rememberUvs } from "./uvs.mjs";
 
 /** The primitives of a document by their places. */
-const places = (document) => document.getRoot().listMeshes().flatMap((mesh, m) => mesh.listPrimitives().map((primitive, p) => [`${m}/${p}`, primitive]));
+const places = (document) =>
+  document
+    .getRoot()
+    .listMeshes()
+    .flatMap((mesh, m) => mesh.listPrimitives().map((primitive, p) => [`${m}/${p}`, primitive]));
 
 /** Positions and UVs of each corner of each triangle, in order. */
 const cornersOf = (document) =>
   trianglesOf(document).map(({ primitive, what, corners }) => {
-    const arrays = primitive.listSemantics().filter((name) => /^(POSITION|TEXCOORD_)/.test(name)).sort()
+    const arrays = primitive
+      .listSemantics()
+      .filter((name) => /^(POSITION|TEXCOORD_)/.test(name))
+      .sort()
       .map((name) => [primitive.getAttribute(name).getArray(), primitive.getAttribute(name).getElementSize()]);
-    return { what, values: Array.from(corners, (vertex) => arrays.map(([array, size]) => array.slice(vertex * size, (vertex + 1) * size).join()).join()) };
+    return {
+      what,
+      values: Array.from(corners, (vertex) =>
+        arrays.map(([array, size]) => array.slice(vertex * size, (vertex + 1) * size).join()).join(),
+      ),
+    };
   });
 
 /** An error unless two readings of a file have the same triangles in the same order. */
 function demandSame(tagged, written) {
-  const due = cornersOf(tagged), found = cornersOf(written);
+  const due = cornersOf(tagged),
+    found = cornersOf(written);
   due.forEach(({ what, values }, k) => {
     if (values.length !== found[k]?.values.length || values.some((value, c) => value !== found[k].values[c]))
-      throw new Error(`${what}: the compressor ordered its triangles in another way without this package's attribute; nothing was written`);
+      throw new Error(
+        `${what}: the compressor orders its triangles otherwise without ${tag}; nothing was written`,
+      );
   });
 }
 
@@ -28,7 +44,8 @@ function demandSame(tagged, written) {
 async function readAgain(io, document, extensions) {
   addTags(document);
   try {
-    const memory = memoryOf(document, extensions), moved = rememberUvs(document);
+    const memory = memoryOf(document, extensions),
+      moved = rememberUvs(document);
     const tagged = await io.readBinary(await io.writeBinary(document));
     return { memory, tagged, greatest: moved(tagged) };
   } finally {
@@ -39,7 +56,8 @@ async function readAgain(io, document, extensions) {
 /** For the time of `action`, the maps fit the triangles as a reader decodes them. */
 async function settled(io, document, action) {
   const extensions = micromapExtensions(document);
-  if (extensions.every((extension) => extension.listMicromaps().length === 0)) return action();
+  if (!reordererOf(document) || extensions.every((extension) => extension.listMicromaps().length === 0))
+    return action();
   const undo = [];
   try {
     for (const extension of extensions) {
@@ -48,9 +66,12 @@ async function settled(io, document, action) {
     }
     const { memory, tagged, greatest } = await readAgain(io, document, extensions);
     if (greatest > 0) document.getLogger().warn(movedWarning(greatest));
-    const primitives = new Map(places(document)), were = new Map(places(tagged).map(([place, primitive]) => [primitive, primitives.get(place)]));
+    const primitives = new Map(places(document)),
+      were = new Map(places(tagged).map(([place, primitive]) => [primitive, primitives.get(place)]));
     for (const extension of extensions) {
-      const { links, replaced } = turn(tagged, extension, memoryFor(memory, extension), { wasOf: (primitive) => were.get(primitive) });
+      const { links, replaced } = turn(tagged, extension, memoryFor(memory, extension), {
+        wasOf: (primitive) => were.get(primitive),
+      });
       extension.hidden = replaced;
       for (const [primitive, link] of links) {
         const old = primitive.getExtension(extension.extensionName);
@@ -69,7 +90,7 @@ async function settled(io, document, action) {
   }
 }
 
-/** io.writeBinary(document), with maps that fit the triangles of the file.  `io` needs the compressor's decoder, too. */
+/** io.writeBinary(document), with maps that fit the file's triangles.  `io` needs the compressor's decoder, too. */
 export const writeBinary = (io, document) => settled(io, document, () => io.writeBinary(document));
 
 /** io.write(path, document), likewise. */
