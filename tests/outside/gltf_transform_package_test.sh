@@ -28,3 +28,15 @@ mv node_modules/@mmverify/package node_modules/@mmverify/gltf-transform
 "$root/tests/outside/gltf_transform/leaves.py" .
 cp -R "$root/delivery/gltf-transform/tests" .
 node --test --test-reporter=spec tests/
+
+# The document's blocks of sh, in a folder below the packages.
+mkdir -p document installed/bin
+ln -s "$MMVERIFY_PROGRAM" installed/bin/mmverify
+script=$(sed -n '/^```sh$/,/^```$/{/^```/d;p}' "$root/docs/GLTF_TRANSFORM.md")
+(($(grep -c . <<<"$script") >= 9)) || { echo "FAILED: docs/GLTF_TRANSFORM.md has no commands"; exit 1; }
+(cd document && MMVERIFY=$MMVERIFY_FOLDER/installed bash -euo pipefail -c "$script") >out 2>&1 ||
+  { cat out; echo "FAILED: the commands of docs/GLTF_TRANSFORM.md"; exit 1; }
+for line in '^ordered.glb (gltf, draft ext-2): 0 errors' '^ordered.glb: .* triangles with maps' 'UVs moved by up to' '^baked.glb: written'; do
+  grep -q -- "$line" out || { cat out; echo "FAILED: docs/GLTF_TRANSFORM.md prints no $line"; exit 1; }
+done
+echo "docs/GLTF_TRANSFORM.md: done"
