@@ -17,7 +17,7 @@ export MMVERIFY_PROGRAM MMVERIFY_FOLDER
 cd "$MMVERIFY_FOLDER"
 
 for how in meshopt draco; do
-  "$MMVERIFY_PROGRAM" scene "$root/tests/scene/made/leaf_$how.glb" --level 0 --no-laws --quiet >out 2>&1 || true
+  "$MMVERIFY_PROGRAM" scene "$root/tests/scene/files/leaf_$how.glb" --level 0 --no-laws --quiet >out 2>&1 || true
   ! grep 'built without' out || { echo "SKIPPED: the program cannot judge compressed files"; exit 77; }
 done
 package=$("$root/delivery/gltf-transform/pack" packed)

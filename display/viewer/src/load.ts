@@ -1,11 +1,17 @@
 // A .glb as three.js has it, with the maps of its primitives.
-import { type BufferAttribute, type BufferGeometry, Mesh, MeshBasicMaterial, type MeshStandardMaterial, type Object3D, type Texture } from "three";
+import { type BufferAttribute, type BufferGeometry, Mesh, MeshBasicMaterial, type MeshStandardMaterial, type Object3D } from "three";
 import { MeshoptDecoder } from "three/examples/jsm/libs/meshopt_decoder.module.js";
 import { GLTFLoader, type GLTF } from "three/examples/jsm/loaders/GLTFLoader.js";
 
 import { type Entry, entryOf, type MapArray, mapArray } from "./maps";
 
 const names = ["EXT_mesh_opacity_micromap", "KHR_mesh_opacity_micromap"];
+
+/** The decoders that the page lacks, as three.js asks for them. */
+const missing = [
+  ["DRACOLoader", "This page does not decode meshes that Draco compressed (KHR_draco_mesh_compression)."],
+  ["KTX2Loader", "This page does not decode textures in KTX2 (KHR_texture_basisu)."],
+] as const;
 
 interface Link {
   micromap: number;
@@ -72,7 +78,10 @@ async function placesOf(gltf: GLTF, json: Json): Promise<Map<BufferGeometry, Pla
 
 /** Rejects, and says why, where three.js cannot read the file. */
 export async function load(bytes: ArrayBuffer): Promise<Loaded> {
-  const gltf = await new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).parseAsync(bytes, "");
+  const gltf = await new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).parseAsync(bytes, "").catch((error: unknown) => {
+    const words = error instanceof Error ? error.message : String(error);
+    throw new Error(missing.find(([part]) => words.includes(part))?.[1] ?? `three.js cannot read this file: ${words}`);
+  });
   const json = gltf.parser.json as Json;
   const name = names.find((one) => json.extensions?.[one]) ?? names[0]!;
   const arrays = await arraysOf(gltf, json, name);
@@ -101,5 +110,3 @@ export async function load(bytes: ArrayBuffer): Promise<Loaded> {
   }
   return { root: gltf.scene, mapped };
 }
-
-export type { Texture };

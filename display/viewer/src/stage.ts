@@ -1,10 +1,11 @@
 // The picture: a scene in space, or the triangles of one texture, with the maps over it.
 import {
-  Box3, Color, DoubleSide, type Intersection, Mesh, MeshBasicMaterial, type Object3D, OrthographicCamera, PerspectiveCamera, PlaneGeometry,
+  Box3, Color, DoubleSide, type Intersection, Mesh, MeshBasicMaterial, OrthographicCamera, PerspectiveCamera, PlaneGeometry,
   Raycaster, Scene, type ShaderMaterial, type Texture, Vector2, Vector3, Vector4, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
+import { onTheme } from "../../report/src/theme";
 import type { Loaded, Mapped } from "./load";
 import { type Overlay, overlay } from "./overlay";
 import type { MapArray } from "./maps";
@@ -19,6 +20,8 @@ export interface Hit {
   u: number;
   v: number;
 }
+
+const paperColour = (): Color => new Color(getComputedStyle(document.body).backgroundColor);
 
 /** A view: what is drawn, from where, and what a pointer can hit. */
 interface View {
@@ -67,6 +70,7 @@ export class Stage {
     for (const base of this.bases) this.looks.set(base, { alphaTest: base.alphaTest, transparent: base.transparent });
     this.view = this.inSpace();
     new ResizeObserver(() => this.resize()).observe(this.canvas);
+    onTheme(() => this.paper());
   }
 
   private inSpace(): View {
@@ -111,12 +115,17 @@ export class Stage {
   }
 
   private viewOf(scene: Scene, camera: View["camera"], target: Vector3, targets: Mesh[]): View {
-    scene.background = new Color(getComputedStyle(document.body).backgroundColor);
+    scene.background = paperColour();
     const controls = new OrbitControls(camera, this.canvas);
     controls.target.copy(target);
     controls.update();
     controls.addEventListener("change", () => this.draw());
     return { scene, camera, controls, targets };
+  }
+
+  private paper(): void {
+    this.view.scene.background = paperColour();
+    this.draw();
   }
 
   /** The scene, or one texture. */
@@ -201,4 +210,3 @@ export class Stage {
     this.renderer.dispose();
   }
 }
-export type { Object3D };

@@ -134,6 +134,16 @@ test("a broken file: its findings beside the picture", async () => {
   await page.context().close();
 });
 
+test("a file that the page cannot show: why, and its findings all the same", async () => {
+  const page = await open({ ready: ".status" });
+  const file = join(process.env["MMVERIFY_SOURCE"]!, "tests/scene/files/leaf_draco.glb");
+  await drop(page, "#page", { name: "leaf_draco.glb", bytes: readFileSync(file) });
+  await page.waitForSelector("h3:has-text('Findings')");
+  assert.match((await page.getByRole("alert").textContent())!, /does not decode meshes that Draco compressed/);
+  assert.equal(await page.locator("canvas").count(), 0);
+  await page.context().close();
+});
+
 test("a file without maps is baked here; what is no file is named", async () => {
   const page = await open({ ready: ".status" });
   await page.locator("input[type=file]").setInputFiles({ name: "note.glb", mimeType: "", buffer: Buffer.from("no scene") });
