@@ -3,7 +3,7 @@ import { spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
-import { Document, NodeIO } from "@gltf-transform/core";
+import { NodeIO } from "@gltf-transform/core";
 import { ALL_EXTENSIONS } from "@gltf-transform/extensions";
 import { EXTMeshOpacityMicromap, KHRMeshOpacityMicromap } from "@mmverify/gltf-transform";
 import draco3d from "draco3dgltf";
@@ -44,7 +44,6 @@ export const io = ioWith([...ALL_EXTENSIONS, EXTMeshOpacityMicromap, KHRMeshOpac
 /** glTF-Transform as it comes, without this package. */
 export const plainIo = ioWith(ALL_EXTENSIONS);
 export const read = async (path, by = io) => (await by.read(path)).setLogger(logger);
-export { Document };
 
 /** What the native program says of a file: exit codes of validate and of check maps, which is 2 for a file without maps. */
 export function judged(file) {

@@ -7,7 +7,7 @@ import { draco, flatten, join, meshopt, prune, quantize, reorder, simplify, unwe
 import { EXTMeshOpacityMicromap, withMicromaps, write, writeBinary } from "@mmverify/gltf-transform";
 import { MeshoptSimplifier } from "meshoptimizer";
 
-import { baked, encoder, inFolder, io, judged, name, native, plainIo, primitivesOf, read, readGlb, warnings } from "./scene.mjs";
+import { baked, encoder, inFolder, io, judged, name, native, plainIo, primitivesOf, read, readGlb, warnings, writeGlb } from "./scene.mjs";
 
 const made = baked(4), out = inFolder("out.glb");
 const fine = (file, what) => {
@@ -202,6 +202,21 @@ test("equal corners with different maps are an error, with equal maps none", asy
   await document.transform(withMicromaps(reorder({ encoder })));
   await write(io, out, document);
   fine(out, "a triangle twice");
+});
+
+test("maps of the older name are turned, too", async () => {
+  const khr = name.replace("EXT", "KHR"), given = inFolder("given.glb");
+  const renamed = (from, to, old, wanted) => {
+    const { json, bin } = readGlb(from);
+    writeGlb(to, { json: JSON.parse(JSON.stringify(json).replaceAll(old, wanted)), bin });
+  };
+  renamed(made, given, name, khr);
+  const document = await read(given);
+  await document.transform(withMicromaps(draco()));
+  await write(io, out, document);
+  assert.ok(readGlb(out).json.extensionsUsed.includes(khr));
+  renamed(out, given, khr, name);
+  fine(given, "under the newer name");
 });
 
 test("a .gltf beside its files", async () => {
