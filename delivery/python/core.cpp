@@ -116,7 +116,8 @@ struct Sampler {
 };
 
 bake::TriangleBaker baker_of(const std::vector<py::array>& mips, const Sampler& how) {
-  for (const py::array& mip : mips) need(mip.ndim() == 2 && mip.dtype().equal(mips[0].dtype()), "alpha: mips");
+  for (const py::array& mip : mips)
+    need(mip.ndim() == 2 && mip.dtype().equal(mips[0].dtype()), "alpha: mips");
   const bool bytes = !mips.empty() && py::isinstance<py::array_t<std::uint8_t>>(mips[0]);
   if (bytes && std::any_of(mips.begin(), mips.end(), [](const auto& mip) { return mip.strides(1) != 1; })) {
     std::vector<bake::PixelView> views;
@@ -148,7 +149,8 @@ void on_threads(std::size_t threads, std::size_t count, const std::function<void
 }
 
 /// A baked map in the form that was asked for.
-void write_map(const micromap::PackedMap& map, micromap::Format format, bool packed, std::span<std::uint8_t> out) {
+void write_map(const micromap::PackedMap& map, micromap::Format format, bool packed,
+               std::span<std::uint8_t> out) {
   const std::uint64_t count = micromap::micro_triangles(map.level);
   if (!packed) {
     micromap::unpack(map.bytes, map.format, {reinterpret_cast<micromap::State*>(out.data()), out.size()});
@@ -180,7 +182,8 @@ Bytes bake_maps(const std::vector<py::array>& mips, const Floats& uv, const Word
   const py::gil_scoped_release released;
   std::vector<bake::BaseTriangle> triangles(level.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) triangles[t][k] = {numbers[6 * t + 2 * k], numbers[6 * t + 2 * k + 1]};
+    for (std::size_t k = 0; k < 3; ++k)
+      triangles[t][k] = {numbers[6 * t + 2 * k], numbers[6 * t + 2 * k + 1]};
   const auto parallel = [threads](std::size_t count, const auto& job) { on_threads(threads, count, job); };
   const bake::MeshMaps baked = bake::bake_mesh(baker, triangles, level, parallel);
   parallel(level.size(), [&](std::size_t t) {
@@ -229,7 +232,8 @@ py::tuple build_array(const std::vector<Bytes>& packed, const Words& levels, uns
     const py::gil_scoped_release released;
     return array::build({}, maps, options);
   }();
-  const py::object geometry = built.geometry_counts ? py::object(rows_of(*built.geometry_counts)) : py::none();
+  const py::object geometry =
+      built.geometry_counts ? py::object(rows_of(*built.geometry_counts)) : py::none();
   return py::make_tuple(rows_of(built.array.records), rows_of(built.array.data), rows_of(built.part.indices),
                         rows_of(built.array_counts), geometry);
 }
@@ -243,18 +247,23 @@ PYBIND11_MODULE(_core, module) {
   module.def("pack", &pack);
   module.def("unpack", &unpack);
   module.def("useful_levels", &useful_levels);
-  module.def("bake", [](const std::vector<py::array>& mips, const Floats& uv, const Words& levels, unsigned states,
-                        bool packed, std::size_t threads,
+  module.def("bake", [](const std::vector<py::array>& mips, const Floats& uv, const Words& levels,
+                        unsigned states, bool packed, std::size_t threads,
                         const std::variant<std::pair<std::uint32_t, std::uint32_t>, float, py::none>& cutoff,
                         std::pair<unsigned, unsigned> wrap, bool nearest, float border,
                         std::array<float, 2> factors, float margin) {
     need(wrap.first <= 4 && wrap.second <= 4, "wrap: 0 to 4");
     bake::AlphaMode mode = bake::Blend{};
-    if (const auto* quotient = std::get_if<0>(&cutoff)) mode = bake::Cutoff{quotient->first, quotient->second};
+    if (const auto* quotient = std::get_if<0>(&cutoff))
+      mode = bake::Cutoff{quotient->first, quotient->second};
     if (const auto* number = std::get_if<1>(&cutoff)) mode = bake::Mask{*number};
     const auto filter = nearest ? bake::Filter::nearest : bake::Filter::bilinear;
-    const bake::Sampling sampling{static_cast<bake::Wrap>(wrap.first), static_cast<bake::Wrap>(wrap.second), filter,
-                                  border, factors, margin};
+    const bake::Sampling sampling{static_cast<bake::Wrap>(wrap.first),
+                                  static_cast<bake::Wrap>(wrap.second),
+                                  filter,
+                                  border,
+                                  factors,
+                                  margin};
     return bake_maps(mips, uv, levels, states, packed, threads, {mode, sampling});
   });
   module.def("build", [](const std::vector<Bytes>& packed, const Words& levels, unsigned states, unsigned api,

@@ -21,12 +21,13 @@ def whole(name: str, value: Any, low: int, high: int) -> int:
 def real(name: str, value: Any, low: float = -np.inf, below: float = np.inf) -> float:
     """A finite number, rounded to float32, from `low` on."""
     try:
-        with np.errstate(over="ignore"):
-            number = float(np.float32(value))
-    except (TypeError, ValueError):
+        number = float(value)
+    except (TypeError, ValueError, OverflowError):
         number = float("nan")
-    if isinstance(value, (bool, np.bool_, str)) or not np.isfinite(number):
+    # From half a step beyond the greatest float32 on, a number is rounded to infinity.
+    if isinstance(value, (bool, np.bool_, str)) or not abs(number) < 2**128 - 2**103:
         raise ValueError(f"{name}: {value!r} is not a finite number of float32")
+    number = float(np.float32(number))
     if not low <= number < below:
         raise ValueError(f"{name}: {value!r} is not from {low:g} to below {below:g}")
     return number

@@ -1,6 +1,7 @@
 """Python functions on the program's pipe: `mmverify gen` asks, `mmverify check` judges (docs/SUBJECTS.md, "A pipe")."""
 from __future__ import annotations
 
+import contextlib
 import operator
 import subprocess
 import tempfile
@@ -36,7 +37,6 @@ def dialogue(arguments: Sequence[str], answers: Answers) -> Any:
         try:
             for line in answers(asking.stdout):
                 judging.stdin.write(line)
-            judging.stdin.close()
         except BrokenPipeError:  # it says why
             pass
         except BaseException:
@@ -46,6 +46,8 @@ def dialogue(arguments: Sequence[str], answers: Answers) -> Any:
             asking.stdout.close()
             asking.kill()
             asking.wait()
+            with contextlib.suppress(BrokenPipeError):
+                judging.stdin.close()
             judging.wait()
         said.seek(0), words.seek(0)
         return _program.read(said.read(), words.read(), judging.returncode)

@@ -21,8 +21,9 @@ def prove(
     function, a Python function or a ctypes one, by law:
         "index"    function(level, u, v) -> the index, as mmverify.index
         "corners"  function(level, index) -> three vertices (i, j), in any order, as mmverify.corners
-        "tree", "tree.round_trip", ...    a pair (encode, decode): encode(codes, states) -> bytes, decode(code, level,
-                   states) -> codes, or None for bytes that encode() never makes; codes is uint8 of shape (4^level,)
+        "tree", "tree.round_trip", ...    a pair (encode, decode) for the paper's codes (Succinct Opacity Micromaps,
+                   Algorithms 1 and 2): encode(codes, states) -> bytes; decode(code, level, states) -> codes, or None
+                   for bytes that are no code; codes is uint8 of shape (4^level,)
         "bake", "bake.conservative", ...  function(alpha, uv, level, states, cutoff=..., wrap=..., ...) -> codes, called
                    as mmverify.bake is, with the arguments that the case has; None declines a case
     function, a library: ctypes.CDLL, or a path to the .so, with the entry points of mmverify_subject.h; by every law
