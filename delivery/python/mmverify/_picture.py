@@ -37,8 +37,8 @@ class Picture:
 def draw(codes: Any) -> Picture:
     """One map: T white, O black, UT light blue, UO blue. u grows to the right, v upwards.
 
-    codes: uint8 of shape (4^level,). Above level 6 a triangle of level 6 is drawn for its micro-triangles: in the
-    colour of T or O if all have it, else in that of UO if half of them or more are O or UO, else in that of UT.
+    codes: uint8 of shape (4^level,). Above level 6 a triangle of level 6 is drawn for its micro-triangles: in their
+    colour if they have one, else as UO if half of them or more are O or UO, else as UT.
     Raises ValueError, naming the argument.
     """
     states = _arguments.codes("codes", codes, 4)
@@ -71,9 +71,8 @@ def _triangle(x: np.ndarray, y: np.ndarray) -> str:
 def _coarser(states: np.ndarray, level: int) -> np.ndarray:
     children = states.reshape(4**level, -1)
     uniform = (children == children[:, :1]).all(axis=1)
-    known = uniform & (children[:, 0] < 2)
     rather = 2 * (children & 1).sum(axis=1) >= children.shape[1]
-    return np.where(known | (children.shape[1] == 1), children[:, 0], np.where(rather, 3, 2))
+    return np.where(uniform, children[:, 0], np.where(rather, 3, 2))
 
 
 def _legend(states: np.ndarray, size: int) -> List[str]:

@@ -231,9 +231,11 @@ class Drawing(unittest.TestCase):
             self.assertEqual(line.count("M"), 16)
 
     def test_a_fine_map_is_drawn_coarser(self):
-        codes = np.zeros(4**7, np.uint8)
-        codes[:4], codes[4], codes[8:11] = 1, 2, 3
-        svg = mmverify.draw(codes).svg
-        self.assertIn("level 7, drawn at level 6", svg)
+        codes = np.zeros((4**6, 16), np.uint8)
+        codes[0] = 1  # all O
+        codes[1, :8], codes[2, :15] = 1, 3  # half of them O, nearly all UO
+        codes[3, :7], codes[4] = 1, 2  # nearly half of them O, all UT
+        svg = mmverify.draw(codes.ravel()).svg
+        self.assertIn("level 8, drawn at level 6", svg)
         counts = {name: line.count("M") for line in svg.splitlines() for name in ("T", "O", "UT", "UO") if f'class="{name}"' in line}
-        self.assertEqual(counts, {"T": 4**6 - 3, "O": 1, "UT": 1, "UO": 1})
+        self.assertEqual(counts, {"T": 4**6 - 5, "O": 1, "UT": 2, "UO": 2})

@@ -51,6 +51,10 @@ class PythonFunctions(unittest.TestCase):
         for words in ("one_wrong: refuted", "<td>1 of 217 wrong</td>", "<svg", str(right)):
             self.assertIn(words, page)
 
+    def test_the_counterexample_is_the_lowest_levels(self):
+        result = mmverify.prove(lambda level, u, v: mmverify.index(level, u, v) ^ (level in (2, 4)))
+        self.assertEqual(result.counterexample.level, 2)
+
     def test_wrong_corners_are_refuted(self):
         result = mmverify.prove(lambda level, index: mmverify.corners(level, index ^ (level == 2)), "corners")
         self.assertEqual((result.verdict, result.counterexample.level), ("refuted", 2))
@@ -195,10 +199,12 @@ class Files(unittest.TestCase):
     def test_files_that_cannot_be_judged(self):
         with self.assertRaisesRegex(FileNotFoundError, "path: there is nothing at .*gone.glb"):
             mmverify.validate(self.folder / "gone.glb")
-        other = self.folder / "-other.glb"
-        other.write_text("no such kind")
-        with self.assertRaisesRegex(mmverify.ProgramError, "-other.glb"):
-            mmverify.validate(other)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        pathlib.Path("-other.glb").write_text("no such kind")
+        for path in ("-other.glb", "."):  # a name like an option; a folder that has such a file
+            with self.assertRaisesRegex(mmverify.ProgramError, r"-other\.glb: .*neither JSON"):
+                mmverify.validate(path)
         with self.assertRaisesRegex(mmverify.ProgramError, "draft"):
             mmverify.validate(self.scene, draft="none")
 
