@@ -53,7 +53,7 @@ def floats(name: str, value: Any) -> np.ndarray:
         return np.asarray(real(name, value), np.float32)
     array = np.asarray(value)
     if array.dtype != np.float32:
-        raise ValueError(f"{name}: dtype {array.dtype}, not float32; round it yourself: {name}.astype(numpy.float32)")
+        raise ValueError(f"{name}: dtype {array.dtype}, not float32; numpy.asarray({name}, numpy.float32) rounds it")
     finite = np.isfinite(array)
     if not finite.all():
         first = tuple(int(k) for k in np.argwhere(~finite)[0])
