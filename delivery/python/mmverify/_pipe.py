@@ -18,7 +18,7 @@ Answers = Callable[[Iterator[str]], Iterable[str]]
 BATCH = 65536  # cases that a function of arrays gets at once
 # The names in texts of cases.
 CASE_WRAPS = dict(zip(("repeat", "mirror", "clamp", "border", "once"), WRAPS))
-CASE_TEXELS = {"u8": np.dtype(">u1"), "u16": np.dtype(">u2"), "f32": np.dtype(">f4")}
+CASE_TEXELS: Dict[str, np.dtype] = {"u8": np.dtype(">u1"), "u16": np.dtype(">u2"), "f32": np.dtype(">f4")}
 
 
 def name_of(function: Any) -> str:
@@ -34,6 +34,7 @@ def dialogue(arguments: Sequence[str], answers: Answers) -> Any:
         asking = subprocess.Popen([program, "gen", *arguments], stdout=subprocess.PIPE, stderr=words, text=True)
         command = [program, "check", *arguments, "--quiet", "--json", "-"]
         judging = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=said, stderr=words, text=True)
+        assert asking.stdout and judging.stdin
         try:
             for line in answers(asking.stdout):
                 judging.stdin.write(line)
@@ -175,7 +176,8 @@ def question(text: str) -> Dict[str, Any]:
     items = dict(part.split("=", 1) for part in text.split(","))
     kind, size, digits = items.pop("texels").split(":")
     width, height = map(int, size.split("x"))
-    stored, mips = CASE_TEXELS[kind], []
+    stored = CASE_TEXELS[kind]
+    mips: List[np.ndarray] = []
     texels = np.frombuffer(bytes.fromhex(digits), stored)
     for k in range(int(items.pop("mips", 1))):
         sides = max(1, height >> k), max(1, width >> k)

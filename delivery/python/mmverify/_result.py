@@ -56,7 +56,7 @@ class Result:
     def counterexample(self) -> Optional[Counterexample]:
         """The one of the lowest level; of several laws, of the first."""
         found = [one.counterexample for one in self.laws if one.counterexample is not None]
-        return min(found, key=lambda one: one.level, default=None)
+        return min(found, key=lambda one: one.level) if found else None
 
     def picture(self) -> Optional[str]:
         """The counterexample as SVG: a wrong index or wrong corners are drawn. None without one, or for other laws."""
