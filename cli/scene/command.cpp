@@ -203,8 +203,8 @@ class Output {
     say(text(), "  {:<{}}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written", column,
         options_.glb, grouped(bytes.size()));
     if (const std::uint64_t old = options_.file.empty() ? 0 : old_micromap_bytes(options_.file); old != 0)
-      say(text(), "  {:<{}}{} bytes are those of {}'s own micromaps, which nothing reads any more\n", "", column,
-          grouped(old), options_.file);
+      say(text(), "  {:<{}}{} bytes are those of {}'s own micromaps, which nothing reads any more\n", "",
+          column, grouped(old), options_.file);
   }
   void plot(const SceneFigures& figures) {
     if (plot_) plot_->commit(sizes_picture(figures));
