@@ -5,11 +5,10 @@
 
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/extensions.hpp"
-#include "scene/read/image.hpp"
+#include "scene/read/images.hpp"
 #include "scene/read/materials.hpp"
 #include "scene/read/nodes.hpp"
 #include "scene/read/primitives.hpp"
-#include "scene/read/resource.hpp"
 
 namespace mmverify::scene {
 namespace {
@@ -49,45 +48,6 @@ std::vector<std::string> notes_of(const Scene& scene) {
   return notes;
 }
 
-/// Decodes one image of the document.
-void decode(const Document& document, const Buffers& buffers, std::size_t k, Image& image) {
-  const nlohmann::json& given = member(document.json, "images")[k];
-  const std::string at = place("image", k, image.name);
-  check_extensions(document, given, at);
-  if (given.contains("bufferView"))
-    decode_alpha(buffers.view(given["bufferView"].get<std::size_t>()), image, document.file, at);
-  else
-    decode_alpha(read_resource(document, given["uri"].get<std::string>(), at), image, document.file, at);
-}
-
-/// Checks that all images are there, and decodes those in `to_decode`.
-std::vector<Image> read_images(const Document& document, const Buffers& buffers,
-                               const std::set<std::size_t>& to_decode) {
-  std::vector<Image> images;
-  const nlohmann::json& listed = member(document.json, "images");
-  check_images_there(document);
-  for (std::size_t k = 0; k < listed.size(); ++k) {
-    const nlohmann::json& given = listed[k];
-    const std::string uri = given.value("uri", std::string());
-    const bool embedded = uri.empty() || is_data_uri(uri);
-    Image image;
-    image.name = given.value("name", embedded ? std::string() : shown(uri));
-    const std::string at = place("image", k, image.name);
-    if (!given.contains("bufferView") && uri.empty())
-      throw BadScene(document.file, at, "neither a URI nor a bufferView");
-    if (to_decode.contains(k))
-      decode(document, buffers, k, image);
-    else if (given.contains("bufferView"))
-      buffers.view(given["bufferView"].get<std::size_t>());
-    else if (embedded)
-      read_resource(document, uri, at);
-    else
-      check_resource(document, uri, at);
-    images.push_back(std::move(image));
-  }
-  return images;
-}
-
 Scene scene_of(const Document& document) {
   const Buffers buffers(document);
   Scene scene;
@@ -115,7 +75,7 @@ void decode_other_images(const Document& document, Scene& scene, std::uint64_t t
     Image image;
     image.name = scene.images[k].name;
     try {
-      decode(document, buffers, k, image);
+      read_image(document, buffers, k, image);
     } catch (const BadScene&) {
       continue;
     }
