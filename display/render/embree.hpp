@@ -30,7 +30,7 @@ namespace mmverify::render {
   X(rtcSetNewGeometryBuffer)               \
   X(rtcSetSceneFlags)
 
-/// In this namespace these names are pointers to the library's functions.  Domain: why_no_embree() is empty.
+/// These names, in this namespace, are pointers to the library's functions.  Domain: why_no_embree() is empty.
 #define MMVERIFY_EMBREE_POINTER(name) extern decltype(&::name) name;
 MMVERIFY_EMBREE_FUNCTIONS(MMVERIFY_EMBREE_POINTER)
 #undef MMVERIFY_EMBREE_POINTER

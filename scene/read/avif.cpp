@@ -30,7 +30,7 @@ namespace {
   X(avifResultToString)            \
   X(avifRGBImageSetDefaults)
 
-/// In this namespace these names are pointers to the library's functions.  Domain: why_no_avif() is empty.
+/// These names, in this namespace, are pointers to the library's functions.  Domain: why_no_avif() is empty.
 #define MMVERIFY_AVIF_POINTER(name) decltype(&::name) name = nullptr;
 MMVERIFY_AVIF_FUNCTIONS(MMVERIFY_AVIF_POINTER)
 #undef MMVERIFY_AVIF_POINTER
