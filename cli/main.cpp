@@ -24,7 +24,7 @@
 
 namespace {
 
-int complain(int code, const std::string& what, const char* more = "") {
+int complain(int code, const std::string& what, const std::string& more = "") {
   mmverify::cli::say(stderr, "mmverify: {}{}\n", mmverify::cli::printable(what), more);
   return code;
 }
@@ -69,6 +69,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App program("mmverify: an exact referee for opacity micromaps", "mmverify");
   program.require_subcommand(1);
+  program.footer("Documents: PREFIX/share/doc/mmverify/README.md, for a program in PREFIX/bin");
   program.set_version_flag(
       "--version", fmt::format("mmverify {}\nspecification {:.16}; spec, impl and proofs {:.16}\n{}, {}\n{}",
                                build::version, std::string(build::spec_hash), std::string(build::source_hash),
@@ -84,9 +85,9 @@ int main(int argc, char** argv) {
     return after_printing(program.exit(asked_for));
   } catch (const CLI::ExtrasError& error) {
     const std::string meant = meant_option(program);
-    return complain(ExitCode::usage, error.what() + meant, meant.empty() ? "; see `mmverify --help`" : "");
+    return complain(ExitCode::usage, error.what() + meant, meant.empty() ? see_help(program) : "");
   } catch (const CLI::ParseError& error) {
-    return complain(ExitCode::usage, error.what(), "; see `mmverify --help`");
+    return complain(ExitCode::usage, error.what() + meant_member(error.what()), see_help(program));
   } catch (const UsageError& error) {
     return complain(ExitCode::usage, error.what());
   }

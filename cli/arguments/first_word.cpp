@@ -19,13 +19,19 @@ std::vector<std::string> names_of_commands(CLI::App& program) {
   return names;
 }
 
-[[noreturn]] void refuse_command(const std::string& word, const std::vector<std::string>& commands) {
+bool is_gltf(const std::string& word) { return word.ends_with(".gltf") || word.ends_with(".glb"); }
+
+[[noreturn]] void refuse_command(const std::vector<std::string>& arguments,
+                                 const std::vector<std::string>& commands) {
+  const std::string& word = arguments.front();
   std::string meant;
-  if (!proofs::laws_named(word).empty())
+  if (word == "bake" && arguments.size() > 1 && is_gltf(arguments[1]))
+    meant = "mmverify scene " + arguments[1];
+  else if (!proofs::laws_named(word).empty())
     meant = "mmverify prove " + word;
   else if (is_library_or_shader(word))
     meant = "mmverify prove --subject " + as_path(word);
-  else if (word.ends_with(".gltf") || word.ends_with(".glb"))
+  else if (is_gltf(word))
     meant = "mmverify validate " + word;
   else if (const std::string nearest = nearest_word(word, commands); !nearest.empty())
     meant = "mmverify " + nearest;
@@ -51,10 +57,16 @@ std::vector<std::string> with_known_command(CLI::App& program, std::vector<std::
     if (arguments.size() == 1) return {"--help"};
     arguments = {arguments[1], "--help"};
   }
+  if (!arguments.empty() &&
+      (arguments.front() == "version" || arguments.front() == "-V" || arguments.front() == "-v"))
+    return {"--version"};
   if (arguments.empty() || arguments.front().starts_with("-")) return arguments;
   const std::vector<std::string> commands = names_of_commands(program);
   if (std::find(commands.begin(), commands.end(), arguments.front()) == commands.end())
-    refuse_command(arguments.front(), commands);
+    refuse_command(arguments, commands);
+  if (arguments.size() > 1 && arguments.front() == "check" && is_gltf(arguments[1]))
+    throw UsageError(
+        fmt::format("check: a topic comes first; did you mean `mmverify check maps {}`?", arguments[1]));
   rename_levels(*program.get_subcommand(arguments.front()), arguments);
   return arguments;
 }
@@ -69,6 +81,25 @@ std::string meant_option(CLI::App& program) {
       return did_you_mean(word.substr(0, word.find('=')), known);
     }
   return {};
+}
+
+std::string meant_member(const std::string& complaint) {
+  constexpr std::string_view between = " not in {";
+  const std::size_t at = complaint.find(between), end = complaint.rfind('}');
+  if (at == std::string::npos || end == std::string::npos) return {};
+  std::vector<std::string> known;
+  std::size_t from = at + between.size();
+  for (std::size_t to = from; from < end; from = to + 1) {
+    to = std::min(complaint.find(',', from), end);
+    known.push_back(complaint.substr(from, to - from));
+  }
+  const std::size_t colon = complaint.rfind(": ", at), begin = colon == std::string::npos ? 0 : colon + 2;
+  return did_you_mean(complaint.substr(begin, at - begin), known);
+}
+
+std::string see_help(CLI::App& program) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  return fmt::format("; see `mmverify {}--help`", chosen.empty() ? "" : chosen.front()->get_name() + " ");
 }
 
 }  // namespace mmverify::cli

@@ -37,6 +37,9 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
   // A hostile argument may have megabytes; no known word has 64 letters.
   if (word.size() > 64) return {};
+  const auto begins = [&](const std::string& one) { return !word.empty() && one.starts_with(word); };
+  if (std::count_if(known.begin(), known.end(), begins) == 1)
+    return *std::find_if(known.begin(), known.end(), begins);
   std::size_t least = std::max<std::size_t>(word.size() / 3, 1) + 1;
   std::string nearest;
   for (const std::string& one : known) {

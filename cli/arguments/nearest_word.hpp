@@ -10,8 +10,8 @@ namespace mmverify::cli {
 /// other, upper and lower case alike. Each letter takes part in one change at most.
 std::size_t edit_distance(const std::string& a, const std::string& b);
 
-/// The known word at the least edit_distance(); empty if that is above a third of the word's letters, or if two
-/// words are equally near.
+/// The one known word that begins with the word; else the one at the least edit_distance(), empty if that is above a third
+/// of the word's letters, or if two words are equally near.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
 /// "; did you mean 'index'?", or nothing if no known word is near.

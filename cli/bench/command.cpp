@@ -9,6 +9,7 @@
 #include "bench/scene/dag_tables.hpp"
 #include "bench/scene/tables.hpp"
 #include "cli/arguments/arguments.hpp"
+#include "cli/arguments/nearest_word.hpp"
 #include "cli/bench/baker.hpp"
 #include "cli/bench/codec/codec.hpp"
 #include "cli/bench/csv.hpp"
@@ -30,6 +31,12 @@
 
 namespace mmverify::cli {
 namespace {
+
+std::vector<std::string> known_topics() {
+  std::vector<std::string> names{"shaders"};
+  for (const BenchTopic& topic : bench_topics()) names.emplace_back(topic.name);
+  return names;
+}
 
 /// The outputs of a bench: stdout, and files for JSON, CSV and the picture, opened before the work.
 class Outputs {
@@ -253,8 +260,8 @@ int run_bench(const BenchOptions& options) {
   for (const std::string& topic : options.topics)
     if (std::none_of(bench_topics().begin(), bench_topics().end(),
                      [&](const BenchTopic& known) { return topic == known.name; }))
-      throw UsageError(fmt::format("no topic is called '{}'; there are {}, and shaders", topic,
-                                   names_of_topics(false, ", ")));
+      throw UsageError(fmt::format("no topic is called '{}'; there are {}, and shaders{}", topic,
+                                   names_of_topics(false, ", "), did_you_mean(topic, known_topics())));
   const auto only = [&](const char* name) {
     return topics.size() == 1 && topics.front()->name == std::string(name);
   };

@@ -123,7 +123,7 @@ void print(std::FILE* out, const Result& r) {
   if (r.verdict == Verdict::incomplete || r.verdict == Verdict::broken)
     say(out, "  {}\n", printable(r.reason));
   for (const Counterexample& c : r.counterexamples)
-    say(out, "  case {}: {}\n  replay: {}\n", printable(c.at), printable(c.got),
+    say(out, "  case {}: {}\n  replay: {}\n", printable(c.at), printable(codec_case(c)),
         printable(replay_command(r, c)));
   std::fflush(out);
 }
@@ -272,7 +272,7 @@ int replay(const CodecOptions& options) {
     throw UsageError(fmt::format("--case {}: the law's harness has no room for this codec's code", text));
   say(stdout, "{} {} level {} case {} subject {}{}{}\n", found->run.fails ? "refuted" : "holds",
       laws.front()->id, level, text.substr(at + 1), options.file, found->run.fails ? ": " : "",
-      found->run.how);
+      found->run.text());
   return found->run.fails ? ExitCode::failed : ExitCode::complete;
 }
 

@@ -147,7 +147,15 @@ void CodecProof::refute(Result& r, const Question& question, const source::Codec
   } else {
     r.verdict = Verdict::refuted;
     ++r.by_kind[kinds - 1].mismatches;
-    r.counterexamples.push_back({{}, question.level, at, {}, "the law", answer.text + "; " + run.how});
+    // A failed check is the run's to name, with its values; another fault is the prover's.
+    const bool by_check = answer.text.ends_with("the check fails");
+    const bool valued = by_check && !run.expected.empty();
+    r.counterexamples.push_back({{},
+                                 question.level,
+                                 at,
+                                 {},
+                                 valued ? run.expected : "the law",
+                                 by_check ? run.how : answer.text + "; " + run.text()});
   }
 }
 

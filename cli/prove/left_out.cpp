@@ -104,19 +104,22 @@ std::vector<std::string> levels_left(const std::vector<Job>& jobs, const Report&
     if (!job.unfit.empty() || !job.law->at_once.empty() || job.subject->fingerprint().empty() ||
         !seen.insert(name).second)
       continue;
-    Level ran = 0;
+    Level lowest = highest, ran = 0;
     bool holds = false;
     for (const Result& r : report.results) {
       if (r.subject != name || r.verdict == Verdict::not_applicable) continue;
+      lowest = std::min(lowest, r.level);
       ran = std::max(ran, r.level);
       holds = r.verdict == Verdict::proved || r.verdict == Verdict::checked;
       if (!holds) break;
     }
-    Level last = highest;
-    while (last > ran && job.law->unfit(*job.subject, last)) --last;
-    if (holds && last > ran)
-      lines.push_back(fmt::format("levels {}..{} of {} were not run: leave --levels out, or widen it",
-                                  ran + 1, last, name));
+    std::vector<Level> left;
+    for (Level n = 0; n <= highest; ++n)
+      if ((n < lowest || n > ran) && !job.law->unfit(*job.subject, n)) left.push_back(n);
+    if (holds && !left.empty())
+      lines.push_back(fmt::format("{} of {} {} not run: leave --levels out, or widen it",
+                                  (left.size() == 1 ? "level " : "levels ") + level_ranges(left), name,
+                                  left.size() == 1 ? "was" : "were"));
   }
   return lines;
 }

@@ -51,6 +51,7 @@ struct Malformed {
 struct Checked {
   CheckMapsOptions options;
   bool two_state = false;
+  bool keeps_rules = true;
   int code = complete;
   proofs::Report report = {};
   std::string cause_json = {};
@@ -63,8 +64,8 @@ void print_malformed(std::FILE* out, const std::string& file, const std::vector<
   for (const std::string& line : lines) say(out, "  {}\n", line);
 }
 
-/// Reads the maps.  Records that overlap can be read all the same: they are printed, and `keeps_rules` is false.
-StoredMaps of_file(Checked& checked, const Scene& scene, std::FILE* out, bool& keeps_rules) {
+/// Reads the maps.  Records that overlap can be read all the same: they are printed, and keeps_rules is false.
+StoredMaps of_file(Checked& checked, const Scene& scene, std::FILE* out) {
   const CheckMapsOptions& options = checked.options;
   Malformed malformed;
   bool readable = true;
@@ -75,8 +76,8 @@ StoredMaps of_file(Checked& checked, const Scene& scene, std::FILE* out, bool& k
     readable = readable && v.rule == "record.overlap";
   }
   if (!readable) throw malformed;
-  keeps_rules = malformed.lines.empty();
-  if (!keeps_rules) print_malformed(out, options.file, malformed.lines);
+  checked.keeps_rules = malformed.lines.empty();
+  if (!checked.keeps_rules) print_malformed(out, options.file, malformed.lines);
   return stored_maps(options.file, scene);
 }
 
@@ -243,6 +244,18 @@ void add_findings(Checked& checked, const proofs::scene::SceneLaws& laws, const 
   }
 }
 
+/// The verdict in words, if nothing is wrong.
+void print_fit(std::FILE* out, const Checked& checked, const StoredMaps& maps, const std::string& judged) {
+  const auto& results = checked.report.results;
+  if (checked.code != complete || results.empty()) return;
+  const bool is_sample = std::any_of(results.begin(), results.end(), [](const proofs::Result& r) {
+    return r.verdict == proofs::Verdict::checked;
+  });
+  say(out, "{}: {} of {} triangles\n", printable(judged),
+      is_sample ? "a sample found no wrong state in the maps" : "every state fits the texture, in the maps",
+      grouped(maps.links.size()));
+}
+
 /// Runs the laws on the maps, prints their results.
 void judge(Checked& checked, const Scene& scene, const StoredMaps& maps, std::FILE* out,
            OutputFile* picture) {
@@ -279,9 +292,11 @@ void judge(Checked& checked, const Scene& scene, const StoredMaps& maps, std::FI
   text.finish(checked.report, false);
   if (const auto note = proofs::scene::rationals_text(laws)) say(out, "note: {}\n", *note);
   if (!checked.report.interrupted)
-    checked.cause_json = print_why(out, options, checked.two_state, scene, maps, checked.report, picture);
+    checked.cause_json = print_why(out, options, checked.two_state, scene, maps, checked.report, picture,
+                                   !checked.keeps_rules && repairs_all_rules(options.file, {}));
   add_findings(checked, laws, judged);
   checked.code = exit_code(checked.report);
+  print_fit(out, checked, maps, judged);
 }
 
 /// 2 or 4: as asked, else as the file's records say, else 4.
@@ -294,7 +309,7 @@ bool two_state(const CheckMapsOptions& options, std::FILE* out) {
 
 /// Checks one file.  Errors: UsageError if it has no maps to judge; BadScene.
 Checked checked_file(const CheckMapsOptions& options, std::FILE* out, OutputFile* picture) {
-  Checked checked{options};
+  Checked checked{.options = options};
   const Scene scene = load(options.file);
   refuse_files_of(options.file, {{"--json", options.json},
                                  {"--junit", options.junit},
@@ -302,9 +317,8 @@ Checked checked_file(const CheckMapsOptions& options, std::FILE* out, OutputFile
                                  {"--picture", options.picture}});
   const bool of_scene = options.raw.data.empty();
   StoredMaps maps;
-  bool keeps_rules = true;
   try {
-    maps = of_scene ? of_file(checked, scene, out, keeps_rules) : of_buffers(options, scene);
+    maps = of_scene ? of_file(checked, scene, out) : of_buffers(options, scene);
   } catch (const Malformed& malformed) {
     print_malformed(out, of_scene ? options.file : options.raw.data, malformed.lines);
     if (of_scene && repairs_all_rules(options.file, {})) print_repair(out, options.file);
@@ -321,7 +335,7 @@ Checked checked_file(const CheckMapsOptions& options, std::FILE* out, OutputFile
   if (checked.two_state) checked.options.states = 2;
   print_maps(out, checked, scene, maps);
   judge(checked, scene, maps, out, picture);
-  if (!keeps_rules && checked.code == complete) {
+  if (!checked.keeps_rules && checked.code == complete) {
     if (repairs_all_rules(options.file, {})) print_repair(out, options.file);
     checked.code = failed;
   }
@@ -336,14 +350,14 @@ std::vector<Checked> checked_folder(const CheckMapsOptions& options, std::FILE* 
     CheckMapsOptions one = options;
     one.file = file;
     try {
-      if (mmverify::scene::kind_of(read_file(file, file, "the file")) != FileKind::gltf) continue;
+      if (mmverify::scene::kind_of(read_file(file, file, "")) != FileKind::gltf) continue;
       open_document(file);  // or a damaged file would be one without micromaps
       if (!names_used(file).ext) continue;
       all.push_back(checked_file(one, out, nullptr));
     } catch (const BadScene& bad) {
       say(out, "{} (not judged)\n", printable(bad.what()));
       unread.push_back({file, bad.what()});
-      all.push_back({one, false, environment});
+      all.push_back({.options = one, .code = environment});
     } catch (const UsageError& nothing) {
       say(out, "{} (not judged)\n", printable(nothing.what()));
     }

@@ -199,11 +199,12 @@ class Output {
             ? with_micromaps(sample_name, sample, scene, plan, arrays, options_.glb, settings)
             : with_micromaps(options_.file, std::nullopt, scene, plan, arrays, options_.glb, settings);
     glb_->commit({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    say(text(), "  {:<11}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written",
+    const int column = options_.details ? 11 : 10;  // the lines before it have that one
+    say(text(), "  {:<{}}{}: {} bytes, no rule of EXT_mesh_opacity_micromap broken\n", "written", column,
         options_.glb, grouped(bytes.size()));
     if (const std::uint64_t old = options_.file.empty() ? 0 : old_micromap_bytes(options_.file); old != 0)
-      say(text(), "  {:<11}{} bytes are those of {}'s own micromaps, which nothing reads any more\n", "",
-          grouped(old), options_.file);
+      say(text(), "  {:<{}}{} bytes are those of {}'s own micromaps, which nothing reads any more\n", "",
+          column, grouped(old), options_.file);
   }
   void plot(const SceneFigures& figures) {
     if (plot_) plot_->commit(sizes_picture(figures));

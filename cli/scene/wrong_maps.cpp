@@ -12,6 +12,7 @@
 #include "cli/output/exit_code.hpp"
 #include "cli/output/png_file.hpp"
 #include "cli/output/streams.hpp"
+#include "cli/validate/validate.hpp"
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
 #include "scene/picture/opacity_picture.hpp"
@@ -132,7 +133,8 @@ void print_repair(std::FILE* out, const CheckMapsOptions& options, const std::op
 }
 
 std::string print_why(std::FILE* out, const CheckMapsOptions& options, bool two_state, const Scene& scene,
-                      const StoredMaps& maps, const proofs::Report& report, OutputFile* picture) {
+                      const StoredMaps& maps, const proofs::Report& report, OutputFile* picture,
+                      bool rules_first) {
   std::optional<Cause> cause;
   try {
     if (exit_code(report) != failed) {
@@ -140,6 +142,11 @@ std::string print_why(std::FILE* out, const CheckMapsOptions& options, bool two_
       return print_side(out, options, two_state, scene, maps);
     }
     if (picture != nullptr) draw_wrong(out, *picture, options.picture, scene, maps, report);
+    if (rules_first) {
+      say(out, "cause: the file breaks rules, named above: repair them before its maps are judged\n");
+      print_repair(out, options.file);
+      return json_of({});
+    }
     cause = cause_of(options, two_state, scene, maps);
   } catch (const proofs::Interrupted&) {
     say(out, "cause: the search was interrupted\n");

@@ -18,10 +18,11 @@ void print_repair(std::FILE* out, const CheckMapsOptions& options,
                   const std::optional<proofs::scene::Cause>& cause);
 
 /// Prints why maps are wrong and what to do, and draws the first wrong micro-triangle into `picture`, if there is one.
-/// Right maps get a note if most of their unknown states are on the other side.
+/// Right maps get a note if most of their unknown states are on the other side.  `rules_first`: the file breaks rules that
+/// `repair` puts right, which may be all that is wrong with its maps.
 /// Returns the cause as JSON: null, or empty if nothing is wrong.
 std::string print_why(std::FILE* out, const CheckMapsOptions& options, bool two_state,
                       const mmverify::scene::Scene& scene, const mmverify::scene::StoredMaps& maps,
-                      const proofs::Report& report, OutputFile* picture);
+                      const proofs::Report& report, OutputFile* picture, bool rules_first);
 
 }  // namespace mmverify::cli

@@ -105,7 +105,10 @@ int validate(const ValidateOptions& options) {
     print(out, all.back(), target);
     worst = std::max(worst, exit_code_of(all.back(), options.warnings_as_errors));
   }
-  if (several) print_totals(out, all);
+  if (several)
+    print_totals(out, all);
+  else
+    print_check(out, all.back());
   if (options.warnings_as_errors) print_counted_warnings(out, all);
   json.write([&] { return findings_json(options, all, several); });
   sarif.write([&] { return findings_sarif(all); });

@@ -68,6 +68,16 @@ void print_repair(std::FILE* out, const std::string& file) {
       file.ends_with(".gltf") ? ".gltf" : ".glb");
 }
 
+void print_check(std::FILE* out, const JudgedFile& file) {
+  if (!file.judged || file.judged->kind != FileKind::gltf || file.judged->drafts != std::vector{newest_draft})
+    return;
+  const bool has_maps =
+      std::none_of(file.judged->findings.begin(), file.judged->findings.end(),
+                   [](const FileViolation& one) { return one.rule == "file.no_micromaps"; });
+  if (has_maps && file.judged->count(Severity::error) == 0)
+    say(out, "next: mmverify check maps {} judges the maps by their textures\n", shell_quoted(file.file));
+}
+
 void print(std::FILE* out, const JudgedFile& file, const Target& target) {
   if (!file.judged) return say(out, "{} (not judged)\n", printable(file.unread));
   const std::vector<FileViolation>& findings = file.judged->findings;

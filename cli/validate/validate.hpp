@@ -32,6 +32,9 @@ int validate(const ValidateOptions& options);
 /// Prints findings with remedies and VUIDs, then the file's line, and the command that may put it right.
 void print(std::FILE* out, const JudgedFile& file, const mmverify::scene::Target& target);
 
+/// Prints the command that judges the maps of a glTF file without errors.
+void print_check(std::FILE* out, const JudgedFile& file);
+
 /// Prints the command that may put a file's broken rules right.
 void print_repair(std::FILE* out, const std::string& file);
 

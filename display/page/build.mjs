@@ -1,5 +1,7 @@
 // Bundles src/main.ts, its worker, the styles, the program and template.html into one page:
-//   node build.mjs PACKAGE OUT.html        PACKAGE: the folder of mmverify's npm package, with mmverify.wasm
+//   node build.mjs PACKAGE OUT.html [FOLDER]
+//     PACKAGE: the folder of mmverify's npm package, with mmverify.wasm
+//     FOLDER: has page.json and src/main.ts, as this one, which is bundled where none is given
 // Node.js packages are looked for in NODE_PATH, as report/packages installs them.
 import { createHash } from "node:crypto";
 import { builtinModules, createRequire } from "node:module";
@@ -9,11 +11,12 @@ import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 
 const here = dirname(fileURLToPath(import.meta.url));
-if (process.argv.length !== 4) {
-  console.error("usage: node build.mjs PACKAGE OUT.html");
+if (process.argv.length !== 4 && process.argv.length !== 5) {
+  console.error("usage: node build.mjs PACKAGE OUT.html [FOLDER]");
   process.exit(2);
 }
-const [packaged, out] = process.argv.slice(2).map((path) => resolve(path));
+const [packaged, out, folder = here] = process.argv.slice(2).map((path) => resolve(path));
+const { banner, images, ...words } = JSON.parse(readFileSync(join(folder, "page.json"), "utf8"));
 for (const name of ["index.mjs", "program.mjs", "mmverify.wasm"])
   if (!existsSync(join(packaged, name))) {
     console.error(`${join(packaged, name)}: no such file; ./run wasm builds the package`);
@@ -50,9 +53,9 @@ const worker = text(
 const script = text(
   await esbuild.build({
     ...common,
-    entryPoints: [join(here, "src/main.ts")],
+    entryPoints: [join(folder, "src/main.ts")],
     format: "iife",
-    banner: { js: "/* with uPlot, (c) Leon Sorokin, MIT licence, https://github.com/leeoniya/uPlot */" },
+    banner: { js: `/* ${banner} */` },
     plugins: [
       {
         name: "worker",
@@ -64,7 +67,7 @@ const script = text(
     ],
   }),
 );
-const style = text(await esbuild.build({ ...common, entryPoints: [join(here, "src/style.css")] }));
+const style = text(await esbuild.build({ ...common, entryPoints: [join(folder, "src/style.css")] }));
 for (const [name, part] of Object.entries({ script, style }))
   if (/<\/(script|style)|<!--/i.test(part)) throw new Error(`the ${name} would end its own element`);
 
@@ -74,16 +77,17 @@ const policy = [
   "default-src 'none'",
   `script-src ${hash(script)} 'wasm-unsafe-eval'`,
   `style-src ${hash(style)}`,
-  "img-src data:",
+  // Images of a dropped file are blob:, and are fetched from there.
+  images ? "img-src data: blob:; connect-src blob:" : "img-src data:",
   "worker-src blob:",
   "base-uri 'none'",
   "form-action 'none'",
 ].join("; ");
 const program = gzipSync(readFileSync(join(packaged, "mmverify.wasm")), { level: 9 }).toString("base64");
 
-const parts = { policy, style, program, script };
+const parts = { ...words, policy, style, program, script };
 // A function, as a string would have its dollar signs read.
-const page = readFileSync(join(here, "template.html"), "utf8").replace(/\{(policy|style|program|script)\}/g, (_, name) => parts[name]);
+const page = readFileSync(join(here, "template.html"), "utf8").replace(/\{(title|description|policy|style|program|script)\}/g, (_, name) => parts[name]);
 mkdirSync(dirname(out), { recursive: true });
 writeFileSync(`${out}.part`, page);
 renameSync(`${out}.part`, out);

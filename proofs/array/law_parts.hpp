@@ -24,7 +24,8 @@ Law on_cases(Law law, std::vector<Entry> entries, Cases cases);
 using Check = Finding (*)(const Answer&, const BuildCase&);
 
 /// Calls the subject's builder and checks its answer, for maps in either order in memory if it gets their places.
-Finding built(const ArraySubject& s, BuildCase c, Check check);
+Finding built(const ArraySubject& s, BuildCase c,
+              const std::function<Finding(const Answer&, const BuildCase&)>& check);
 
 /// The law on all small arrays.
 Law on_small_arrays(Law law, Check check);

@@ -17,7 +17,9 @@ namespace {
 
 namespace maps = mmverify::spec::micromap;
 
-Finding built_once(const ArraySubject& s, const BuildCase& c, Check check) {
+using AnyCheck = std::function<Finding(const Answer&, const BuildCase&)>;
+
+Finding built_once(const ArraySubject& s, const BuildCase& c, const AnyCheck& check) {
   const std::optional<Answer> answer = s.functions.build(c);
   if (auto found = shape(answer, c)) return *found;
   return check(*answer, c);
@@ -37,7 +39,7 @@ Law on_cases(Law law, std::vector<Entry> entries, Cases cases) {
   return on_cases_of(std::move(law), std::move(cases));
 }
 
-Finding built(const ArraySubject& s, BuildCase c, Check check) {
+Finding built(const ArraySubject& s, BuildCase c, const AnyCheck& check) {
   Finding found = built_once(s, c, check);
   if (!found.holds || !s.functions.gets_places) return found;
   c.scattered = true;

@@ -1,6 +1,7 @@
 #include <cstring>
 
 #include "proofs/array/answers.hpp"
+#include "proofs/array/small_answers.hpp"
 #include "subjects/dock/codec.hpp"
 #include "subjects/dock/elements.hpp"
 #include "subjects/sdk/mmverify_subject.h"
@@ -192,8 +193,10 @@ Bytes emulated(const Library& library, Level n, Level most, std::span<const std:
 Functions functions_of(const LibraryPtr& library) {
   Functions f;
   f.gets_places = true;
-  if (library->offers(Call::array_build))
+  if (library->offers(Call::array_build)) {
     f.build = [library](const BuildCase& c) { return build(*library, c); };
+    f.small_arrays = small_arrays_of_subject();
+  }
   if (library->offers(Call::array_resolve))
     f.targets = [library](const Reading& r, std::span<const Reference> references) {
       return targets(*library, r, references);

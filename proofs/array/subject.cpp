@@ -3,6 +3,7 @@
 #include "impl/array/build.hpp"
 #include "impl/array/change.hpp"
 #include "impl/array/container.hpp"
+#include "proofs/array/small_answers.hpp"
 
 namespace mmverify::proofs::array {
 namespace {
@@ -49,6 +50,7 @@ Functions specified() {
     return maps::pack(slow::emulated({n, Format::four_state, states}, most).states, Format::four_state);
   };
   f.blocks = [](std::span<const std::uint32_t> codes) { return slow::blocks(codes); };
+  f.small_arrays = small_arrays_of_subject();
   return f;
 }
 
@@ -128,6 +130,7 @@ Functions library() {
     return fast::emulated(bytes, n, most);
   };
   f.blocks = [](std::span<const std::uint32_t> codes) { return fast::blocks(codes); };
+  f.small_arrays = small_arrays_of_subject();
   return f;
 }
 

@@ -1,6 +1,7 @@
 // A subject of topic array: an implementation as functions, built in or in the dock.
 #pragma once
 
+#include "proofs/engine/passed.hpp"
 #include "proofs/engine/topic.hpp"
 #include "spec/array/build.hpp"
 #include "spec/array/change.hpp"
@@ -72,6 +73,7 @@ struct Functions {
   /// A 4-state map of a level above `most`, converted to level `most`.
   std::function<Bytes(Level n, Level most, std::span<const std::uint8_t> four_state)> emulate = {};
   std::function<std::vector<std::uint64_t>(std::span<const std::uint32_t>)> blocks = {};
+  PassedOfSubject small_arrays = {};  ///< small_answers.hpp keeps here the ones that passed
   /// No values lie between arrays.
   bool exact_answers() const { return true; }
 };

@@ -39,8 +39,8 @@ void codes(void) {
   for (int k = 0; k < 2; ++k) {
     uint32_t kind, value;
     target(type, (SIZE & MMVERIFY_INDEX_IN_CLUSTER) != 0, code[k], base[k], records[k], &kind, &value);
-    check(is[2 * k] == kind);
-    check(is[2 * k + 1] == value);
+    check_is(is[2 * k], kind);
+    check_is(is[2 * k + 1], value);
   }
 }
 
@@ -51,7 +51,7 @@ void emulates(void) {
   for (uint32_t most = 0; most < LEVEL; ++most) {
     uint8_t out[MAP_BYTES];
     const size_t blocks = (size_t)1 << 2 * most, each = STATES / blocks, size = bytes_for(blocks, FORMAT);
-    READS(map, MAP_BYTES, check(codec()->array_emulate(LEVEL, most, map, out, size) == size));
+    READS(map, MAP_BYTES, check_is(codec()->array_emulate(LEVEL, most, map, out, size), size));
     for (size_t b = 0; b < blocks; ++b) {
       const unsigned first = state_of(map, FORMAT, b * each), is = state_of(out, FORMAT, b);
       int same = first < 2;

@@ -92,7 +92,7 @@ static void unchanged(const uint8_t* array, const uint8_t* changed, size_t size)
   check(size >= HEAD && size <= ARRAY_BYTES);
   check(number(changed, 4) <= RECORDS && number(changed + 4, 4) <= RECORDS && number(changed + 8, 4) == 1);
   check(number(changed + HEAD, 4) == TYPE && number(changed + HEAD + 8, 4) == TRIANGLES);
-  check(size == size_of(changed, 1));
+  check_is(size, size_of(changed, 1));
   for (uint32_t t = 0; t < TRIANGLES; ++t) check(alike(meaning(changed, 1, 0, t), meaning(array, 1, 0, t)));
 }
 
@@ -114,7 +114,7 @@ void reorder(void) {
   any_array(array);
   const size_t size = codec()->array_reorder(array, ARRAY_BYTES, changed, ARRAY_BYTES);
   unchanged(array, changed, size);
-  check(number(changed, 4) == RECORDS);
+  check_is(number(changed, 4), RECORDS);
   const Meaning first = meaning(changed, 1, 0, 0), second = meaning(changed, 1, 0, 1);
   check(first.special || first.record == 0);
   check(second.special || second.record <= (first.special ? 0u : 1u));
@@ -128,8 +128,8 @@ void concatenate(void) {
   const size_t size = codec()->array_concatenate(arrays, 2 * ARRAY_BYTES, changed, 2 * ARRAY_BYTES);
   check(size >= HEAD && size <= 2 * ARRAY_BYTES);
   check(number(changed, 4) == 2 * RECORDS && number(changed + 4, 4) <= 2 * DATA);
-  check(number(changed + 8, 4) == 2);
-  check(size == size_of(changed, 2));
+  check_is(number(changed + 8, 4), 2);
+  check_is(size, size_of(changed, 2));
   for (uint32_t g = 0; g < 2; ++g)
     for (uint32_t t = 0; t < TRIANGLES; ++t)
       check(alike(meaning(changed, 2, g, t), meaning(arrays + ARRAY_BYTES * g, 1, 0, t)));
@@ -142,8 +142,8 @@ static void saved(uint32_t version, const uint8_t* array) {
   check(size > 0 || version == 1);
   if (size == 0) return;
   room(size <= FILE_BYTES);
-  check(codec()->array_load(file, size, back, ARRAY_BYTES) == ARRAY_BYTES);
-  check(equal(array, back, ARRAY_BYTES));
+  check_is(codec()->array_load(file, size, back, ARRAY_BYTES), ARRAY_BYTES);
+  check_bytes(back, array, ARRAY_BYTES);
 }
 void files(void) {
   uint8_t array[ARRAY_BYTES];

@@ -11,9 +11,9 @@ void malformed(void) {
   const uint8_t before = (uint8_t)any(8);
   for (size_t k = 0; k < ROOM; ++k) scene[k] = again[k] = before;
   const size_t size = codec()->dag_decode(FORMAT, code + (SIZE == 0), SIZE, scene, ROOM);
-  check(codec()->dag_decode(FORMAT, code + (SIZE == 0), SIZE, again, 0) == size);
-  for (size_t k = 0; k < ROOM; ++k) check(again[k] == before);
+  check_is(codec()->dag_decode(FORMAT, code + (SIZE == 0), SIZE, again, 0), size);
+  for (size_t k = 0; k < ROOM; ++k) check_is(again[k], before);
   if (size == 0) return;
-  check(codec()->dag_decode(FORMAT, code + (SIZE == 0), SIZE, again, ROOM) == size);
+  check_is(codec()->dag_decode(FORMAT, code + (SIZE == 0), SIZE, again, ROOM), size);
   for (size_t k = 0; k < ROOM; ++k) check(scene[k] == again[k] && (k < size || scene[k] == before));
 }

@@ -16,13 +16,26 @@ uint64_t any_state(uint32_t format);
 /* Leaves out all choices for which the condition does not hold. */
 void assume(int holds);
 #ifdef MMVERIFY_REPLAY
-void mmverify_check_fails(int line);
+void mmverify_check_fails(int line, const char* condition);
+void mmverify_check_differs(int line, const char* name, uint64_t got, uint64_t expected);
+void mmverify_check_bytes(int line, const char* name, const uint8_t* got, const uint8_t* expected,
+                          size_t count);
 void mmverify_no_room(int line);
-#define check(holds) ((holds) ? (void)0 : mmverify_check_fails(__LINE__))
+#define check(holds) ((holds) ? (void)0 : mmverify_check_fails(__LINE__, #holds))
+#define check_is(got, expected)                                                                         \
+  do {                                                                                                  \
+    const __typeof__(got) got_ = (got);                                                                 \
+    const __typeof__(expected) expected_ = (expected);                                                  \
+    if (got_ != expected_) mmverify_check_differs(__LINE__, #got, (uint64_t)got_, (uint64_t)expected_); \
+  } while (0)
+#define check_bytes(got, expected, count) mmverify_check_bytes(__LINE__, #got, got, expected, count)
 #define room(holds) ((holds) ? (void)0 : mmverify_no_room(__LINE__))
 #else
 /* An obligation: it holds for all choices. */
 void check(int holds);
+/* Two numbers, or so many bytes, are the same: the codec's first, then what the law wants. */
+#define check_is(got, expected) check((got) == (expected))
+#define check_bytes(got, expected, count) check(equal(got, expected, count))
 /* A limit of the harness, not of the codec: a codec that exceeds it is not judged. */
 #define room(holds) check(holds)
 #endif

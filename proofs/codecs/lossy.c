@@ -10,7 +10,7 @@ static void substituted(uint8_t* map, uint8_t* out) {
   if (STATES * FORMAT % 8 == 0) return;
   any_padding(map, FORMAT, STATES);
   codec()->micromap_substitute(LEVEL, map, other);
-  check(equal(out, other, MAP_BYTES));
+  check_bytes(out, other, MAP_BYTES);
 }
 
 /* lossy.allowed: a state stays or becomes unknown. */

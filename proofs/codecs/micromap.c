@@ -13,11 +13,11 @@ void packing(void) {
   uint8_t states[STATES], map[MAP_BYTES], back[STATES];
   for (size_t k = 0; k < STATES; ++k) states[k] = (uint8_t)any_state(FORMAT);
   READS(states, STATES, codec()->micromap_pack(FORMAT, states, STATES, map));
-  for (size_t k = 0; k < STATES; ++k) check(state_of(map, FORMAT, k) == states[k]);
+  for (size_t k = 0; k < STATES; ++k) check_is(state_of(map, FORMAT, k), states[k]);
   check(padded(map, FORMAT, STATES));
   any_padding(map, FORMAT, STATES);
   READS(map, MAP_BYTES, codec()->micromap_unpack(FORMAT, map, STATES, back));
-  check(equal(back, states, STATES));
+  check_bytes(back, states, STATES);
 }
 
 /* micromap.packing_any_count: the same of SIZE states. */
@@ -25,11 +25,11 @@ void packing_any_count(void) {
   uint8_t states[SIZE], map[(SIZE * FORMAT + 7) / 8], back[SIZE];
   for (size_t k = 0; k < SIZE; ++k) states[k] = (uint8_t)any(FORMAT);
   READS(states, SIZE, codec()->micromap_pack(FORMAT, states, SIZE, map));
-  for (size_t k = 0; k < SIZE; ++k) check(state_of(map, FORMAT, k) == states[k]);
+  for (size_t k = 0; k < SIZE; ++k) check_is(state_of(map, FORMAT, k), states[k]);
   check(padded(map, FORMAT, SIZE));
   any_padding(map, FORMAT, SIZE);
   READS(map, sizeof map, codec()->micromap_unpack(FORMAT, map, SIZE, back));
-  check(equal(back, states, SIZE));
+  check_bytes(back, states, SIZE);
 }
 
 /* micromap.force2, of a 4-state map; and of a 2-state map that is made 4-state and forced. */
@@ -38,7 +38,7 @@ void force2(void) {
   any_map(LEVEL, FORMAT, map);
   any_padding(map, FORMAT, STATES);
   READS(map, MAP_BYTES, codec()->micromap_force2(LEVEL, map, forced));
-  for (size_t k = 0; k < STATES; ++k) check(state_of(forced, 1, k) == (state_of(map, 2, k) & 1));
+  for (size_t k = 0; k < STATES; ++k) check_is(state_of(forced, 1, k), state_of(map, 2, k) & 1);
   check(padded(forced, 1, STATES));
 }
 void widen(void) {
@@ -46,10 +46,10 @@ void widen(void) {
   any_map(LEVEL, FORMAT, map);
   any_padding(map, FORMAT, STATES);
   READS(map, MAP_BYTES, codec()->micromap_widen(LEVEL, map, wide));
-  for (size_t k = 0; k < STATES; ++k) check(state_of(wide, 2, k) == state_of(map, 1, k));
+  for (size_t k = 0; k < STATES; ++k) check_is(state_of(wide, 2, k), state_of(map, 1, k));
   check(padded(wide, 2, STATES));
   codec()->micromap_force2(LEVEL, wide, forced);
-  for (size_t k = 0; k < STATES; ++k) check(state_of(forced, 1, k) == state_of(map, 1, k));
+  for (size_t k = 0; k < STATES; ++k) check_is(state_of(forced, 1, k), state_of(map, 1, k));
 }
 
 /* micromap.up */
@@ -58,7 +58,7 @@ void up(void) {
   any_map(LEVEL, FORMAT, map);
   any_padding(map, FORMAT, STATES);
   READS(map, MAP_BYTES, codec()->micromap_up(LEVEL, FORMAT, map, above));
-  for (size_t k = 0; k < 4 * STATES; ++k) check(state_of(above, FORMAT, k) == state_of(map, FORMAT, k / 4));
+  for (size_t k = 0; k < 4 * STATES; ++k) check_is(state_of(above, FORMAT, k), state_of(map, FORMAT, k / 4));
   check(padded(above, FORMAT, 4 * STATES));
 }
 
@@ -68,7 +68,7 @@ void down_up(void) {
   any_map(LEVEL, FORMAT, map);
   codec()->micromap_up(LEVEL, FORMAT, map, above);
   codec()->micromap_down(LEVEL + 1, FORMAT, above, back);
-  check(equal(back, map, MAP_BYTES));
+  check_bytes(back, map, MAP_BYTES);
 }
 
 /* The state of a parent by the header's rule for micromap_down. */
@@ -88,7 +88,7 @@ void down(void) {
   any_map(LEVEL, FORMAT, map);
   any_padding(map, FORMAT, STATES);
   READS(map, MAP_BYTES, codec()->micromap_down(LEVEL, FORMAT, map, below));
-  for (size_t k = 0; k < BELOW; ++k) check(state_of(below, FORMAT, k) == parent(map, FORMAT, k));
+  for (size_t k = 0; k < BELOW; ++k) check_is(state_of(below, FORMAT, k), parent(map, FORMAT, k));
   check(padded(below, FORMAT, BELOW));
 }
 
@@ -100,8 +100,8 @@ void down_force2(void) {
   codec()->micromap_force2(LEVEL - 1, below, last);
   codec()->micromap_force2(LEVEL, map, forced);
   codec()->micromap_down(LEVEL, 1, forced, first);
-  for (size_t k = 0; k < BELOW; ++k) check(state_of(first, 1, k) == (parent(map, FORMAT, k) & 1));
-  for (size_t k = 0; k < BELOW; ++k) check(state_of(last, 1, k) == (parent(map, FORMAT, k) & 1));
+  for (size_t k = 0; k < BELOW; ++k) check_is(state_of(first, 1, k), parent(map, FORMAT, k) & 1);
+  for (size_t k = 0; k < BELOW; ++k) check_is(state_of(last, 1, k), parent(map, FORMAT, k) & 1);
 }
 
 /* micromap.modes: mode 0 forces, mode 1 keeps T and mode 2 O; the rest is one unknown state. */
@@ -116,9 +116,9 @@ void modes(void) {
     for (size_t k = 0; k < STATES; ++k) {
       const unsigned was = state_of(map, FORMAT, k), is = state_of(out, FORMAT, k);
       if (mode == 0) {
-        check(is == (was & 1));
+        check_is(is, was & 1);
       } else if (was == mode - 1) {
-        check(is == was);
+        check_is(is, was);
       } else {
         check(is >= 2 && (rest == 0 || is == rest));
         rest = is;

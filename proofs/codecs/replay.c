@@ -3,7 +3,8 @@
  *   replay NUMBER...     each choice in turn, in decimal; further ones are 0
  *   replay --all BITS    all choices, if their bits together are at most BITS: prints the number of cases
  *
- * Exit code 0: every check holds (or an assumption does not). 1: a check fails; standard error has the harness's line.
+ * Exit code 0: every check holds (or an assumption does not). 1: a check fails; standard error has the harness's line,
+ * and in lines of their own "expected X", "got Y", and the name of what was compared, or the condition that is false.
  * 3: the harness has no room. 5: more than BITS bits. */
 #include <inttypes.h>
 #include <setjmp.h>
@@ -40,10 +41,29 @@ static void say_choices(void) {
   fflush(stdout);
 }
 
-void mmverify_check_fails(int line) {
-  fprintf(stderr, "line %d\n", line);
+static void end_with(const char* what) {
+  fprintf(stderr, "name %s\n", what);
   say_choices();
   exit(1);
+}
+
+void mmverify_check_fails(int line, const char* condition) {
+  fprintf(stderr, "line %d\n", line);
+  end_with(condition);
+}
+
+void mmverify_check_differs(int line, const char* name, uint64_t got, uint64_t expected) {
+  fprintf(stderr, "line %d\nexpected %" PRIu64 "\ngot %" PRIu64 "\n", line, expected, got);
+  end_with(name);
+}
+
+void mmverify_check_bytes(int line, const char* name, const uint8_t* got, const uint8_t* expected,
+                          size_t count) {
+  for (size_t k = 0; k < count; ++k)
+    if (got[k] != expected[k]) {
+      fprintf(stderr, "line %d\nexpected 0x%02x in byte %zu\ngot 0x%02x\n", line, expected[k], k, got[k]);
+      end_with(name);
+    }
 }
 void mmverify_no_room(int line) {
   fprintf(stderr, "line %d\n", line);

@@ -15,7 +15,7 @@ void round_trip(void) {
   check(size > 0);
   room(size <= SIZE);
   READS_SOME(code, SIZE, size, check(codec()->tree_decode(LEVEL, FORMAT, code, size, back)));
-  check(equal(back, map, MAP_BYTES));
+  check_bytes(back, map, MAP_BYTES);
 }
 
 /* tree.round_trip, of the encoder alone, for any capacity: the size is the same, no byte behind the capacity changes, and
@@ -28,7 +28,7 @@ void exact_size(void) {
   assume(capacity <= SIZE);
   for (size_t k = 0; k < SIZE; ++k) code[k] = before;
   const size_t size = codec()->tree_encode(LEVEL, FORMAT, map, whole, SIZE);
-  check(codec()->tree_encode(LEVEL, FORMAT, map, code, capacity) == size);
+  check_is(codec()->tree_encode(LEVEL, FORMAT, map, code, capacity), size);
   room(size <= SIZE);
   for (size_t k = 0; k < SIZE; ++k) check(k < capacity || code[k] == before);
   for (size_t k = 0; k < SIZE; ++k) check(capacity < size || k >= size || code[k] == whole[k]);
@@ -46,13 +46,13 @@ void lookup(void) {
     uint8_t state[3];
     batch[place] = index;
     codec()->tree_lookup(LEVEL, FORMAT, code, size, batch, state, 3);
-    for (size_t k = 0; k < 3; ++k) check(state[k] == state_of(map, FORMAT, batch[k]));
+    for (size_t k = 0; k < 3; ++k) check_is(state[k], state_of(map, FORMAT, batch[k]));
     check(batch[0] == (place == 0 ? index : STATES - 1) && batch[1] == (place == 1 ? index : 0) &&
           batch[2] == (place == 2 ? index : STATES / 2));
   }
   uint8_t alone;
   READS_SOME(code, SIZE, size, codec()->tree_lookup(LEVEL, FORMAT, code, size, &index, &alone, 1));
-  check(alone == state_of(map, FORMAT, index));
+  check_is(alone, state_of(map, FORMAT, index));
 }
 
 /* tree.lookup_is_decode, at level 1: any four indices in one batch. */
@@ -64,7 +64,7 @@ void lookups(void) {
   const size_t size = codec()->tree_encode(LEVEL, FORMAT, map, code, SIZE);
   room(size <= SIZE);
   codec()->tree_lookup(LEVEL, FORMAT, code, size, index, state, 4);
-  for (size_t k = 0; k < 4; ++k) check(state[k] == state_of(map, FORMAT, index[k]));
+  for (size_t k = 0; k < 4; ++k) check_is(state[k], state_of(map, FORMAT, index[k]));
 }
 
 /* tree.malformed: any SIZE bytes are refused, or are a map with zeros after its last state. */
@@ -83,8 +83,8 @@ void canonical(void) {
   uint8_t code[SIZE + (SIZE == 0)], map[MAP_BYTES], again[LONGEST];
   any_bytes(code, SIZE);
   if (codec()->tree_decode(LEVEL, FORMAT, code + (SIZE == 0), SIZE, map)) {
-    check(codec()->tree_encode(LEVEL, FORMAT, map, again, LONGEST) == SIZE);
-    check(equal(code, again, SIZE < LONGEST ? SIZE : LONGEST));
+    check_is(codec()->tree_encode(LEVEL, FORMAT, map, again, LONGEST), SIZE);
+    check_bytes(code, again, SIZE < LONGEST ? SIZE : LONGEST);
   }
 }
 
@@ -114,7 +114,7 @@ void equals_spec(void) {
   memset(&due, 0, sizeof due);
   subtree(map, LEVEL, 0, &due);
   const size_t tree_bytes = bytes_for(due.nodes, 1), size = tree_bytes + bytes_for(due.leaves, FORMAT);
-  READS(map, MAP_BYTES, check(codec()->tree_encode(LEVEL, FORMAT, map, code, LONGEST) == size));
+  READS(map, MAP_BYTES, check_is(codec()->tree_encode(LEVEL, FORMAT, map, code, LONGEST), size));
   for (size_t k = 0; k < LONGEST; ++k)
     check(k >= size || code[k] == (k < tree_bytes ? due.tree[k] : due.data[k - tree_bytes]));
 }

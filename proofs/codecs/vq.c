@@ -87,7 +87,7 @@ void whole_map(void) {
   any_bytes(block, BLOCK_BYTES);
   READS(block, BLOCK_BYTES, codec()->DECODE(block, map));
   for (unsigned y = 0; y < WIDTH; ++y)
-    for (unsigned x = 0; x < WIDTH; ++x) check(map[x + WIDTH * y] == REGION_OF_MAP(block, x, y));
+    for (unsigned x = 0; x < WIDTH; ++x) check_is(map[x + WIDTH * y], REGION_OF_MAP(block, x, y));
 }
 void any_region(void) {
   uint8_t block[BLOCK_BYTES], state[2];
@@ -95,11 +95,11 @@ void any_region(void) {
   const uint32_t a = (uint32_t)any(LEVEL), b = (uint32_t)any(LEVEL);
   const uint32_t x[2] = {a, 0}, y[2] = {b, WIDTH - 1}, last_x[2] = {0, a}, last_y[2] = {WIDTH - 1, b};
   READS(block, BLOCK_BYTES, codec()->REGION(block, x, y, state, 2));
-  check(state[0] == region(block, a, b));
-  check(state[1] == region(block, 0, WIDTH - 1));
+  check_is(state[0], region(block, a, b));
+  check_is(state[1], region(block, 0, WIDTH - 1));
   codec()->REGION(block, last_x, last_y, state, 2);
-  check(state[0] == region(block, 0, WIDTH - 1));
-  check(state[1] == region(block, a, b));
+  check_is(state[0], region(block, 0, WIDTH - 1));
+  check_is(state[1], region(block, a, b));
 }
 
 /* The same of any four regions in one batch. */
@@ -109,7 +109,7 @@ void any_four_regions(void) {
   uint32_t x[4], y[4];
   for (unsigned k = 0; k < 4; ++k) x[k] = (uint32_t)any(LEVEL), y[k] = (uint32_t)any(LEVEL);
   codec()->REGION(block, x, y, state, 4);
-  for (unsigned k = 0; k < 4; ++k) check(state[k] == region(block, x[k], y[k]));
+  for (unsigned k = 0; k < 4; ++k) check_is(state[k], region(block, x[k], y[k]));
 }
 
 /* Where region (x, y) lies in any_map(): squares of 2 x 2, 4 x 4, ... regions follow each other, so that the maps that
@@ -147,5 +147,5 @@ void lossless(void) {
   any_bytes(of, BLOCK_BYTES);
   for (unsigned k = 0; k < STATES; ++k) map[k] = (uint8_t)region(of, k % WIDTH, k / WIDTH);
   codec()->ENCODE(map, block);
-  for (unsigned k = 0; k < STATES; ++k) check(region(block, k % WIDTH, k / WIDTH) == map[k]);
+  for (unsigned k = 0; k < STATES; ++k) check_is(region(block, k % WIDTH, k / WIDTH), map[k]);
 }

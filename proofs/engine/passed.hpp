@@ -2,8 +2,11 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace mmverify::proofs {
@@ -32,6 +35,29 @@ class Passed {
   enum : std::uint8_t { untouched, taken, passed };
   std::vector<std::atomic<std::uint8_t>> state_;
   std::vector<std::uint64_t> answer_;
+};
+
+/// The passed cases of one subject, level by level from 0; it lies among the subject's functions.  A copy of the functions
+/// belongs to another subject, such as a mutant, and keeps nothing.
+class PassedOfSubject {
+ public:
+  PassedOfSubject() = default;
+  explicit PassedOfSubject(const std::vector<std::uint64_t>& cases_of_level) {
+    for (const std::uint64_t cases : cases_of_level) levels_.push_back(std::make_unique<Passed>(cases));
+  }
+  PassedOfSubject(const PassedOfSubject&) {}
+  PassedOfSubject(PassedOfSubject&&) = default;
+  PassedOfSubject& operator=(PassedOfSubject other) {
+    levels_ = std::move(other.levels_);
+    return *this;
+  }
+  ~PassedOfSubject() = default;
+
+  /// Null if nothing is kept at that level.
+  Passed* at(std::size_t level) const { return level < levels_.size() ? levels_[level].get() : nullptr; }
+
+ private:
+  std::vector<std::unique_ptr<Passed>> levels_;
 };
 
 }  // namespace mmverify::proofs

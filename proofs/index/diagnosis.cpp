@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "proofs/index/children_inside.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/known_orders.hpp"
 
@@ -154,7 +155,10 @@ std::string name_order(Level n, const TriangleIndex& index) {
     const std::string children = name(*permuted), words = base.words;
     return "the curve, but " + words + (words.empty() || children.empty() ? "" : ", and ") + children;
   }
-  return {};
+  std::vector<Renumbered> all;
+  for (const Given& g : given) all.push_back({reference(g.point), g.index});
+  const std::string inside = name_children_inside(n, all);
+  return inside.empty() ? "" : "the curve, but " + inside;
 }
 
 std::vector<std::string> diagnose(const IndexSubject& s, const std::vector<Result>& results) {

@@ -314,22 +314,34 @@ bool ExactSurfaces::rather_opaque(std::size_t triangle, Level n, std::uint32_t i
   });
 }
 
+namespace {
+
+double decimal(const spec::Rational& q) { return boost::rational_cast<double>(q); }
+
+/// A fraction that can be read at a glance as it is, another as a decimal.
+std::string shortly(const spec::Rational& q) {
+  std::ostringstream text;
+  text << q;
+  return text.str().size() <= std::string_view("65535/65536").size() ? text.str()
+                                                                     : fmt::format("{:.9f}", decimal(q));
+}
+
+}  // namespace
+
 std::string ExactSurfaces::text(std::size_t triangle, Level n, std::uint32_t index) const {
   const auto& planned = plan_.triangles[triangle];
   const OfSurface& surface = of(triangle);
   const auto alpha = surface.range<spec::Rational>(planned.uvs, n, index);
-  std::ostringstream text;
-  text << "alpha " << alpha.least << ".." << alpha.greatest;
-  const auto decimal = [](const spec::Rational& q) { return boost::rational_cast<double>(q); };
+  std::string text = fmt::format("alpha {}..{}", shortly(alpha.least), shortly(alpha.greatest));
   const scene::Uv uv = surface.middle(planned.uvs, n, index);
   const auto [x, y] = surface.texel_at(uv);
   if (planned.varies()) {
     const auto alphas = OfSurface::vertex_alphas<spec::Rational>(planned, n, index);
     const auto [least, greatest] = std::minmax({alphas[0], alphas[1], alphas[2]});
-    text << " times a vertex alpha of " << least << ".." << greatest;
+    text += fmt::format(" times a vertex alpha of {}..{}", shortly(least), shortly(greatest));
   }
-  return text.str() + fmt::format(", {:.3f}..{:.3f}, at UV ({:.4f}, {:.4f}), texel ({}, {})",
-                                  decimal(alpha.least), decimal(alpha.greatest), uv[0], uv[1], x, y);
+  return text + fmt::format(", {:.3f}..{:.3f}, at UV ({:.4f}, {:.4f}), texel ({}, {})", decimal(alpha.least),
+                            decimal(alpha.greatest), uv[0], uv[1], x, y);
 }
 
 bool ExactSurfaces::near_change(std::size_t triangle, Level n, std::uint32_t index) const {

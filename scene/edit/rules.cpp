@@ -8,6 +8,7 @@
 #include "impl/micromap/validate.hpp"
 #include "scene/edit/index_codes.hpp"
 #include "scene/edit/map_edits.hpp"
+#include "scene/edit/record_sizes.hpp"
 #include "scene/read/bad_scene.hpp"
 #include "scene/validate/indices.hpp"
 
@@ -67,8 +68,8 @@ class Rules {
         {"counts.array", &Rules::count_records},
         {"records.whole", &Rules::cut_records},
         {"micromap.view", &Rules::find_views},
-        {"record.format", &Rules::find_views},
-        {"record.level_12", &Rules::find_views},
+        {"record.format", &Rules::lay_out},
+        {"record.level_12", &Rules::lay_out},
         {"record.overlap", &Rules::lay_out},
         {"record.region", &Rules::lay_out},
         {"primitive.micromap", &Rules::first_micromap},
@@ -131,9 +132,11 @@ class Rules {
     for (std::uint64_t at = 0; at + micromap::record_bytes <= records.size(); at += micromap::record_bytes) {
       const micromap::Record record = micromap::record_at(records, at);
       if (record.level > 12 || record.format < 1 || record.format > 2)
-        return "";  // the counts are not at fault
+        return size_records(*number, false);  // the counts are not at fault
     }
     if (records.size() < micromap::record_bytes) return "";
+    // Usage counts that fit other levels of the records, and their bytes too, are right: the levels are wrong.
+    if (const std::string did = size_records(*number, true); !did.empty()) return did;
     const Json before = micromap_of(*number);
     write_usage_counts(file_, *number);
     return before == micromap_of(*number) ? "" : "counted the records anew";
@@ -182,26 +185,64 @@ class Rules {
     return "cut what is behind the last record";
   }
 
-  /// Lays records out one after another, if their maps fill the data so.
+  /// Lays records out one after another, if their maps fill the data so; else gives them the levels and formats that
+  /// fill the bytes between their offsets; else looks for other views.
   std::string lay_out(const std::string& pointer) {
     const auto number = readable_micromap(pointer);
     if (!number) return "";
-    const auto view = micromap_of(*number).at("triangles").get<std::size_t>();
-    const auto bytes = file_.view(view);
+    const std::vector<micromap::Record> before = records_of(*number);
+    std::vector<micromap::Record> records = before;
+    if (put_one_after_another(records, data_of(*number).size()))
+      return records != before && write_records(*number, records) ? "laid the maps one after another" : "";
+    const std::string did = size_records(*number, false);
+    return did.empty() ? find_views(pointer) : did;
+  }
+
+  /// Gives the records the levels and formats that fill the bytes between their offsets.  `counted`: only if the usage
+  /// counts are these.
+  std::string size_records(std::size_t number, bool counted) {
+    const std::vector<micromap::Record> records = records_of(number);
+    const auto sized = sized_by_gaps(records, data_of(number).size());
+    if (!sized || *sized == records) return "";
+    if (counted && !are_micromap(micromap::record_buffer(*sized), data_of(number), micromap_of(number)))
+      return "";
+    if (!write_records(number, *sized)) return "";
+    const auto differing = std::mismatch(records.begin(), records.end(), sized->begin()).first;
+    return "gave records from " + std::to_string(differing - records.begin()) +
+           " on the levels and formats that fill their bytes";
+  }
+
+  std::vector<micromap::Record> records_of(std::size_t number) {
+    const auto bytes = file_.view(micromap_of(number).at("triangles").get<std::size_t>());
     std::vector<micromap::Record> records;
-    std::uint64_t end = 0;
-    for (std::uint64_t at = 0; at + micromap::record_bytes <= bytes.size(); at += micromap::record_bytes) {
+    for (std::uint64_t at = 0; at + micromap::record_bytes <= bytes.size(); at += micromap::record_bytes)
       records.push_back(micromap::record_at(bytes, at));
-      if (records.back().level > 12 || records.back().format < 1 || records.back().format > 2) return "";
-      records.back().offset = static_cast<std::uint32_t>(end);
-      end += micromap::packed_bytes(micromap::micro_triangles(records.back().level),
-                                    static_cast<micromap::Format>(records.back().format));
-    }
-    if (end != file_.view(micromap_of(*number).at("data").get<std::size_t>()).size())
-      return find_views(pointer);
-    if (!file_.is_alone(view, 0, bytes.size())) return "";
+    return records;
+  }
+  std::span<const std::uint8_t> data_of(std::size_t number) {
+    return file_.view(micromap_of(number).at("data").get<std::size_t>());
+  }
+  /// False if somebody else reads the records' bytes.
+  bool write_records(std::size_t number, const std::vector<micromap::Record>& records) {
+    const auto view = micromap_of(number).at("triangles").get<std::size_t>();
+    if (!file_.is_alone(view, 0, file_.view(view).size())) return false;
     file_.overwrite(view, 0, micromap::record_buffer(records));
-    return "laid the maps one after another";
+    return true;
+  }
+
+  /// Gives the records the offsets of maps without gaps, if these end where the data does.
+  static bool put_one_after_another(std::vector<micromap::Record>& records, std::uint64_t data) {
+    std::vector<micromap::Record> moved = records;
+    std::uint64_t end = 0;
+    for (micromap::Record& r : moved) {
+      if (r.level > 12 || r.format < 1 || r.format > 2) return false;
+      r.offset = static_cast<std::uint32_t>(end);
+      end +=
+          micromap::packed_bytes(micromap::micro_triangles(r.level), static_cast<micromap::Format>(r.format));
+    }
+    if (end != data) return false;
+    records = moved;
+    return true;
   }
 
   /// Links a micromap to views that nothing else reads, if one pair of them is records and data that keep all rules: a
@@ -215,7 +256,8 @@ class Rules {
     std::vector<std::pair<std::size_t, std::size_t>> fitting;
     for (const std::size_t triangles : views)
       for (const std::size_t data : views)
-        if (triangles != data && views.size() <= most && are_micromap(triangles, data, given))
+        if (triangles != data && views.size() <= most &&
+            are_micromap(file_.view(triangles), file_.view(data), given))
           fitting.emplace_back(triangles, data);
     if (fitting.size() != 1) return "";
     given["triangles"] = fitting[0].first;
@@ -223,8 +265,9 @@ class Rules {
     return "named bufferViews that nothing else reads";
   }
 
-  /// Whether two views are the records and data that a micromap's usage counts are about.
-  bool are_micromap(std::size_t triangles, std::size_t data, const Json& given) const {
+  /// Whether these are the records and data that a micromap's usage counts are about.
+  static bool are_micromap(std::span<const std::uint8_t> records, std::span<const std::uint8_t> data,
+                           const Json& given) try {
     std::vector<micromap::UsageCount> counts;
     for (std::size_t k = 0; k < given.at("usageCounts").size(); ++k)
       counts.push_back({given["usageCounts"][k].get<std::uint32_t>(),
@@ -232,11 +275,13 @@ class Rules {
                         given.at("usageFormats").at(k).get<std::uint32_t>()});
     micromap::Input in;
     in.sets = micromap::glTF;
-    in.records = file_.view(triangles);
+    in.records = records;
     in.record_count = in.records.size() / micromap::record_bytes;
-    in.data = file_.view(data);
+    in.data = data;
     in.array_counts = counts;
     return in.record_count != 0 && micromap::validate(in).empty();
+  } catch (const Json::exception&) {
+    return false;  // no counts
   }
 
   std::string first_micromap(const std::string& pointer) {

@@ -174,7 +174,7 @@ Judged validate_file(const std::string& name, std::span<const unsigned char> byt
 }
 
 Judged validate_file(const std::string& file, std::optional<Draft> draft, const Target& target) {
-  const Bytes bytes = read_file(file, file, "the file");
+  const Bytes bytes = read_file(file, file, "");
   if (known_kind(file, bytes) == FileKind::gltf) {
     Judged judged{FileKind::gltf};
     judge_gltf(

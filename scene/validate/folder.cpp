@@ -36,7 +36,7 @@ bool is_container(const fs::path& path) {
 }
 
 bool is_sidecar_file(const fs::path& path) try {
-  return kind_of(read_file(path, path.string(), "the file")) == FileKind::sidecar;
+  return kind_of(read_file(path, path.string(), "")) == FileKind::sidecar;
 } catch (const BadScene&) {
   return false;  // any program's JSON may be empty or too large
 }
@@ -72,7 +72,7 @@ std::vector<std::string> micromap_files(const std::string& folder) {
 }
 
 std::vector<std::string> files_named_by(const std::string& file) try {
-  const Bytes bytes = read_file(file, file, "the file");
+  const Bytes bytes = read_file(file, file, "");
   const auto kind = kind_of(bytes);
   std::vector<std::string> paths;
   if (kind == FileKind::sidecar) {

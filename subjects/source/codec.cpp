@@ -114,11 +114,30 @@ std::string sanitizer_line(const std::string& errors) {
   return summary;
 }
 
-/// The number after "line " in the driver's message, as "tree.c:17"; empty if it has none.
+/// The rest of the line of the driver's message that begins with a word; empty if there is none.
+std::string after_word(const std::string& message, std::string_view word) {
+  std::istringstream lines(message);
+  std::string line;
+  while (std::getline(lines, line))
+    if (line.starts_with(word) && line.substr(word.size()).starts_with(' '))
+      return line.substr(word.size() + 1);
+  return {};
+}
+
+/// The harness's line that the driver names, as "the law's tree.c:17"; empty if it names none.
 std::string harness_line(const HarnessCall& call, const std::string& errors) {
-  const std::size_t at = errors.find("line ");
-  if (at != 0) return {};
-  return call.file + ":" + program::one_line(errors.substr(std::string("line ").size()));
+  if (!errors.starts_with("line ")) return {};
+  return "the law's " + call.file + ":" + after_word(errors, "line");
+}
+
+/// A check of the harness that failed.
+CodecRun failed_check(const std::string& errors, const std::string& place) {
+  constexpr std::string_view of_codec = "codec()->";  // before each entry point in a harness
+  std::string name = after_word(errors, "name");
+  for (std::size_t at; (at = name.find(of_codec)) != std::string::npos;) name.erase(at, of_codec.size());
+  const std::string got = after_word(errors, "got");
+  if (got.empty()) return {true, false, {}, name + " is false (" + place + ")"};
+  return {true, false, after_word(errors, "expected"), got + " in " + name + " (" + place + ")"};
 }
 
 }  // namespace
@@ -276,12 +295,12 @@ CodecRun Codec::run_once(const HarnessCall& call, std::size_t kind, const std::v
   const ProgramEnd end = program::run_program(words, {}, stop, bounds);
   if (out != nullptr) *out = end.out;
   if (end.succeeded) return {};
-  if (end.how == "exit code 3") return {false, true, harness_line(call, end.errors)};
-  if (end.how == "exit code 5") return {false, false, "too many choices to run all"};
+  if (end.how == "exit code 3") return {false, true, {}, harness_line(call, end.errors)};
+  if (end.how == "exit code 5") return {false, false, {}, "too many choices to run all"};
   const std::string place = harness_line(call, end.errors), report = sanitizer_line(end.errors);
-  if (!place.empty()) return {true, false, "the compiled codec gives another answer (" + place + ")"};
-  if (!report.empty()) return {true, false, report};
-  return {true, false, "the compiled codec ends by " + end.how};
+  if (!place.empty()) return failed_check(end.errors, place);
+  if (!report.empty()) return {true, false, {}, report};
+  return {true, false, {}, "the compiled codec ends by " + end.how};
 }
 
 CodecRun Codec::run(const HarnessCall& call, const std::vector<Choice>& choices,

@@ -47,7 +47,11 @@ struct ProofLimits {
 struct CodecRun {
   bool fails = false;
   bool no_room = false;  ///< the harness has too little room for this codec, so the run shows nothing
-  std::string how;       ///< "the compiled codec gives another answer (tree.c:17)", "AddressSanitizer: ..."
+  std::string expected;  ///< what the law wants, if the codec's answer is another; else empty
+  /// The other answer or the fault: "1 in state[k] (the law's tree.c:17)", "AddressSanitizer: ...".
+  std::string how;
+  /// "expected 0 got 1 in state[k] (the law's tree.c:17)".
+  std::string text() const { return expected.empty() ? how : "expected " + expected + " got " + how; }
 };
 
 /// A codec in C, in C++ without exceptions, in Rust that aborts where it panics, or in LLVM bitcode.

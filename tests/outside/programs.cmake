@@ -81,6 +81,13 @@ if(NOT MMVERIFY_SANITIZE)
   set_tests_properties(vectors_files PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
 endif()
 
+# The Python package; without pybind11, NumPy or pip (./run install wheel) skipped, and so said.
+if(NOT MMVERIFY_SANITIZE)
+  add_test(NAME python_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/python_test.sh ${PROJECT_BINARY_DIR} $<TARGET_FILE:mmverify>
+    ${subjects_dir}/example.so)
+  set_tests_properties(python_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
+endif()
+
 # Functions in sources; without clang or llvm-14-dev skipped, and so said.
 if(NOT MMVERIFY_SANITIZE)
   add_test(NAME source_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/source_test.sh $<TARGET_FILE:mmverify-prove> ${PROJECT_SOURCE_DIR}

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "proofs/index/children_inside.hpp"
 #include "proofs/index/diagnosis.hpp"
 #include "proofs/index/floats/published.hpp"
 #include "proofs/index/judges/judges.hpp"
@@ -179,6 +180,45 @@ TEST(Orders, UMajorIsKnown) {
   EXPECT_EQ(u_major(1)({0, 1, false}), 2u);
   EXPECT_EQ(u_major(1)({1, 0, false}), 3u);
   EXPECT_EQ(index::name_order(3, u_major(3)), "U-major, rows from the edge u = 0 on, not the curve");
+}
+
+/// The name of an order that turns index k of the curve's level 3 into that of `of(k)`.
+std::string name_of_order(const std::function<std::uint32_t(std::uint32_t)>& of) {
+  std::vector<index::Renumbered> all;
+  for (std::uint32_t k = 0; k < 64; ++k) all.push_back({k, of(k)});
+  return index::name_children_inside(3, all);
+}
+
+TEST(ChildrenInside, AreNamedByTheChildThatHoldsThem) {
+  // All digits behind the first 1 are reversed.
+  const auto reversed = [](std::uint32_t k) {
+    if (k >> 4 == 1) return k ^ 15;
+    return (k >> 2 & 3) == 1 ? k ^ 3 : k;
+  };
+  EXPECT_EQ(name_of_order(reversed),
+            "children 0, 1, 2, 3 are numbered 3, 2, 1, 0 inside each child 1, the middle triangle");
+  // Directly inside a child 2 alone, and inside one or three of them.
+  const auto swapped = [](std::uint32_t digit) { return digit == 0 ? 3 : digit == 3 ? 0 : digit; };
+  const auto directly = [&](std::uint32_t k) {
+    const std::uint32_t a = k >> 4, b = k >> 2 & 3, c = k & 3;
+    return a << 4 | (a == 2 ? swapped(b) : b) << 2 | (b == 2 ? swapped(c) : c);
+  };
+  EXPECT_EQ(name_of_order(directly), "children 0 and 3 change places directly inside each child 2");
+  const auto odd = [&](std::uint32_t k) {
+    const std::uint32_t a = k >> 4, b = k >> 2 & 3, c = k & 3;
+    return a << 4 | (a == 2 ? swapped(b) : b) << 2 | ((a == 2) != (b == 2) ? swapped(c) : c);
+  };
+  EXPECT_EQ(name_of_order(odd), "children 0 and 3 change places inside an odd number of children 2");
+}
+
+TEST(ChildrenInside, OthersHaveNoName) {
+  EXPECT_EQ(name_of_order([](std::uint32_t k) { return k; }), "");
+  EXPECT_EQ(name_of_order([](std::uint32_t k) { return k == 20   ? 21
+                                                       : k == 21 ? 20
+                                                                 : k; }),
+            "");                                                                        // one node alone
+  EXPECT_EQ(name_of_order([](std::uint32_t k) { return k >> 4 == 1 ? 20u : k; }), "");  // no permutation
+  EXPECT_EQ(name_of_order([](std::uint32_t k) { return k + 1; }), "");                  // out of range
 }
 
 // A device API states the corners so: a base at (iu, iv), or at (iu + 1, iv + 1) where inverted, and a step of 1 or -1

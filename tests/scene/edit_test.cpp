@@ -9,6 +9,7 @@
 #include "scene/edit/edited_file.hpp"
 #include "scene/edit/json_patch.hpp"
 #include "scene/edit/map_edits.hpp"
+#include "scene/edit/record_sizes.hpp"
 #include "scene/edit/rules.hpp"
 #include "tests/folder.hpp"
 #include "tests/scene/micromap_breaches.hpp"
@@ -286,6 +287,32 @@ TEST(RepairedRules, TouchesNothingElse) {
 }
 
 /// Two triangles on one record each want another map.
+// Bytes of a map: 4^n / 8 in 2-state, 4^n / 4 in 4-state.
+TEST(RecordSizes, AreTheBytesUpToTheNextMap) {
+  using Records = std::vector<impl::micromap::Record>;
+  const Records right{{0, 3, 2}, {24, 4, 1}, {16, 3, 1}};  // 16, 32 and 8 bytes
+  EXPECT_EQ(sized_by_gaps(right, 56), right);
+  for (std::size_t k = 0; k < right.size(); ++k)
+    for (const std::uint16_t wrong : std::initializer_list<std::uint16_t>{0, 2, 5, 12, 13, 200}) {
+      Records level = right, format = right;
+      level[k].level = wrong;
+      format[k].format = wrong == 2 ? static_cast<std::uint16_t>(3 - right[k].format) : wrong;
+      EXPECT_EQ(sized_by_gaps(level, 56), right) << k << " " << wrong;
+      EXPECT_EQ(sized_by_gaps(format, 56), right) << k << " " << wrong;
+    }
+}
+
+TEST(RecordSizes, RefuseGapsThatNoMapOrSeveralFill) {
+  using Records = std::vector<impl::micromap::Record>;
+  EXPECT_FALSE(sized_by_gaps({{0, 5, 2}}, 24));  // no map has 24 bytes
+  EXPECT_FALSE(sized_by_gaps({{0, 5, 2}}, 1));   // three have one byte
+  EXPECT_EQ(sized_by_gaps({{0, 1, 1}}, 1), (Records{{0, 1, 1}}));
+  EXPECT_FALSE(sized_by_gaps({{8, 3, 1}}, 16));             // bytes before the first map
+  EXPECT_FALSE(sized_by_gaps({{0, 3, 1}, {0, 3, 1}}, 16));  // one place for two
+  EXPECT_FALSE(sized_by_gaps({{0, 3, 1}, {16, 3, 1}}, 8));  // behind the data
+  EXPECT_FALSE(sized_by_gaps({}, 0));
+}
+
 TEST(WrittenMaps, ASharedRecordGetsASecondOne) {
   Subject s;
   GltfFile& file = s.file;

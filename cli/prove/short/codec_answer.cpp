@@ -81,7 +81,7 @@ Lines lines_below(const Row& row) {
   const Result& r = *decisive(row).front();
   if (r.counterexamples.empty()) return {"  " + r.reason};
   const Counterexample& c = r.counterexamples.front();
-  return {fmt::format("  case {}: {}", c.at, c.got), "  replay: " + replay_command(r, c)};
+  return {fmt::format("  case {}: {}", c.at, codec_case(c)), "  replay: " + replay_command(r, c)};
 }
 
 /// Laws that are not judged, by reason; and levels of laws that are judged elsewhere.
@@ -122,6 +122,10 @@ std::size_t count(const std::vector<Lines>& blocks) {
 }
 
 }  // namespace
+
+std::string codec_case(const Counterexample& c) {
+  return c.expected == "the law" ? c.got : fmt::format("expected {} got {}", c.expected, c.got);
+}
 
 std::string codec_verdict(Verdict verdict, const std::string& reason) {
   return verdict == Verdict::incomplete && reason != "interrupted" ? "unknown" : to_string(verdict);

@@ -204,7 +204,8 @@ std::vector<std::string> beside_the_published_code(const Subject&, const std::ve
       const std::string code = fmt::format("{}", published(c.level, u, v));
       return {fmt::format("level {} case {}: {}", c.level, c.at,
                           c.got == code
-                              ? published_here_too(code) + "; --dialect published holds the function to it"
+                              ? published_here_too(code) +
+                                    "; add --dialect published for a function that follows it to the letter"
                               : fmt::format("the published code gives {} here", code))};
     }
   return {};

@@ -2,6 +2,8 @@
 
 export interface MapRecord {
   level: number;
+  /** Where its states begin, in bytes of the array's data. */
+  offset: number;
   /** 2 or 4. */
   states: number;
   /** A state of 0..3 for each micro-triangle, in the order of the index. */
@@ -49,7 +51,7 @@ export function readMaps(file: Uint8Array): MapRecord[] {
         const { byteOffset = 0, byteLength } = json.bufferViews![k]!;
         return bin.subarray(byteOffset, byteOffset + byteLength);
       };
-      return records(bytes(data), bytes(triangles));
+      return records(bytes(data), bytes(triangles)).filter((record) => record !== null);
     });
   } catch {
     return [];
@@ -57,17 +59,20 @@ export function readMaps(file: Uint8Array): MapRecord[] {
 }
 
 /** Records of 8 bytes: offset (32 bits), level and format (16 bits each); format 1 has 1 bit a state, 2 has 2, from the
- * lowest bits up. Source: Vulkan, VkMicromapTriangleEXT. */
-function records(data: Uint8Array, triangles: Uint8Array): MapRecord[] {
+ * lowest bits up. Null: one that cannot be read. Source: Vulkan, VkMicromapTriangleEXT. */
+export function records(data: Uint8Array, triangles: Uint8Array): (MapRecord | null)[] {
   const view = new DataView(triangles.buffer, triangles.byteOffset, triangles.byteLength);
-  const all: MapRecord[] = [];
+  const all: (MapRecord | null)[] = [];
   for (let at = 0; at + 8 <= triangles.length; at += 8) {
     const offset = view.getUint32(at, true);
     const level = view.getUint16(at + 4, true);
     const bits = view.getUint16(at + 6, true);
-    if (level > 12 || (bits !== 1 && bits !== 2) || offset + Math.ceil((bits * 4 ** level) / 8) > data.length) continue;
+    if (level > 12 || (bits !== 1 && bits !== 2) || offset + Math.ceil((bits * 4 ** level) / 8) > data.length) {
+      all.push(null);
+      continue;
+    }
     const each = 8 / bits;
-    all.push({ level, states: 2 ** bits, at: (index) => (data[offset + Math.floor(index / each)]! >> (bits * (index % each))) & (2 ** bits - 1) });
+    all.push({ level, offset, states: 2 ** bits, at: (index) => (data[offset + Math.floor(index / each)]! >> (bits * (index % each))) & (2 ** bits - 1) });
   }
   return all;
 }

@@ -22,7 +22,7 @@ export function native(...args: string[]): string {
 }
 
 /** The page in a window of its own, which fails the test for any complaint, and for any request but of its own parts. */
-export async function open(options: { width?: number; dark?: boolean; hash?: string } = {}): Promise<Page> {
+export async function open(options: { width?: number; dark?: boolean; hash?: string; ready?: string } = {}): Promise<Page> {
   const context = await browser.newContext({
     viewport: { width: options.width ?? 1280, height: 900 },
     colorScheme: options.dark ? "dark" : "light",
@@ -31,11 +31,12 @@ export async function open(options: { width?: number; dark?: boolean; hash?: str
   });
   context.setDefaultTimeout(patience);
   const page = await context.newPage();
-  page.on("console", (m) => assert.ok(!["error", "warning"].includes(m.type()), `console: ${m.text()}`));
+  // A test that reads the pixels of WebGL has to wait for them, which the driver warns of.
+  page.on("console", (m) => assert.ok(!["error", "warning"].includes(m.type()) || m.text().includes("GPU stall due to ReadPixels"), `console: ${m.text()}`));
   page.on("pageerror", (error) => assert.fail(`page: ${error.message}`));
   page.on("request", (r) => assert.ok(r.url().replace(/#.*/, "") === url || /^(data|blob):/.test(r.url()), `request: ${r.url()}`));
   await page.goto(url + (options.hash ?? ""));
-  await page.waitForSelector("#state:has-text('is ready')");
+  await page.waitForSelector(options.ready ?? "#state:has-text('is ready')");
   return page;
 }
 
@@ -67,7 +68,7 @@ export const verdictsIn = (of: Locator): Promise<Record<string, string>> =>
 before(async () => {
   browser = await chromium.launch({
     executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"],
+    args: ["--no-sandbox", "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-unsafe-swiftshader"],
   });
 });
 

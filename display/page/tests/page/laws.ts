@@ -44,6 +44,7 @@ test("a law that needs the native program says why", async () => {
   await section.getByLabel("Filter").fill("index.all_levels");
   await section.locator(".law:not([hidden]) summary").click();
   const law = section.locator(".law[data-law='index.all_levels']");
+  await law.getByText("Not here: ").waitFor();
   assert.match((await law.textContent())!, /Not here: A prover, z3/);
   assert.equal(await law.getByRole("button").count(), 0);
   await page.context().close();
