@@ -1,4 +1,4 @@
-# The program, its documents, and a Debian package of all that is installed.
+# The program and its documents.
 install(TARGETS mmverify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS mmverify-worker RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/mmverify)
 if(TARGET mmverify-shaders)
@@ -28,18 +28,3 @@ install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 cmake_path(ABSOLUTE_PATH CMAKE_INSTALL_DOCDIR BASE_DIRECTORY "\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}" OUTPUT_VARIABLE documents_folder)
 install(CODE "set(documents_folder \"${documents_folder}\")
 include(\"${PROJECT_SOURCE_DIR}/cmake/installed_links.cmake\")")
-
-# cpack -G DEB
-set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_VENDOR "the mmverify authors")
-set(CPACK_PACKAGE_CONTACT "the mmverify authors <mmverify@localhost>")
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_STRIP_FILES ON)
-set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION devel)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# To link the library, and to draw what bench --plot draws.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS libhwy-dev)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "astcenc, gnuplot-nox")
-include(CPack)

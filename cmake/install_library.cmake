@@ -1,7 +1,7 @@
 # What others build against: the library and the header of subjects, for find_package and pkg-config.
 include(CMakePackageConfigHelpers)
 
-# cmake --install and cpack name what is not built before they copy a file.
+# cmake --install names what is not built before they copy a file.
 set(needed "")
 foreach(target mmverify_impl mmverify mmverify-worker mmverify-shaders mmverify-source mmverify-codec)
   if(TARGET ${target})

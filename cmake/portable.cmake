@@ -1,7 +1,6 @@
 # A program that is carried to other machines: what ./run release makes tarballs of.  What Debian has as an archive is inside;
-# shared libraries are looked for in ../lib/mmverify beside the program, where scripts/release/bundle puts them.  Embree and
-# LLVM, some 150 MB, are left out, and what needs them says so.
-set(MMVERIFY_EMBREE OFF)
+# shared libraries are looked for in ../lib/mmverify beside the program, where scripts/release/bundle puts them.  LLVM, 107 MB,
+# is left out, and what needs it says so.
 set(MMVERIFY_LLVM OFF)
 set(CMAKE_INSTALL_RPATH $ORIGIN/../lib/mmverify $ORIGIN/../../lib/mmverify)  # of bin/ and of libexec/mmverify/
 # Also for what the bundled libraries need themselves: DT_RPATH, not DT_RUNPATH.

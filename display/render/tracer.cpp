@@ -1,6 +1,5 @@
 #include "display/render/tracer.hpp"
 
-#include <embree3/rtcore.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #include <time.h>
@@ -14,6 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "display/render/embree.hpp"
 #include "display/render/vectors.hpp"
 #include "impl/traverse/decision.hpp"
 
@@ -153,8 +153,8 @@ double cpu_seconds() {
 
 }  // namespace
 
-bool has_embree() { return true; }
-std::string embree_text() { return "Embree " RTC_VERSION_STRING; }
+bool has_embree() { return why_no_embree().empty(); }
+std::string embree_text() { return has_embree() ? "Embree " RTC_VERSION_STRING : why_no_embree(); }
 
 struct Tracer::EmbreeScene {
   const World& world;
@@ -166,6 +166,7 @@ struct Tracer::EmbreeScene {
   float reach = 0;  ///< the greatest magnitude of a placed coordinate
 
   explicit EmbreeScene(const World& w) : world(w) {
+    if (!has_embree()) throw std::runtime_error(why_no_embree());
     // Embree's "threads=1" would bind the whole process.
     device = rtcNewDevice(nullptr);
     if (device == nullptr) fail(nullptr);

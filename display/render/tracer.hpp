@@ -12,7 +12,7 @@
 
 namespace mmverify::render {
 
-/// Whether this was built with Embree; without it a Tracer cannot be made.
+/// Whether this was built with Embree's headers and its library is found; otherwise no Tracer can be made.
 bool has_embree();
 /// "Embree 3.13.5", or why Embree is missing and what would help.
 std::string embree_text();

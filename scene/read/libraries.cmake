@@ -18,8 +18,11 @@ if(MMVERIFY_DECODERS AND NOT CMAKE_CROSSCOMPILING)  # or it would find the build
   find_package(draco QUIET CONFIG)
   pkg_check_modules(webp QUIET IMPORTED_TARGET GLOBAL libwebp)
   pkg_check_modules(zstd QUIET IMPORTED_TARGET GLOBAL libzstd)
-  if(NOT MMVERIFY_PORTABLE)  # AVIF brings three coders of video, 20 MB; OpenEXR has no static library
-    find_package(libavif QUIET CONFIG)
+  find_package(libavif QUIET CONFIG)
+  if(TARGET avif)  # its library brings three coders of video, 20 MB, so the program opens it where a file needs it
+    mmverify_opened(avif_opened AVIF avif)
+  endif()
+  if(NOT MMVERIFY_PORTABLE)  # OpenEXR has no static library
     find_package(OpenEXR QUIET CONFIG)
   endif()
   unset(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL)
@@ -27,6 +30,6 @@ endif()
 mmverify_decoder(MESHOPT meshoptimizer::meshoptimizer "meshoptimizer" libmeshoptimizer-dev)
 mmverify_decoder(DRACO draco::draco "Draco" libdraco-dev)
 mmverify_decoder(WEBP PkgConfig::webp "WebP" libwebp-dev)
-mmverify_decoder(AVIF avif "AVIF" libavif-dev)
+mmverify_decoder(AVIF avif_opened "AVIF" libavif-dev)
 mmverify_decoder(OPENEXR OpenEXR::OpenEXR "OpenEXR" libopenexr-dev)
 mmverify_decoder(ZSTD PkgConfig::zstd "Zstandard" libzstd-dev)

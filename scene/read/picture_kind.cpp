@@ -6,6 +6,7 @@
 
 #include "scene/read/dds.hpp"
 #include "scene/read/ktx2/ktx2.hpp"
+#include "scene/read/rgba_image.hpp"
 #include "scene/read/tga.hpp"
 
 namespace mmverify::scene {
@@ -49,11 +50,7 @@ std::optional<std::string> why_unread(std::span<const unsigned char> bytes, Pict
       return "this program was built without WebP (Debian: libwebp-dev)";
 #endif
     case PictureKind::avif:
-#ifdef MMVERIFY_HAS_AVIF
-      return std::nullopt;
-#else
-      return "this program was built without AVIF (Debian: libavif-dev)";
-#endif
+      return why_no_avif();
     case PictureKind::dds:
       if (use == PictureUse::colour) return "the colours of a DDS are not read here";
       return why_unread_dds(bytes);

@@ -1,7 +1,9 @@
-// Decoders of WebP and AVIF, each there if its library was at build time.
+// Decoders of WebP and AVIF: WebP's is there if its library was at build time, AVIF's if its library is found when a file
+// needs it.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -21,10 +23,13 @@ struct RgbaImage {
 RgbaImage decode_webp(std::span<const unsigned char> bytes, const std::string& file,
                       const std::string& place);
 
+/// Why no AVIF can be decoded: a build without its headers, or no library on this machine.  Opens the library, once.
+std::optional<std::string> why_no_avif();
+
 /// An AVIF's picture, not premultiplied: 8 bits for 8, else each code of 10 or 12 bits as the nearest of 65535;
 /// 8 bits of each if `eight`.
 /// Errors: BadScene if it is damaged or a side is above longest_side; UnreadExtension if it is turned, mirrored
-/// or cropped, and in a build without the library.
+/// or cropped, and if why_no_avif() says so.
 RgbaImage decode_avif(std::span<const unsigned char> bytes, bool eight, const std::string& file,
                       const std::string& place);
 

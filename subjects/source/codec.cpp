@@ -52,9 +52,11 @@ constexpr std::chrono::seconds longest_run{10};
 constexpr std::uint64_t prover_memory = std::uint64_t{8} << 30;
 
 std::string prover() {
-  return helper("MMVERIFY_CODEC_PROVER", "mmverify-codec",
-                "which proves laws of codecs, is missing in this build; install LLVM and CaDiCaL (Debian: "
-                "llvm-14-dev, libcadical-dev) and build again (./run build does both)");
+  return helper(
+      "MMVERIFY_CODEC_PROVER", "mmverify-codec",
+      "which proves laws of codecs, is missing; install the release's Debian package mmverify-plugins, "
+      "or, where you build the sources, llvm-14-dev and libcadical-dev, and build again (./run build does "
+      "both)");
 }
 
 constexpr std::size_t macros = 3;

@@ -37,10 +37,10 @@ const mmverify_subject_t* mmverify_subject_v1(void) {
 
 /// The reader's path.
 std::string reader() {
-  return helper(
-      "MMVERIFY_SOURCE_READER", "mmverify-source",
-      "which reads LLVM's bitcode, is missing in this build; install LLVM (Debian: llvm-14-dev) and "
-      "build again (./run build does both)");
+  return helper("MMVERIFY_SOURCE_READER", "mmverify-source",
+                "which reads LLVM's bitcode, is missing; install the release's Debian package "
+                "mmverify-plugins, or, where you "
+                "build the sources, llvm-14-dev, and build again (./run build does both)");
 }
 
 ProgramEnd of_reader(std::vector<std::string> words) {

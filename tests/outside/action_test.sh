@@ -42,6 +42,16 @@ for index, command in enumerate(commands):
         assert door in doors, f"./run has no {door}"
     for file in re.findall(r"(?:^|&& )((?:scripts|tests|[.]ci)/\S+)", command):
         assert (root / file).is_file(), f"no {file}"
+# What others made is named by its hash: a tag may be moved.
+files = [root / "action.yml", *root.glob(".github/workflows/*.yml"), *root.glob("docs/ci/*.yml"), root / "delivery/packaging/Containerfile"]
+for file in files:
+    for used in re.findall(r"^[\s-]*uses: (.*)$", file.read_text(), re.M):
+        assert re.fullmatch(r"[\w./-]+@[0-9a-f]{40} # v[0-9.]+", used), f"{file}: not by a commit's hash: {used}"
+    for image in re.findall(r"^[\s-]*(?:container: |image: |FROM )(\S+)$", file.read_text(), re.M):
+        assert re.fullmatch(r"[\w./-]+:[\w.-]+@sha256:[0-9a-f]{64}", image), f"{file}: not by an image's digest: {image}"
+publish = workflow["jobs"]["publish"]
+assert publish["permissions"] == {"contents": "write", "id-token": "write", "attestations": "write"}, publish["permissions"]
+assert any(step.get("with", {}).get("subject-checksums") == "files/SHA256SUMS" for step in publish["steps"]), "nothing is attested"
 gitlab = yaml.safe_load((root / "docs/ci/gitlab.yml").read_text())["mmverify"]
 (folder / "gitlab.sh").write_text("#!/usr/bin/env bash\n" + "\n".join(gitlab["script"]) + "\n")
 hooks = yaml.safe_load((root / ".pre-commit-hooks.yaml").read_text())
@@ -53,7 +63,7 @@ for name, job in workflow["jobs"].items():
             (folder / f"workflow-{name}-{index}.sh").write_text("#!/usr/bin/env bash\n" + step["run"] + "\n")
 PYTHON
 grep -qx impl_index_test < <("$root/scripts/arm64-tests" --list) || fail "scripts/arm64-tests does not know impl_index_test"
-for script in "$folder"/*.sh "$root"/delivery/packaging/action/* "$root"/scripts/bare-root-test "$root"/scripts/release/{bundle,deb,make,notes,sysroot,tarball,try}; do
+for script in "$folder"/*.sh "$root"/delivery/packaging/action/* "$root"/scripts/bare-root-test "$root"/scripts/release/{bundle,deb,inside,make,notes,sysroot,tarball,try}; do
   bash -n "$script"
   ! command -v shellcheck >/dev/null || shellcheck --severity=warning "$script"
 done

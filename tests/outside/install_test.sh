@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# The installed tree serves a project of someone else's: find_package, pkg-config, a proof of its index function, the Debian
-# package.
+# The installed tree serves a project of someone else's: find_package, pkg-config, a proof of its index function.
 # usage: tests/outside/install_test.sh BUILD_FOLDER [C_COMPILER CXX_COMPILER]
 set -euo pipefail
 
@@ -26,19 +25,7 @@ for described in man/man1/mmverify.1 bash-completion/completions/mmverify zsh/si
 done
 
 # Each link of an installed document leads to an installed file, and the manual page names no other document.
-/usr/bin/python3 - "$tests/../../docs/site/stage" "$folder/installed/share/doc/mmverify" "$folder/installed/share/man/man1/mmverify.1" <<'PYTHON' ||
-import importlib.machinery, importlib.util, pathlib, re, sys
-loader = importlib.machinery.SourceFileLoader("stage", sys.argv[1])
-stage = importlib.util.module_from_spec(importlib.util.spec_from_loader("stage", loader))
-loader.exec_module(stage)
-documents = pathlib.Path(sys.argv[2])
-links = [(page, link) for page in documents.rglob("*.md") for _, link in stage.links(page.read_text(encoding="utf-8"))]
-dead = [f"{page}: {link}" for page, link in links if not (page.parent / link).exists()]
-named = re.findall(r"docs/[A-Z_]+\.md", pathlib.Path(sys.argv[3]).read_text(encoding="utf-8"))
-dead += [f"the manual page: {name}" for name in named if not (documents / name).exists()]
-print(f"{len(links)} links, {len(named)} names on the manual page")
-sys.exit("\n".join(dead) if dead or len(links) < 200 or not named else 0)
-PYTHON
+"$tests/installed_links.py" "$folder/installed/share/doc/mmverify" "$folder/installed/share/man/man1/mmverify.1" ||
   fail "links of installed documents"
 
 # As the user's project: the example's source is theirs.
@@ -135,18 +122,9 @@ while read -r header; do
 done <"$folder/headers"
 grep -rq '"impl/' "$folder/installed/include" && fail "an installed header includes impl/"
 
-# The package, unpacked rather than installed: this machine stays as it is.
-(cd "$folder" && cpack -G DEB --config "$build/CPackConfig.cmake" -B "$folder" >"$folder/cpack.log" 2>&1) ||
-  { cat "$folder/cpack.log"; exit 1; }
-deb=$(find "$folder" -maxdepth 1 -name 'mmverify_*.deb')
-[[ -n $deb ]] || fail "cpack left no package"
-dpkg-deb --info "$deb" | grep -E ' (Package|Version|Depends):'
-dpkg-deb -x "$deb" "$folder/root"
-[[ -s $folder/root/usr/share/man/man1/mmverify.1 ]] || fail "the package has no manual page"
-"$folder/root/usr/bin/mmverify" prove index.in_range --levels 0..2 --quiet | tail -1
-# And that one finds the worker that a library is run in.
+# The installed program finds the worker that a library is run in.
 code=0
-"$folder/root/usr/bin/mmverify" prove index.equals_reference --levels 8 --quiet --no-mutants \
+"$folder/installed/bin/mmverify" prove index.equals_reference --levels 8 --quiet --no-mutants \
   --subject "$folder/consumer/build/libmy_index.so" >"$folder/prove.log" || code=$?
-((code == 1)) || fail "the packaged program on a wrong index function gives exit code $code"
+((code == 1)) || fail "the installed program on a wrong index function gives exit code $code"
 tail -1 "$folder/prove.log"

@@ -141,6 +141,11 @@ console.log(code, result.schema, findings.schema, result.results.every((r) => ["
 JS
 (cd project && node module.mjs) >said
 says "0 mmverify.result/1 mmverify.validate/1 true"
+echo 'require("mmverify").prove(["index.in_range"], { levels: "0..2" }).then(({ code, result }) => console.log(code, result.schema));' \
+  >project/old.cjs
+(cd project && node old.cjs) >said
+says "0 mmverify.result/1"
+grep -q '^Files: inside/acorn$' project/node_modules/mmverify/THIRD_PARTY_LICENSES || fail "the package lacks the licences of what is inside"
 
 ((failures == 0)) || { printf '%d failed\n' "$failures"; exit 1; }
 echo "the package does as the native program does"

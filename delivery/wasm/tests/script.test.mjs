@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { after, test } from "node:test";
@@ -19,6 +20,10 @@ cpSync(join(here, "program.mjs"), join(package_, "program.mjs"));
 writeFileSync(join(package_, "mmverify.wasm"), Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0)); // a module with nothing in it
 mkdirSync(join(package_, "node_modules"));
 symlinkSync(resolve(process.env.MMVERIFY_NPM, "node_modules", "acorn"), join(package_, "node_modules", "acorn"));
+
+// As its CMakeLists.txt fills it in.
+const described = JSON.parse(readFileSync(join(package_, "package.json.in"), "utf8").replace(/@\w+@/g, "0.0.0"));
+writeFileSync(join(package_, "package.json"), JSON.stringify(described));
 
 const loop = (upper) => `export function index_f32(level, u, v, index) {
   const N = 2 ** level;
@@ -111,4 +116,17 @@ test("functions that are handed over compute in doubles, and the result says so"
   assert.equal(result.results[0].wrong, 0);
   assert.equal(`arithmetic: ${result.runs_on[0].about.arithmetic}`, doubles);
   assert.match(text, /^mine: arithmetic: in binary64/m);
+});
+
+test("CommonJS has each function of the module, by require()", async () => {
+  mkdirSync(join(folder, "user", "node_modules"), { recursive: true });
+  symlinkSync(package_, join(folder, "user", "node_modules", "mmverify"));
+  const required = createRequire(join(folder, "user", "mine.js"))("mmverify");
+  const imported = await import(pathToFileURL(join(package_, "index.mjs")).href);
+  const functions = Object.keys(imported).filter((name) => typeof imported[name] === "function");
+  assert.deepEqual(Object.keys(required).sort(), functions.sort());
+  assert.equal((await required.compile()) instanceof WebAssembly.Module, true);
+  await assert.rejects(required.validate("no bytes"), /have to be a Uint8Array/);
+  assert.equal(described.license, "MIT");
+  assert.match(described.repository.url, /^git[+]https:/);
 });

@@ -360,7 +360,9 @@ std::string device_library() {
   for (const auto& place : {here / "mmverify-shaders.so", here / "../libexec/mmverify/mmverify-shaders.so"})
     if (fs::exists(place, error)) return place.string();
   throw NotAvailable(
-      "this build runs no shaders; install Vulkan's headers (Debian: libvulkan-dev) and build again");
+      "mmverify-shaders.so, which runs shaders, is missing; install the release's Debian package "
+      "mmverify-plugins, or, "
+      "where you build the sources, libvulkan-dev, and build again");
 }
 
 }  // namespace mmverify::shaders
