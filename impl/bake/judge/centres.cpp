@@ -173,13 +173,19 @@ HWY_INLINE TriangleBits take(const TriangleRows& of, const WindowBits& in, Marks
     found.begins_opaque = found.begins_opaque || has_any(rows.begins);
   };
   look(from);
+  const auto has_all = [&]() HWY_ATTR { return (found.centres & wanted) == wanted; };
   // Then on both sides of them in turn.
-  for (std::int32_t up = from - lanes, down = from + lanes; up > begin - lanes || down <= last;
+  bool asked_all = true;
+  for (std::int32_t up = from - lanes, down = from + lanes; asked_all && (up > begin - lanes || down <= last);
        up -= lanes, down += lanes) {
-    if ((found.centres & wanted) == wanted) break;
-    if (down <= last) look(down);
-    if (up > begin - lanes && (found.centres & wanted) != wanted) look(std::max(up, begin));
+    asked_all = !has_all();
+    if (asked_all && down <= last) look(down);
+    if (up <= begin - lanes) continue;
+    asked_all = asked_all && !has_all();
+    if (asked_all) look(std::max(up, begin));
   }
+  // A cell that nobody asked may be mixed: the caller may trust less marks than it wanted.
+  found.meets_mixed = found.meets_mixed || !asked_all;
   return found;
 }
 

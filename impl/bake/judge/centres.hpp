@@ -25,11 +25,11 @@ struct WindowBits {
 /// of them is visible.
 struct TriangleBits {
   Marks centres = 0;           ///< the marks of the texels whose centres are within
-  bool meets_mixed = true;     ///< it may meet a mixed cell
+  bool meets_mixed = true;     ///< it may meet a mixed cell; so may a triangle of which not all cells were asked
   bool begins_opaque = false;  ///< a cell that it may meet has an opaque first texel
 };
 
-/// Looks at rows until all `wanted` marks are found; then the cells are not all asked.
+/// Looks at rows until all `wanted` marks are found; the cells of the others are not asked then.
 /// T is a true triangle, p the computed one, its corners within delta of T's along either axis.
 ///   crossing  of an edge by a row: off by less than delta along x.  No edge is evaluated beyond its ends, so five roundings
 ///             of 2^-53 of its extent, which is twice the greatest coordinate at most, and one of the sum are less than
