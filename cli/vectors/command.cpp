@@ -28,7 +28,9 @@ struct VectorsOptions {
 /// The forms that the user names, or all but Amber's scripts.
 vectors::Forms forms_of(const std::vector<std::string>& names) {
   if (names.empty()) return {};
-  const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  const auto has = [&](const char* name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
   return {has("json"), has("header"), has("binary"), has("amber")};
 }
 
@@ -42,12 +44,14 @@ std::vector<std::string> families_of(const VectorsOptions& options, const vector
   if (names.empty())
     for (const vectors::FamilyRow& row : vectors::families()) names.emplace_back(row.name);
   if (forms.amber && std::find(names.begin(), names.end(), scripts_of) == names.end())
-    throw UsageError(fmt::format("--form amber: family {} alone has scripts; add it to --family", scripts_of));
+    throw UsageError(
+        fmt::format("--form amber: family {} alone has scripts; add it to --family", scripts_of));
   for (const std::string& name : names)
     if (scripts_alone && name != scripts_of)
-      throw UsageError(fmt::format("--form amber: family {} has no script, {} alone has; add a form, such as "
-                                   "json, or leave {} out",
-                                   name, scripts_of, name));
+      throw UsageError(
+          fmt::format("--form amber: family {} has no script, {} alone has; add a form, such as "
+                      "json, or leave {} out",
+                      name, scripts_of, name));
   return names;
 }
 
@@ -85,7 +89,8 @@ int run_vectors(const VectorsOptions& options) {
 
 Action add_vectors(CLI::App& program) {
   auto* command = program.add_subcommand(
-      "vectors", "test vectors for other people's tests: JSON, a C header, a binary to upload, scripts for Amber");
+      "vectors",
+      "test vectors for other people's tests: JSON, a C header, a binary to upload, scripts for Amber");
   std::vector<std::string> names;
   for (const vectors::FamilyRow& row : vectors::families()) names.emplace_back(row.name);
   command->footer(

@@ -1,5 +1,6 @@
 #include "delivery/vectors/families/index_mistakes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 

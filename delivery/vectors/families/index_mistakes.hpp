@@ -22,7 +22,7 @@ struct Asked {
 };
 
 struct Mistake {
-  const char* name;                       ///< the name in the set `finds`
+  const char* name;                        ///< the name in the set `finds`
   std::uint32_t (*index)(const Asked& a);  ///< right but for this mistake
 };
 

@@ -71,7 +71,8 @@ class Script {
         finds_(column_of(points_, "finds").names) {}
 
   std::string text(const Provenance& made_by) const {
-    return head(made_by) + shader_that_asks() + shader_that_counts() + points() + marks() + expected() + run();
+    return head(made_by) + shader_that_asks() + shader_that_counts() + points() + marks() + expected() +
+           run();
   }
 
  private:
@@ -83,15 +84,16 @@ class Script {
 
   std::string head(const Provenance& made_by) const {
     return "#!amber\n"
-           "# Judges an index function: level, u and v to the number of a micro-triangle.  Made by mmverify " +
+           "# Judges an index function: level, u and v to the number of a micro-triangle.  Made by "
+           "mmverify " +
            made_by.version + " from\n# specification " + made_by.spec_hash + ",\n# family " + family_.name +
            ", version " + std::to_string(family_.version) + ", SHA-256 " + digest(family_, made_by) +
            ".\n# MIT licence.\n#\n"
-           "# Put your function, uint index_of(uint level, float u, float v), between the two marks, and run\n"
+           "# Put your function, uint index_of(uint level, float u, float v), between the two marks, and "
+           "run\n"
            "#   amber " +
-           amber_names[static_cast<std::size_t>(dialect_)] +
-           "\n# The expectations are those of column `" + answer_ +
-           "`. The function that stands there now meets them.\n\n";
+           amber_names[static_cast<std::size_t>(dialect_)] + "\n# The expectations are those of column `" +
+           answer_ + "`. The function that stands there now meets them.\n\n";
   }
 
   std::string shader_that_asks() const {
@@ -174,14 +176,14 @@ class Script {
       return std::string("  BIND BUFFER ") + buffer + " AS storage DESCRIPTOR_SET 0 BINDING " +
              std::to_string(binding) + "\n";
     };
-    std::string out = "BUFFER answers DATA_TYPE uint32 SIZE " + std::to_string(count()) +
-                      " FILL 4294967295\nBUFFER wrong DATA_TYPE uint32 SIZE " + std::to_string(counters()) +
-                      " FILL 0\n\nPIPELINE compute ask\n  ATTACH asks\n" + bind("points", 0) +
-                      bind("answers", 1) + "END\n\nPIPELINE compute count\n  ATTACH counts\n" +
-                      bind("answers", 0) + bind("expected", 1) + bind("marks", 2) + bind("wrong", 3) +
-                      "END\n\nRUN ask " + groups + " 1 1\nRUN count " + groups +
-                      " 1 1\n\n# Wrong answers, by what the point lies on.  Amber stops at the first line that "
-                      "fails; -B wrong writes all\n# counters: these, then one for each mistake.\n";
+    std::string out =
+        "BUFFER answers DATA_TYPE uint32 SIZE " + std::to_string(count()) +
+        " FILL 4294967295\nBUFFER wrong DATA_TYPE uint32 SIZE " + std::to_string(counters()) +
+        " FILL 0\n\nPIPELINE compute ask\n  ATTACH asks\n" + bind("points", 0) + bind("answers", 1) +
+        "END\n\nPIPELINE compute count\n  ATTACH counts\n" + bind("answers", 0) + bind("expected", 1) +
+        bind("marks", 2) + bind("wrong", 3) + "END\n\nRUN ask " + groups + " 1 1\nRUN count " + groups +
+        " 1 1\n\n# Numbers of wrong answers: by what the point lies on, then by mistake.  Amber stops "
+        "at the first line that\n# fails, and prints its number.\n";
     for (std::size_t k = 0; k < on_.size(); ++k)
       out += "EXPECT wrong IDX " + std::to_string(4 * k) + " EQ 0 # " + on_[k] + "\n";
     for (std::size_t k = 0; k < finds_.size(); ++k)
