@@ -25,6 +25,8 @@ namespace fs = std::filesystem;
 /// Whether a folder of vectors may have a file of this name: a forged manifest may list any other.
 bool is_of_vectors(const std::string& name) {
   if (name == vectors::header_name || name == vectors::binary_name) return true;
+  for (const char* script : vectors::amber_names)
+    if (name == script) return true;
   const auto& all = vectors::families();
   return std::any_of(all.begin(), all.end(),
                      [&](const auto& family) { return name == std::string(family.name) + ".json"; });

@@ -1,6 +1,6 @@
 // A family of vectors: tables of records, each a row of 32-bit words, and the bytes that they refer to.
 //
-// The three forms (delivery/vectors/forms/) are written from this alone, so that they agree.
+// The forms (delivery/vectors/forms/) are written from this alone, so that they agree.
 #pragma once
 
 #include <cstdint>

@@ -74,11 +74,12 @@ if(NOT MMVERIFY_SANITIZE)
 endif()
 
 # The files of mmverify vectors, and their readers in C, Python and TypeScript; the last one without Node.js or npm's registry
-# skipped, and so said.
+# skipped, and so said.  Scripts for Amber; their shaders without glslangValidator skipped, and so said.
 if(NOT MMVERIFY_SANITIZE)
   add_test(NAME vectors_files COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/vectors_test.py $<TARGET_FILE:mmverify>
     ${CMAKE_C_COMPILER} ${CMAKE_CXX_COMPILER} ${PROJECT_BINARY_DIR}/display/report)
-  set_tests_properties(vectors_files PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
+  add_test(NAME amber_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/amber_test.py $<TARGET_FILE:mmverify> ${CMAKE_CXX_COMPILER})
+  set_tests_properties(vectors_files amber_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
 endif()
 
 # The Python package; without pybind11, NumPy or pip (./run install wheel) skipped, and so said.

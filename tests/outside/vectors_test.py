@@ -177,9 +177,10 @@ def readers(folder, points, cc, home):
 
     binary = bytearray((folder / "mmverify_vectors.bin").read_bytes())
     good = run(sys.executable, READERS / "read.py", folder / "mmverify_vectors.bin")
-    at = binary.index(sections(binary)["index", "points"][2])
+    _, size, records = sections(binary)["index", "points"]
+    at = binary.index(records)
     for vector, word, value in spoils(points):
-        struct.pack_into("<I", binary, at + 4 * (14 * vector + word), value)
+        struct.pack_into("<I", binary, at + size * vector + 4 * word, value)
     (folder / "spoilt.bin").write_bytes(binary)
     judged("read.py", good, run(sys.executable, READERS / "read.py", folder / "spoilt.bin"), "exact")
     (folder / "cut.bin").write_bytes(binary[:-1])

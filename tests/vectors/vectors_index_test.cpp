@@ -3,8 +3,10 @@
 #include <bit>
 #include <cmath>
 
+#include "delivery/vectors/families/index_mistakes.hpp"
 #include "impl/index/index.hpp"
 #include "proofs/index/floats/published.hpp"
+#include "proofs/index/known_orders.hpp"
 #include "tests/vectors/reading.hpp"
 
 namespace vectors_index_test {
@@ -138,6 +140,62 @@ TEST(VectorsIndex, TiesAreWhereNumbersAreWhole) {
     EXPECT_LE(points().number(k, "gap"), 0.5f);
   }
   for (const std::size_t count : kinds) EXPECT_GT(count, 40u);
+}
+
+/// Whether vector k says that it finds the mistake.
+bool finds(std::size_t k, const std::string& mistake) {
+  const std::vector<std::string> names = vectors::index::names_of_mistakes();
+  const auto at = std::find(names.begin(), names.end(), mistake) - names.begin();
+  return (points().wide(k, "finds") >> at & 1) != 0;
+}
+
+// The curve without its flips and turns is made apart from the vectors, on the grid; row order and the rounded sum have
+// columns of their own.
+TEST(VectorsIndex, EachMistakeIsTheOneItsNameSays) {
+  std::size_t flips = 0, turns = 0;
+  for (std::size_t k = 0; k < points().size(); ++k) {
+    const auto n = points()(k, "level"), exact = points()(k, "exact");
+    EXPECT_EQ(finds(k, "rounded_sum"), exact != points()(k, "published")) << k;
+    const vectors::Optional rows = points().optional(k, "rows");
+    EXPECT_EQ(finds(k, "row_order"), rows && rows != exact) << k;
+    EXPECT_EQ(finds(k, "cut_to_16_bits"), exact > 0xffff) << k;
+    EXPECT_TRUE(!finds(k, "level_zero") || n == 0) << k;
+    EXPECT_TRUE(!finds(k, "not_clamped") || points()(k, "on") == 3) << k;
+    EXPECT_TRUE(!finds(k, "tie_on_diagonal") || points()(k, "on") != 0) << k;
+    EXPECT_TRUE(!finds(k, "tie_on_line") || points()(k, "on") != 0) << k;
+    const auto corners = spec::index::corners(exact, n);
+    std::int64_t i = 0, j = 0;
+    for (const auto& corner : corners) i += corner.i, j += corner.j;
+    const auto face = proofs::points::MicroTriangle{static_cast<std::uint32_t>(i / 3),
+                                                    static_cast<std::uint32_t>(j / 3), i % 3 == 2};
+    const auto inside = proofs::points::representative(face, n);
+    const bool unflipped = proofs::index::simplified(inside, n, false, true) != exact,
+               unturned = proofs::index::simplified(inside, n, true, false) != exact;
+    EXPECT_EQ(finds(k, "flip_missing"), unflipped) << k;
+    EXPECT_EQ(finds(k, "middle_not_turned"), unturned) << k;
+    flips += unflipped ? 1 : 0;
+    turns += unturned ? 1 : 0;
+  }
+  EXPECT_GT(flips, 100u);
+  EXPECT_GT(turns, 100u);
+}
+
+// A device may take subnormal numbers for zero.
+TEST(VectorsIndex, NoAnswerDependsOnSubnormalNumbers) {
+  std::size_t subnormal = 0;
+  for (std::size_t k = 0; k < points().size(); ++k) {
+    const auto flushed = [&](const char* column) {
+      const float x = points().number(k, column);
+      if (std::fpclassify(x) != FP_SUBNORMAL) return x;
+      ++subnormal;
+      return 0.0f;
+    };
+    const float u = flushed("u"), v = flushed("v");
+    const auto n = points()(k, "level");
+    EXPECT_EQ(points()(k, "exact"), impl::index::from_barycentrics(u, v, n)) << k;
+    EXPECT_EQ(points()(k, "published"), proofs::index::published(n, u, v)) << k;
+  }
+  EXPECT_GT(subnormal, 100u);
 }
 
 }  // namespace vectors_index_test

@@ -13,6 +13,7 @@
 #include "delivery/vectors/binary32.hpp"
 #include "delivery/vectors/builder.hpp"
 #include "delivery/vectors/families/all.hpp"
+#include "delivery/vectors/families/index_mistakes.hpp"
 #include "spec/attribute/order.hpp"
 
 namespace mmverify::vectors::index {
@@ -69,11 +70,12 @@ class Points {
       on = gap != 0 ? On::interior : a == 0 && b == 0 ? On::vertex : On::edge;
     }
     const spec::Point<float> rounded{std::bit_cast<float>(u), std::bit_cast<float>(v)};
-    out_.add({about, n, u, v, static_cast<std::uint32_t>(on), rounded_down(gap), spec::index::reference(p, n),
+    const std::uint32_t exact = spec::index::reference(p, n);
+    out_.add({about, n, u, v, static_cast<std::uint32_t>(on), rounded_down(gap), exact,
               spec::index::reference(rounded, n),
               inside ? Optional(spec::index::as_the_prose_says(p, n)) : none,
               inside ? Optional(spec::index::w_minor(p, n)) : none,
-              inside ? touched(p, n) : std::vector<std::uint32_t>()});
+              inside ? touched(p, n) : std::vector<std::uint32_t>(), found_by({n, u, v, p}, exact)});
   }
 
   /// The point and its eight neighbours among pairs of binary32 numbers, up to one step beyond the
@@ -220,7 +222,8 @@ Family family() {
        {"prose", Kind::optional,
         "Vulkan's chapter on traversal to the letter, exact; may exceed 4^n; none outside"},
        {"rows", Kind::optional, "row order, exact; none outside"},
-       {"touched", Kind::words, "all micro-triangles that the point touches; none outside"}});
+       {"touched", Kind::words, "all micro-triangles that the point touches; none outside"},
+       {"finds", Kind::set, "the mistakes whose function is wrong here", names_of_mistakes()}});
   Points points(out);
   for (Level n = 0; n <= last_whole; ++n) add_whole_level(points, n);
   for (Level n = 1; n <= highest; ++n) {

@@ -1,4 +1,4 @@
-// The three forms of the vectors, and the list of the files. docs/VECTORS.md describes them.
+// The forms of the vectors, and the list of the files. docs/VECTORS.md describes them.
 #pragma once
 
 #include <span>
@@ -39,6 +39,21 @@ std::string as_header(std::span<const Family> families, const Provenance& made_b
 /// mmverify_vectors.bin: a table of contents, then each table's records, little-endian.
 std::string as_binary(std::span<const Family> families, const Provenance& made_by);
 
+/// The answers that a script for Amber expects.
+enum class Dialect : std::uint8_t { exact, published };
+
+/// The scripts' names, by Dialect, and the family that they are of.
+inline constexpr const char* amber_names[] = {"index_exact.amber", "index_published.amber"};
+inline constexpr const char* amber_family = "index";
+/// The lines around the function in a script.
+inline constexpr const char* amber_mark_begin = "// ---- your function begins ----";
+inline constexpr const char* amber_mark_end = "// ---- your function ends ----";
+
+/// A script for Amber (github.com/google/amber): the points of family `index`, an index function in GLSL between two marks,
+/// a pipeline that asks it, one that counts its wrong answers, and the expectations.
+/// Domain: family `index`.  Test: tests/outside/amber_test.py.
+std::string as_amber(const Family& index, Dialect dialect, const Provenance& made_by);
+
 /// A file's name and its bytes.
 using File = std::pair<std::string, std::string>;
 
@@ -46,7 +61,12 @@ using File = std::pair<std::string, std::string>;
 std::string manifest(std::span<const Family> families, std::span<const File> files,
                      const Provenance& made_by);
 
-/// All files of these families, the manifest last.
-std::vector<File> files_of(std::span<const Family> families, const Provenance& made_by);
+/// The forms to write.
+struct Forms {
+  bool json = true, header = true, binary = true, amber = false;
+};
+
+/// All files of these families in these forms, the manifest last. Amber's scripts are of family `index` alone.
+std::vector<File> files_of(std::span<const Family> families, const Provenance& made_by, const Forms& forms);
 
 }  // namespace mmverify::vectors

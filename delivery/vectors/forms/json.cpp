@@ -136,11 +136,16 @@ std::string manifest(std::span<const Family> families, std::span<const File> fil
   return out + " ]\n}\n";
 }
 
-std::vector<File> files_of(std::span<const Family> families, const Provenance& made_by) {
+std::vector<File> files_of(std::span<const Family> families, const Provenance& made_by, const Forms& forms) {
   std::vector<File> files;
-  for (const Family& family : families) files.emplace_back(family.name + ".json", as_json(family, made_by));
-  files.emplace_back(header_name, as_header(families, made_by));
-  files.emplace_back(binary_name, as_binary(families, made_by));
+  for (const Family& family : families) {
+    if (forms.json) files.emplace_back(family.name + ".json", as_json(family, made_by));
+    if (!forms.amber || family.name != amber_family) continue;
+    for (const Dialect dialect : {Dialect::exact, Dialect::published})
+      files.emplace_back(amber_names[static_cast<std::size_t>(dialect)], as_amber(family, dialect, made_by));
+  }
+  if (forms.header) files.emplace_back(header_name, as_header(families, made_by));
+  if (forms.binary) files.emplace_back(binary_name, as_binary(families, made_by));
   files.emplace_back(manifest_name, manifest(families, files, made_by));
   return files;
 }
