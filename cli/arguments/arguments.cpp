@@ -196,11 +196,7 @@ std::vector<SubjectPtr> of_library(const std::string& name, double timeout_secon
                                    std::vector<RunsOn>* runs_on) {
   std::error_code error;
   const auto [file, kind] = std::filesystem::exists(name, error) ? PluginName{name, {}} : plugin_name(name);
-  if (!std::filesystem::exists(file, error)) throw EnvironmentError(fmt::format("{}: no such file", file));
-  if (!std::filesystem::is_regular_file(file, error))
-    throw EnvironmentError(fmt::format("{}: not a file; name a shared library", file));
-  if (const std::string way = way_to_build(file); !way.empty())
-    throw EnvironmentError(fmt::format("{}: {}", file, way));
+  refuse_no_library(file);
   try {
     dock::Options options;
     options.timeout_seconds = timeout_seconds;
@@ -213,6 +209,15 @@ std::vector<SubjectPtr> of_library(const std::string& name, double timeout_secon
 }
 
 }  // namespace
+
+void refuse_no_library(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) throw EnvironmentError(fmt::format("{}: no such file", file));
+  if (!std::filesystem::is_regular_file(file, error))
+    throw EnvironmentError(fmt::format("{}: not a file; name a shared library", file));
+  if (const std::string way = way_to_build(file); !way.empty())
+    throw EnvironmentError(fmt::format("{}: {}", file, way));
+}
 
 std::vector<SubjectPtr> subjects_of(const dock::LibraryPtr& library, const std::string& kind,
                                     std::vector<RunsOn>* runs_on) {

@@ -67,6 +67,9 @@ struct RunsOn {
 std::vector<proofs::SubjectPtr> parse_subject(const std::string& name, double timeout_seconds,
                                               std::vector<RunsOn>* runs_on = nullptr);
 
+/// Throws EnvironmentError for a file that is missing, is a folder, or is a source: it says how to build that.
+void refuse_no_library(const std::string& file);
+
 /// The subjects of an open library, of one kind if `kind` names it.
 std::vector<proofs::SubjectPtr> subjects_of(const dock::LibraryPtr& library, const std::string& kind,
                                             std::vector<RunsOn>* runs_on);

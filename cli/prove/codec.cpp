@@ -54,6 +54,21 @@ std::vector<const CodecLaw*> laws_of(const CodecOptions& options) {
   return all;
 }
 
+/// Throws UsageError for an index function without a codec beside it: another law is proved of it.
+void refuse_index_function(const CodecOptions& options, const codecs::Facts& facts) {
+  const auto is_about = [&](const CodecLaw& law) {
+    for (Level n = 0; n <= 5; ++n)
+      for (const unsigned format : {1u, 2u})
+        if (!codecs::unfit(law, facts, n, format)) return true;
+    return false;
+  };
+  if (!facts.offers(dock::Call::index_f32) ||
+      std::any_of(codecs::laws().begin(), codecs::laws().end(), is_about))
+    return;
+  throw UsageError(fmt::format("{}: an index function, and no codec: mmverify prove index.floats --source {}",
+                               options.file, shell_quoted(options.file)));
+}
+
 /// Calls a function, with the errors of sources as those of the command.
 template <class Function>
 auto with_errors_of_sources(const CodecOptions& options, Function function) {
@@ -136,6 +151,7 @@ class CodecProofs {
         out_(out),
         proof_(options.file, options.flags, options.timeout),
         progress_(!options.quiet) {
+    refuse_index_function(options, proof_.facts());
     report_.threads = 1;
     if (!options.second_solver.empty()) second_solver_.emplace(options.second_solver);
   }

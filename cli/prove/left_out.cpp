@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <functional>
-#include <set>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "cli/arguments/arguments.hpp"
 #include "cli/output/exit_code.hpp"
@@ -97,13 +98,13 @@ void refuse_what_was_left_out(const Names& names, const std::vector<Job>& jobs, 
 
 std::vector<std::string> levels_left(const std::vector<Job>& jobs, const Report& report) {
   constexpr Level highest = 16;
+  // The laws of each subject that have levels.
+  std::map<std::string, std::vector<const Job*>> jobs_of;
+  for (const Job& job : jobs)
+    if (job.unfit.empty() && job.law->at_once.empty() && !job.subject->fingerprint().empty())
+      jobs_of[job.subject->name()].push_back(&job);
   std::vector<std::string> lines;
-  std::set<std::string> seen;
-  for (const Job& job : jobs) {
-    const std::string& name = job.subject->name();
-    if (!job.unfit.empty() || !job.law->at_once.empty() || job.subject->fingerprint().empty() ||
-        !seen.insert(name).second)
-      continue;
+  for (const auto& [name, of_subject] : jobs_of) {
     Level lowest = highest, ran = 0;
     bool holds = false;
     for (const Result& r : report.results) {
@@ -113,9 +114,13 @@ std::vector<std::string> levels_left(const std::vector<Job>& jobs, const Report&
       holds = r.verdict == Verdict::proved || r.verdict == Verdict::checked;
       if (!holds) break;
     }
+    const auto is_judged = [&, of = of_subject](Level n) {
+      return std::any_of(of.begin(), of.end(),
+                         [n](const Job* job) { return !job->law->unfit(*job->subject, n); });
+    };
     std::vector<Level> left;
     for (Level n = 0; n <= highest; ++n)
-      if ((n < lowest || n > ran) && !job.law->unfit(*job.subject, n)) left.push_back(n);
+      if ((n < lowest || n > ran) && is_judged(n)) left.push_back(n);
     if (holds && !left.empty())
       lines.push_back(fmt::format("{} of {} {} not run: leave --levels out, or widen it",
                                   (left.size() == 1 ? "level " : "levels ") + level_ranges(left), name,

@@ -143,10 +143,11 @@ std::string print_why(std::FILE* out, const CheckMapsOptions& options, bool two_
     }
     if (picture != nullptr) draw_wrong(out, *picture, options.picture, scene, maps, report);
     if (rules_first) {
-      say(out, "cause: the file breaks rules, named above: repair them before its maps are judged\n");
+      say(out, "cause: the file breaks rules, named above; its maps may be right when these are kept\n");
       print_repair(out, options.file);
       return json_of({});
     }
+    if (!options.quiet) say(stderr, "progress: looking for a cause; this may take as long as the laws did\n");
     cause = cause_of(options, two_state, scene, maps);
   } catch (const proofs::Interrupted&) {
     say(out, "cause: the search was interrupted\n");

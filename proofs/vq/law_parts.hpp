@@ -36,9 +36,10 @@ Law on_cases(Law law, Lacks lacks, Cases<Case> cases) {
   law.unfit = unless_of_topic<VqSubject>(
       [lacks, levels = law.tiers.fast](const VqSubject& s, Level n) -> std::optional<std::string> {
         if (n >= levels.first && n <= levels.last) return lacks(s);
-        return fmt::format("2^level regions lie along a side: it is about level{} {}{}",
-                           levels.first == levels.last ? "" : "s", levels.first,
-                           levels.first == levels.last ? "" : fmt::format("..{}", levels.last));
+        return fmt::format(
+            "a block has 2^level regions along a side, so it is judged at level{} {}{}; leave --levels out",
+            levels.first == levels.last ? "" : "s", levels.first,
+            levels.first == levels.last ? "" : fmt::format("..{}", levels.last));
       });
   return on_drawn_cases<VqSubject, Case>(
       std::move(law),

@@ -207,9 +207,12 @@ class Rules {
     if (counted && !are_micromap(micromap::record_buffer(*sized), data_of(number), micromap_of(number)))
       return "";
     if (!write_records(number, *sized)) return "";
-    const auto differing = std::mismatch(records.begin(), records.end(), sized->begin()).first;
-    return "gave records from " + std::to_string(differing - records.begin()) +
-           " on the levels and formats that fill their bytes";
+    std::size_t changed = 0, first = 0;
+    for (std::size_t r = records.size(); r-- > 0;)
+      if (!(records[r] == (*sized)[r])) ++changed, first = r;
+    return "gave record " + std::to_string(first) +
+           (changed == 1 ? "" : " and " + std::to_string(changed - 1) + " more") +
+           " the level and format that fill its bytes";
   }
 
   std::vector<micromap::Record> records_of(std::size_t number) {

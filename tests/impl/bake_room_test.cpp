@@ -219,7 +219,8 @@ TYPED_TEST(ImplBakeRoom, TexturesWithRoomAreTheSpecifications) {
     Seen seen;
     for (int round = 0; round < (sanitized ? 20 : 300); ++round) {
       Job<TypeParam> job = roomy_job<TypeParam>(random);
-      if (round % 2 == 0) job.level = static_cast<std::uint32_t>(round % 3);  // more rows than a vector has lanes
+      if (round % 2 == 0)
+        job.level = static_cast<std::uint32_t>(round % 3);  // more rows than a vector has lanes
       ASSERT_NO_FATAL_FAILURE(expect_specified(job, seen, 7 + static_cast<std::uint32_t>(random() % 5)));
     }
     expect_varied(seen);

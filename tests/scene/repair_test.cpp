@@ -521,8 +521,9 @@ TEST(FileRepair, AWrongLevelOrFormatOfARecordIsThatOfItsBytes) {
         .bytes[planted.begin(planted.micromap()["triangles"]) + 8 * record + static_cast<std::size_t>(byte)] =
         static_cast<char>(value);
     const std::vector<std::string> did = back_to_right(planted);
-    EXPECT_NE(did[0].find("gave records from " + std::to_string(record) + " on the levels"),
-              std::string::npos)
+    EXPECT_NE(
+        did[0].find("gave record " + std::to_string(record) + " the level and format that fill its bytes"),
+        std::string::npos)
         << did[0];
   }
 }

@@ -88,6 +88,7 @@ bench::Result codec_result(const std::string& topic, const BenchOptions& options
   walls.stop_if_asked = stop_if_asked;
   const auto progress = progress_of(chosen->name, options);
   std::vector<bench::CodecRow> rows;
+  refuse_no_library(options.subject);
   try {
     const mmverify_subject_t& subject = dock::load_trusted(options.subject, walls);
     Watch watch(options.subject);

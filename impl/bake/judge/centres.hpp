@@ -24,8 +24,8 @@ struct WindowBits {
 /// The cells of a triangle: each between the centres of four texels, and mixed unless its texels are all opaque or none
 /// of them is visible.
 struct TriangleBits {
-  Marks centres = 0;           ///< the marks of the texels whose centres are within
-  bool meets_mixed = true;     ///< it may meet a mixed cell; so may a triangle of which not all cells were asked
+  Marks centres = 0;        ///< the marks of the texels whose centres are within
+  bool meets_mixed = true;  ///< it may meet a mixed cell; so may a triangle of which not all cells were asked
   bool begins_opaque = false;  ///< a cell that it may meet has an opaque first texel
 };
 
