@@ -11,7 +11,8 @@ class App;
 namespace mmverify::cli {
 
 /// The arguments, without the program's name, with a command that the program has: `help` is --help, `help COMMAND` is
-/// COMMAND --help, and `version`, -V and -v are --version. If the command has only one of --level and --levels, the other one stands for it.
+/// COMMAND --help, and `version`, -V and -v are --version. If the command has only one of --level and --levels, the
+/// other one stands for it.
 /// Throws UsageError for an unknown command, with the command that was probably meant.
 std::vector<std::string> with_known_command(CLI::App& program, std::vector<std::string> arguments);
 

@@ -244,15 +244,19 @@ void add_findings(Checked& checked, const proofs::scene::SceneLaws& laws, const 
   }
 }
 
-/// The verdict in words, if nothing is wrong.
+/// The verdict in words, if nothing is wrong.  "judged": some states are not, those of primitives that cannot be read, and
+/// unknown ones where vertex alpha varies.
 void print_fit(std::FILE* out, const Checked& checked, const StoredMaps& maps, const std::string& judged) {
   const auto& results = checked.report.results;
   if (checked.code != complete || results.empty()) return;
+  const bool all_judged = maps.not_judged.empty() && counts(maps.plan).varying == 0;
   const bool is_sample = std::any_of(results.begin(), results.end(), [](const proofs::Result& r) {
     return r.verdict == proofs::Verdict::checked;
   });
   say(out, "{}: {} of {} triangles\n", printable(judged),
-      is_sample ? "a sample found no wrong state in the maps" : "every state fits the texture, in the maps",
+      is_sample    ? "a sample found no wrong state in the maps"
+      : all_judged ? "every state fits the texture, in the maps"
+                   : "every state that was judged fits the texture, in the maps",
       grouped(maps.links.size()));
 }
 

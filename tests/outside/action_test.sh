@@ -42,7 +42,7 @@ for index, command in enumerate(commands):
         assert door in doors, f"./run has no {door}"
     for file in re.findall(r"(?:^|&& )((?:scripts|tests|[.]ci)/\S+)", command):
         assert (root / file).is_file(), f"no {file}"
-# What others made is named by its hash: a tag may be moved.
+# Other people's actions and images are named by their hash: a tag may be moved.
 files = [root / "action.yml", *root.glob(".github/workflows/*.yml"), *root.glob("docs/ci/*.yml"), root / "delivery/packaging/Containerfile"]
 for file in files:
     for used in re.findall(r"^[\s-]*uses: (.*)$", file.read_text(), re.M):

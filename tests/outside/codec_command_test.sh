@@ -47,6 +47,8 @@ judged 2 '^n/a +micromap.packing right.c and 1 more: it has no entry point micro
 judged 2 'lossy.allowed right.c level 0 4-state every map, 4\^1: it has no entry point micromap_substitute' lossy.allowed --source right.c --levels 0 --details
 judged 2 'index.nested is proved of no source' index.nested --source right.c
 judged 4 'no such file' --source missing.c
+cp "$root/examples/subject/subject.c" index.c
+judged 2 'index.c: an index function, and no codec: mmverify prove index.floats --source index.c$' --source index.c --levels 0
 printf 'int x' >broken.c
 judged 2 'broken.c: clang does not compile it' --source broken.c
 judged 2 'leave them out' --source right.c --shard 1/2

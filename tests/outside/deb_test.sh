@@ -15,7 +15,7 @@ program=$(find "$packages" -name 'mmverify_*.deb') plugins=$(find "$packages" -n
 source=$(find "$packages" -name 'mmverify_*.dsc')
 [[ -s $program && -s $plugins && -s $source ]] || fail "$packages has not one mmverify, one mmverify-plugins and one source package"
 
-# What is installed on a machine with nothing but Debian's essential packages, in MB of 10^6 bytes, without what is only recommended.
+# The size of all packages that come along on a machine with nothing but Debian's essential ones, in MB of 10^6 bytes.
 readonly most=100
 installed() { apt-get -s -o Dir::State::status="$folder/nothing" "${@:2}" install "$1" 2>"$folder/apt" | sed -n 's/^Inst \([^ ]*\).*/\1/p' | LC_ALL=C sort; }
 : >nothing

@@ -128,6 +128,10 @@ judged 1 '^refuted index.floats level 1 case u=0x1.3c6ef2p-2,v=0x1p-2 ' --source
 judged 1 . --source "$published" --levels 1 --journal one.journal
 judged 4 'the journal of another run' --source "$published" --levels 1 --journal one.journal --dialect published
 judged 1 'case .*: the published code gives [0-9]+ here, too; add --dialect published' --source "$published" --levels 1
+# The topic stands for its one law of a source.
+code=0
+"$mmverify" prove index --quiet --source "$root/examples/subject/subject.c" --dialect published --levels 1 >said 2>&1 || code=$?
+((code == 1)) && grep -q '^refuted    index.floats' said || { cat said; fail "prove index --source: exit code $code"; }
 judged 1 '^refuted index.floats level 1 .*--dialect published --case' --source "$root/examples/subject/subject.c" --dialect published --levels 1
 ! grep -q 'here, too' said || fail 'the exact function is said to be the published code'
 judged 1 '^refuted index.floats level 1' --source "$wrong" --function one_pair --levels 1

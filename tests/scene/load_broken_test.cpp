@@ -75,6 +75,27 @@ TEST(SceneLoad, LyingBuffersAndViews) {
   }
 }
 
+TEST(SceneLoad, OfSeveralFaultyImagesTheFirstIsNamed) {
+  GltfFile file = square();
+  for (int k = 1; k <= 3; ++k) {
+    file.json["images"].push_back({{"uri", "data:image/png;base64,AAAA"}});
+    file.json["textures"].push_back({{"source", k}});
+    Json material = file.json["materials"][0], primitive = file.json["meshes"][0]["primitives"][0];
+    material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = k;
+    primitive["material"] = k;
+    file.json["materials"].push_back(material);
+    file.json["meshes"][0]["primitives"].push_back(primitive);
+  }
+  EXPECT_THAT(complaint(file), HasSubstr("image 1"));
+  // The bytes of image 3 are nowhere, which shows before any image is decoded.
+  file.json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 0x7fffffff}, {"byteLength", 4}});
+  const std::size_t view = file.json["bufferViews"].size() - 1;
+  file.json["images"][3] = {{"bufferView", view}, {"mimeType", "image/png"}};
+  EXPECT_THAT(complaint(file), HasSubstr("image 1"));
+  file.json["images"][1] = file.json["images"][2] = file.json["images"][0];
+  EXPECT_THAT(complaint(file), HasSubstr("bufferView " + std::to_string(view)));
+}
+
 TEST(SceneLoad, LyingAccessors) {
   const auto with = [](const char* property, const Json& value) {
     GltfFile file = square();

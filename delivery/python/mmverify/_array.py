@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _arguments, _core
 
-# In the order of the library's own numbers.
+# The order is that of the library's own numbers.
 APIS = ("ext", "khr", "dxr", "optix", "nvapi", "gltf")
 INDEX_TYPES = {"u8": "uint8", "u16": "uint16", "u32": "uint32", "i16": "int16", "i32": "int32"}
 RECORD = np.dtype([("offset", "<u4"), ("level", "<u2"), ("format", "<u2")])

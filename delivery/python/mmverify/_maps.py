@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _arguments, _core
 
-# In the order of the library's own numbers.
+# The order is that of the library's own numbers.
 WRAPS = ("repeat", "mirrored_repeat", "clamp_to_edge", "clamp_to_border", "mirror_clamp_to_edge")
 LONGEST_SIDE = 16384
 

@@ -1,4 +1,4 @@
-// What a triangle has: a map of its array, or one state for all of it.
+// A triangle has a map of its array, or one state for all of it.
 import { curveIndex, microAt } from "../../report/src/curve";
 import { type MapRecord, records } from "../../page/src/scene/read_maps";
 

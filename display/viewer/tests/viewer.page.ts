@@ -80,7 +80,7 @@ test("flat on a texture, each pixel has the tint of the state that is read there
     const sign = found[7]!;
     const at = 4 * (Math.floor(y) * width + Math.floor(x)), pixel = [...pixels.subarray(at, at + 3)];
     const drawn = tints.find(({ word }) => [1, 3, 5].every((from, c) => Math.abs(parseInt(word.slice(from, from + 2), 16) - pixel[c]!) <= 2));
-    // On an edge between triangles the picture has a mean of two tints.
+    // A pixel on an edge between triangles has a mean of two tints.
     if (!drawn) {
       ++means;
       continue;
