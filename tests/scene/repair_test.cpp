@@ -528,6 +528,15 @@ TEST(FileRepair, AWrongLevelOrFormatOfARecordIsThatOfItsBytes) {
   }
 }
 
+TEST(FileRepair, ALevelThatLeavesAGapIsWrongOnlyIfTheCountsSaySo) {
+  Planted planted;
+  const std::size_t record = planted.records().size() / 2;
+  planted.file.bytes[planted.begin(planted.micromap()["triangles"]) + 8 * record + 4] = 3;
+  planted.micromap()["usageCounts"][0] = 7;
+  for (const std::string& did : repaired(planted.file.glb()).did)
+    EXPECT_EQ(did.find("gave record"), std::string::npos) << did;
+}
+
 TEST(FileRepair, CasesOfTheField) {
   const fs::path folder = fs::path(MMVERIFY_CASES) / "maps";
   if (!fs::exists(folder)) GTEST_SKIP() << "no cases of the field: " << folder;
