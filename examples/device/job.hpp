@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "vectors.hpp"
+#include "vector_file.hpp"
 
 namespace rays {
 

@@ -3,12 +3,12 @@
 
 #include <optional>
 
+#include "compute.hpp"
 #include "job.hpp"
-#include "pipeline.hpp"
 
 namespace rays {
 
-/// What a ray query meets: a hit, a candidate that the shader has to decide, or nothing.
+/// A ray query meets nothing, or a hit, or a candidate that the shader has to decide.
 enum Outcome : std::uint32_t { missed, met_opaque, asked };
 
 /// A ray's two outcomes: as the maps are, and with unknown states forced to two.

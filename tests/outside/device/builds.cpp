@@ -1,4 +1,4 @@
-#include "builds.hpp"
+#include "tests/outside/device/builds.hpp"
 
 #include <bit>
 #include <cstdio>

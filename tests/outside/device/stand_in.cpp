@@ -11,13 +11,13 @@
 #include <memory>
 #include <string_view>
 
-#include "builds.hpp"
+#include "tests/outside/device/builds.hpp"
 
 namespace {
 
 using stand_in::complain;
 
-/// What the loader keeps in each dispatchable handle comes first.
+/// A dispatchable handle, which begins with the loader's own data.
 struct Handle {
   VK_LOADER_DATA loader;
   Handle() { set_loader_magic_value(&loader); }
@@ -453,77 +453,83 @@ Row row(std::string_view name, F* function) {
   return {name, reinterpret_cast<PFN_vkVoidFunction>(function)};
 }
 
+const Row of_instances[] = {
+    row("vkGetInstanceProcAddr", find_in_instance),
+    row("vkGetDeviceProcAddr", find_in_device),
+    row("vkCreateInstance", create_instance),
+    row("vkDestroyInstance", destroy_instance),
+    row("vkEnumerateInstanceExtensionProperties", no_instance_extensions),
+    row("vkEnumerateInstanceVersion", instance_version),
+    row("vkEnumeratePhysicalDevices", enumerate_devices),
+    row("vkEnumerateDeviceExtensionProperties", enumerate_extensions),
+    row("vkGetPhysicalDeviceProperties", get_properties),
+    row("vkGetPhysicalDeviceProperties2", get_properties2),
+    row("vkGetPhysicalDeviceFeatures", get_features),
+    row("vkGetPhysicalDeviceFeatures2", get_features2),
+    row("vkGetPhysicalDeviceMemoryProperties", get_memory_properties),
+    row("vkGetPhysicalDeviceMemoryProperties2", get_memory_properties2),
+    row("vkGetPhysicalDeviceQueueFamilyProperties", get_families),
+    row("vkGetPhysicalDeviceQueueFamilyProperties2", get_families2),
+    row("vkGetPhysicalDeviceFormatProperties", never),
+    row("vkGetPhysicalDeviceImageFormatProperties", never),
+    row("vkGetPhysicalDeviceSparseImageFormatProperties", never),
+};
+
+const Row of_devices[] = {
+    row("vkCreateDevice", create_device),
+    row("vkDestroyDevice", destroy_device),
+    row("vkGetDeviceQueue", get_queue),
+    row("vkAllocateMemory", allocate),
+    row("vkFreeMemory", free_memory),
+    row("vkMapMemory", map),
+    row("vkCreateBuffer", create_buffer),
+    row("vkDestroyBuffer", destroy_buffer),
+    row("vkGetBufferMemoryRequirements", buffer_needs),
+    row("vkBindBufferMemory", bind),
+    row("vkGetBufferDeviceAddress", buffer_address),
+    row("vkCreateDescriptorSetLayout", create<VkDescriptorSetLayoutCreateInfo, VkDescriptorSetLayout>),
+    row("vkDestroyDescriptorSetLayout", destroy<VkDescriptorSetLayout>),
+    row("vkCreateDescriptorPool", create<VkDescriptorPoolCreateInfo, VkDescriptorPool>),
+    row("vkDestroyDescriptorPool", destroy<VkDescriptorPool>),
+    row("vkAllocateDescriptorSets", allocate_sets),
+    row("vkUpdateDescriptorSets", update_sets),
+    row("vkCreatePipelineLayout", create<VkPipelineLayoutCreateInfo, VkPipelineLayout>),
+    row("vkDestroyPipelineLayout", destroy<VkPipelineLayout>),
+    row("vkCreateShaderModule", create_shader),
+    row("vkDestroyShaderModule", destroy<VkShaderModule>),
+    row("vkCreateComputePipelines", create_pipelines),
+    row("vkDestroyPipeline", destroy<VkPipeline>),
+    row("vkCreateCommandPool", create<VkCommandPoolCreateInfo, VkCommandPool>),
+    row("vkDestroyCommandPool", destroy<VkCommandPool>),
+    row("vkAllocateCommandBuffers", allocate_commands),
+    row("vkBeginCommandBuffer", begin),
+    row("vkEndCommandBuffer", end),
+    row("vkCmdBindPipeline", bind_pipeline),
+    row("vkCmdBindDescriptorSets", bind_sets),
+    row("vkCmdPushConstants", push),
+    row("vkCmdDispatch", dispatch),
+    row("vkCmdPipelineBarrier", barrier),
+    row("vkCmdPipelineBarrier2KHR", barrier2),
+    row("vkCreateFence", create<VkFenceCreateInfo, VkFence>),
+    row("vkDestroyFence", destroy<VkFence>),
+    row("vkWaitForFences", wait),
+    row("vkResetFences", reset),
+    row("vkQueueSubmit", submit),
+    row("vkCreateMicromapEXT", create_micromap),
+    row("vkDestroyMicromapEXT", destroy_micromap),
+    row("vkGetMicromapBuildSizesEXT", micromap_sizes),
+    row("vkCmdBuildMicromapsEXT", build_micromaps),
+    row("vkCreateAccelerationStructureKHR", create_structure),
+    row("vkDestroyAccelerationStructureKHR", destroy_structure),
+    row("vkGetAccelerationStructureBuildSizesKHR", structure_sizes),
+    row("vkGetAccelerationStructureDeviceAddressKHR", structure_address),
+    row("vkCmdBuildAccelerationStructuresKHR", build_structures),
+};
+
 PFN_vkVoidFunction VKAPI_CALL find(const char* name) {
-  static const Row rows[] = {
-      row("vkGetInstanceProcAddr", find_in_instance),
-      row("vkGetDeviceProcAddr", find_in_device),
-      row("vkCreateInstance", create_instance),
-      row("vkDestroyInstance", destroy_instance),
-      row("vkEnumerateInstanceExtensionProperties", no_instance_extensions),
-      row("vkEnumerateInstanceVersion", instance_version),
-      row("vkEnumeratePhysicalDevices", enumerate_devices),
-      row("vkEnumerateDeviceExtensionProperties", enumerate_extensions),
-      row("vkGetPhysicalDeviceProperties", get_properties),
-      row("vkGetPhysicalDeviceProperties2", get_properties2),
-      row("vkGetPhysicalDeviceFeatures", get_features),
-      row("vkGetPhysicalDeviceFeatures2", get_features2),
-      row("vkGetPhysicalDeviceMemoryProperties", get_memory_properties),
-      row("vkGetPhysicalDeviceMemoryProperties2", get_memory_properties2),
-      row("vkGetPhysicalDeviceQueueFamilyProperties", get_families),
-      row("vkGetPhysicalDeviceQueueFamilyProperties2", get_families2),
-      row("vkGetPhysicalDeviceFormatProperties", never),
-      row("vkGetPhysicalDeviceImageFormatProperties", never),
-      row("vkGetPhysicalDeviceSparseImageFormatProperties", never),
-      row("vkCreateDevice", create_device),
-      row("vkDestroyDevice", destroy_device),
-      row("vkGetDeviceQueue", get_queue),
-      row("vkAllocateMemory", allocate),
-      row("vkFreeMemory", free_memory),
-      row("vkMapMemory", map),
-      row("vkCreateBuffer", create_buffer),
-      row("vkDestroyBuffer", destroy_buffer),
-      row("vkGetBufferMemoryRequirements", buffer_needs),
-      row("vkBindBufferMemory", bind),
-      row("vkGetBufferDeviceAddress", buffer_address),
-      row("vkCreateDescriptorSetLayout", create<VkDescriptorSetLayoutCreateInfo, VkDescriptorSetLayout>),
-      row("vkDestroyDescriptorSetLayout", destroy<VkDescriptorSetLayout>),
-      row("vkCreateDescriptorPool", create<VkDescriptorPoolCreateInfo, VkDescriptorPool>),
-      row("vkDestroyDescriptorPool", destroy<VkDescriptorPool>),
-      row("vkAllocateDescriptorSets", allocate_sets),
-      row("vkUpdateDescriptorSets", update_sets),
-      row("vkCreatePipelineLayout", create<VkPipelineLayoutCreateInfo, VkPipelineLayout>),
-      row("vkDestroyPipelineLayout", destroy<VkPipelineLayout>),
-      row("vkCreateShaderModule", create_shader),
-      row("vkDestroyShaderModule", destroy<VkShaderModule>),
-      row("vkCreateComputePipelines", create_pipelines),
-      row("vkDestroyPipeline", destroy<VkPipeline>),
-      row("vkCreateCommandPool", create<VkCommandPoolCreateInfo, VkCommandPool>),
-      row("vkDestroyCommandPool", destroy<VkCommandPool>),
-      row("vkAllocateCommandBuffers", allocate_commands),
-      row("vkBeginCommandBuffer", begin),
-      row("vkEndCommandBuffer", end),
-      row("vkCmdBindPipeline", bind_pipeline),
-      row("vkCmdBindDescriptorSets", bind_sets),
-      row("vkCmdPushConstants", push),
-      row("vkCmdDispatch", dispatch),
-      row("vkCmdPipelineBarrier", barrier),
-      row("vkCmdPipelineBarrier2KHR", barrier2),
-      row("vkCreateFence", create<VkFenceCreateInfo, VkFence>),
-      row("vkDestroyFence", destroy<VkFence>),
-      row("vkWaitForFences", wait),
-      row("vkResetFences", reset),
-      row("vkQueueSubmit", submit),
-      row("vkCreateMicromapEXT", create_micromap),
-      row("vkDestroyMicromapEXT", destroy_micromap),
-      row("vkGetMicromapBuildSizesEXT", micromap_sizes),
-      row("vkCmdBuildMicromapsEXT", build_micromaps),
-      row("vkCreateAccelerationStructureKHR", create_structure),
-      row("vkDestroyAccelerationStructureKHR", destroy_structure),
-      row("vkGetAccelerationStructureBuildSizesKHR", structure_sizes),
-      row("vkGetAccelerationStructureDeviceAddressKHR", structure_address),
-      row("vkCmdBuildAccelerationStructuresKHR", build_structures),
-  };
-  for (const Row& r : rows)
+  for (const Row& r : of_instances)
+    if (r.name == name) return r.function;
+  for (const Row& r : of_devices)
     if (r.name == name) return r.function;
   return nullptr;
 }

@@ -1,4 +1,4 @@
-#include "vectors.hpp"
+#include "vector_file.hpp"
 
 #include <bit>
 #include <cmath>
