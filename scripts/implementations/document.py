@@ -198,7 +198,7 @@ def document(found_all, tool, options, ours, builds):
              "```", f"./run implementations {' '.join(words)} DIR...", "```", "",
              "After that command the `mmverify replay` lines below work from the root of this repository. A shell joins a line",
              "that ends in a backslash with the next one.", "", "## What passes", "",
-             "Each row is a version, the day of its commit, and what it was asked; `mmverify prove --subject` gives the verdict. `laws`",
+             "Each row is a version, the day of its commit, and what was asked; `mmverify prove --subject` gives the verdict. `laws`",
              "counts them by their weakest level.", "", *summary(found_all)]
     lines += ["", *builds]
     lines += scenes_of(found_all, options.levels) + speeds_of(found_all, ours)
