@@ -94,6 +94,8 @@ def section(program, work):
              "triangles. Nobody's code runs. `counts.geometry` and `counts.geometry_is_array`: in EXT a geometry has a histogram of",
              "its own, by which the driver sizes the acceleration structure ([ARRAYS.md](ARRAYS.md)); no VUID demands the right one.",
              "[CTS.md](CTS.md) has more about VK-GL-CTS.", "",
+             "No law reaches more of three of them. dxvk-remix bakes in a shader in Slang, of which Debian packages no compiler.",
+             "vk_gltf_renderer bakes nothing and computes no index: it hands over what a glTF file has. VK-GL-CTS needs a device.", "",
              "| implementation | version | of | source | input | verdict |", "|---|---|---|---|---|---|"]
     examples = {}
     for number, build in enumerate(BUILDS):
