@@ -105,7 +105,8 @@ def laws_of(found):
         verdict = weakest(results)
         if verdict == "not_applicable":
             continue
-        levels = [r["level"] for r in results if r["verdict"] != "not_applicable"]
+        results = [r for r in results if r["verdict"] != "not_applicable"]
+        levels = [r["level"] for r in results]
         span = f"{min(levels)}" if min(levels) == max(levels) else f"{min(levels)} to {max(levels)}"
         cases, wrong = (sum(r.get(key, 0) for r in results) for key in ("cases_run", "mismatches"))
         crashed = sum(r.get("cases_broken", 0) for r in results)
