@@ -81,14 +81,21 @@ def overall(found):
     return (ends[0] if ends else "not_applicable") + ("" if found["whole"] else ", incomplete")
 
 
+def input_of(found):
+    """What was asked: the entry points, the cases of the laws that ran, the scenes."""
+    names = re.sub(r": .*|, as a baker.*", "", found["recipe"]["asked"])  # the section has it in full
+    cases = sum(r.get("cases_run", 0) for r in found["results"] if r["verdict"] != "not_applicable")
+    scenes = len({scene for scene, _, _ in found["scenes"]})
+    return f"{names}: {cases:,} cases" + (f", {scenes} scenes" if scenes else "")
+
+
 def summary(found_all):
-    lines = ["| implementation | version | entry points | verdict | laws |", "|---|---|---|---|---|"]
+    lines = ["| implementation | version | of | input | verdict | laws |", "|---|---|---|---|---|---|"]
     for found in found_all:
         counts = ", ".join(f"{n} {verdict}" for verdict, n in verdicts(found["results"]).items()
                            if verdict != "not_applicable")
-        recipe = found["recipe"]
-        names = re.sub(r": .*|, as a baker.*", "", recipe["asked"])  # the section has it in full
-        lines.append("| " + " | ".join(map(cell, [recipe["name"], found["version"], names, overall(found), counts])) + " |")
+        row = [found["recipe"]["name"], found["version"], found["date"], input_of(found), overall(found), counts]
+        lines.append("| " + " | ".join(map(cell, row)) + " |")
     return lines
 
 
@@ -98,7 +105,8 @@ def laws_of(found):
         verdict = weakest(results)
         if verdict == "not_applicable":
             continue
-        levels = [r["level"] for r in results if r["verdict"] != "not_applicable"]
+        results = [r for r in results if r["verdict"] != "not_applicable"]
+        levels = [r["level"] for r in results]
         span = f"{min(levels)}" if min(levels) == max(levels) else f"{min(levels)} to {max(levels)}"
         cases, wrong = (sum(r.get(key, 0) for r in results) for key in ("cases_run", "mismatches"))
         crashed = sum(r.get("cases_broken", 0) for r in results)
@@ -177,7 +185,7 @@ def sections(found):
     return lines
 
 
-def document(found_all, tool, options, ours):
+def document(found_all, tool, options, ours, builds):
     words = [f"--limit {options.limit:g}", *(f"--scene {scene.name}" for scene in options.scene)]
     if options.scene:
         words.insert(1, f"--levels {options.levels}")
@@ -190,7 +198,10 @@ def document(found_all, tool, options, ours):
              f"mmverify {tool['version']}, specification `{tool['spec_hash'][:16]}`, {tool['cpu']}, {tool['compiler']}.", "",
              "```", f"./run implementations {' '.join(words)} DIR...", "```", "",
              "After that command the `mmverify replay` lines below work from the root of this repository. A shell joins a line",
-             "that ends in a backslash with the next one.", "", *summary(found_all)]
+             "that ends in a backslash with the next one.", "", "## What passes", "",
+             "Each row is a version, the day of its commit, and what was asked; `mmverify prove --subject` gives the verdict. `laws`",
+             "counts them by their weakest level.", "", *summary(found_all)]
+    lines += ["", *builds]
     lines += scenes_of(found_all, options.levels) + speeds_of(found_all, ours)
     for found in found_all:
         lines += sections(found)

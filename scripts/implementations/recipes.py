@@ -48,6 +48,15 @@ def known(recipes):
     return "".join(f"  {r['name']}: has {r['marker']}\n" for r in recipes)
 
 
+def date_of(base):
+    """The day of the checkout's commit; unknown without a commit of its own."""
+    if (base / ".git").exists():
+        told = subprocess.run(["git", "-C", base, "log", "-1", "--format=%cs"], capture_output=True, text=True)
+        if told.returncode == 0 and told.stdout.strip():
+            return told.stdout.strip()
+    return "unknown"
+
+
 def version_of(recipe, base):
     """What its header says and what git says of the checkout; of git only where the checkout is one's own top."""
     parts = []

@@ -120,4 +120,14 @@ for adapter in "$root"/examples/adapters/*/; do
 done
 "$root/scripts/implementations/judge" --list >listed
 (($(wc -l <listed) == $(find "$root/examples/adapters" -name recipe | wc -l))) || fail "not every recipe is listed"
+
+# What implementations hand to a build: the document has what judge --builds writes; a changed verdict is seen.
+judge_builds() { "$root/scripts/implementations/judge" --builds --mmverify "$mmverify" --work "$folder/builds" "$@"; }
+judge_builds --check || fail "docs/IMPLEMENTATIONS.md: scripts/implementations/judge --builds writes it anew"
+sed 's/| passes |$/| finds `counts.geometry` |/' "$root/docs/IMPLEMENTATIONS.md" >changed.md
+code=0
+judge_builds --check -o changed.md 2>said || code=$?
+((code == 1)) && grep -q "another section about builds" said || fail "a changed verdict of a build: exit code $code"
+judge_builds -o changed.md && cmp changed.md "$root/docs/IMPLEMENTATIONS.md" || fail "the section is not written anew"
+
 echo "right, wrong, unknown, missing, twice, broken and interrupted told apart"

@@ -89,6 +89,19 @@ if(NOT MMVERIFY_SANITIZE)
   set_tests_properties(python_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
 endif()
 
+# A program that shoots rays at opacity micromaps of a device, on a driver of our own; without Vulkan's headers there is no
+# test, without glslangValidator it is skipped, and so said.
+if(TARGET mmverify_device AND NOT MMVERIFY_SANITIZE)
+  add_library(device_stand_in MODULE outside/device/builds.cpp outside/device/stand_in.cpp)
+  target_include_directories(device_stand_in PRIVATE ${PROJECT_SOURCE_DIR}
+    $<TARGET_PROPERTY:mmverify_device,INTERFACE_INCLUDE_DIRECTORIES>)
+  target_compile_definitions(device_stand_in PRIVATE VK_NO_PROTOTYPES)
+  set_target_properties(device_stand_in PROPERTIES CXX_VISIBILITY_PRESET hidden)
+  add_test(NAME device_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/device_test.sh
+    $<$<BOOL:${MMVERIFY_BRIEF}>:--brief> $<TARGET_FILE:mmverify> $<TARGET_FILE:device_stand_in> ${CMAKE_CXX_COMPILER} COMMAND_EXPAND_LISTS)
+  set_tests_properties(device_test PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
+endif()
+
 # Functions in sources; without clang or llvm-14-dev skipped, and so said.
 if(NOT MMVERIFY_SANITIZE)
   add_test(NAME source_test COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/outside/source_test.sh $<TARGET_FILE:mmverify-prove> ${PROJECT_SOURCE_DIR}
