@@ -233,8 +233,9 @@ void announce(const ChosenTopics& topics) {
     each += fmt::format("{}{} ({})", each.empty() ? "" : ", ", topic->name, duration(topic->seconds));
     seconds += topic->seconds;
   }
-  say(stderr, "bench: runs {}: about {} in all on two cores; for one alone: mmverify bench {}\n", each,
-      duration(seconds), topics.front()->name);
+  say(stderr,
+      "bench: runs {}: about {} in all at default levels on two cores; for one alone: mmverify bench {}\n",
+      each, duration(seconds), topics.front()->name);
 }
 
 /// Runs the given topics.

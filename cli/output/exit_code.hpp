@@ -14,11 +14,14 @@ enum ExitCode : int { complete = 0, failed = 1, usage = 2, interrupted = 3, envi
 /// The meaning of each code, in the words of the manual page and of docs/EXIT_CODES.md.
 inline constexpr std::array<std::string_view, 5> exit_meanings{
     "done; nothing is refuted, broken or wrong",
-    "what was judged is wrong: a law is refuted, a subject is broken, a mutant survived, a file has an error, or a "
+    "what was judged is wrong: a law is refuted, a subject is broken, a mutant survived, a file has an "
+    "error, or a "
     "baseline differs",
-    "wrong usage: an unknown word or option, or a source or a shader that does not compile; or nothing was judged",
+    "wrong usage: an unknown word or option, or a source or a shader that does not compile; or nothing was "
+    "judged",
     "incomplete: interrupted, or a statement was neither proved nor refuted",
-    "the environment: a file is missing, truncated, of another kind or not writable, or the machine lacks something",
+    "the environment: a file is missing, truncated, of another kind or not writable, or the machine lacks "
+    "something",
 };
 
 /// The exit code of a run with this report.

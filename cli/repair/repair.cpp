@@ -27,8 +27,9 @@ using proofs::scene::RepairReport;
 void need_whole(const std::string& file) try { EditedFile{file}; } catch (const BadScene& bad) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) throw;
-  throw EnvironmentError(fmt::format(
-      "{}; repair puts maps right, and needs a file that can be read: copy or export it again", bad.what()));
+  const std::string what = bad.what();
+  throw EnvironmentError(fmt::format("{}{} repair needs a file that can be read: copy or export it again",
+                                     what, what.ends_with('?') ? "" : ";"));
 }
 
 /// Errors: UsageError where no primitive has a micromap.
