@@ -11,6 +11,7 @@
 #include "cli/output/text.hpp"
 #include "impl/attribute/container.hpp"
 #include "scene/read/file.hpp"
+#include "scene/validate/file.hpp"
 
 namespace mmverify::cli {
 namespace {
@@ -61,6 +62,10 @@ void print_file(const std::string& file, std::size_t size, const AttributeMaps& 
 int check_attributes(const std::string& file) {
   if (file.empty()) throw UsageError("check attributes: name the file");
   const scene::Bytes bytes = scene::read_file(file, file, "check attributes");
+  if (scene::kind_of(bytes) != scene::FileKind::attributes)
+    throw EnvironmentError(file +
+                           ": no file of attribute maps, which begins with mmat; `mmverify validate` tells "
+                           "other kinds apart");
   try {
     print_file(file, bytes.size(), read_attributes(bytes));
     return complete;

@@ -220,11 +220,30 @@ std::vector<proofs::Levels> checked_levels(const BenchOptions& options, const Ch
   return levels;
 }
 
+/// "40 s" or "3 min".
+std::string duration(unsigned seconds) {
+  return seconds < 90 ? fmt::format("{} s", seconds) : fmt::format("{} min", (seconds + 30) / 60);
+}
+
+/// Says which topics run, for how long, and how to ask for one.
+void announce(const ChosenTopics& topics) {
+  std::string each;
+  unsigned seconds = 0;
+  for (const BenchTopic* topic : topics) {
+    each += fmt::format("{}{} ({})", each.empty() ? "" : ", ", topic->name, duration(topic->seconds));
+    seconds += topic->seconds;
+  }
+  say(stderr,
+      "bench: runs {}: about {} in all at default levels on two cores; for one alone: mmverify bench {}\n",
+      each, duration(seconds), topics.front()->name);
+}
+
 /// Runs the given topics.
 int run_topics(const BenchOptions& options, const ChosenTopics& topics) {
   const std::vector<proofs::Levels> levels = checked_levels(options, topics);
   if (topics.size() > 1 && !options.plot.empty()) throw UsageError("--plot draws one topic; name one");
   if (!topics.front()->draws) refuse_plot(options, fmt::format("bench {}", topics.front()->name));
+  if (topics.size() > 1 && !options.quiet) announce(topics);
   Outputs outputs(options);
   for (std::size_t k = 0; k < topics.size(); ++k) outputs.print(measured(*topics[k], options, levels[k]));
   return outputs.commit(topics.size() > 1);

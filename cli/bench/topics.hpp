@@ -34,6 +34,7 @@ struct BenchTopic {
   const char* name;                           ///< as in proofs::Topic::bench, if a topic has it
   std::optional<proofs::Levels> levels = {};  ///< default levels; none if the topic has no levels
   proofs::Level highest = 0;
+  unsigned seconds = 0;  ///< at its default levels, on a quiet machine with two cores, about
   bool reads_textures = false;
   bool makes_maps = false;  ///< their number is --maps
   bool draws = true;        ///< the figures have a picture, for --plot

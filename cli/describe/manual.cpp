@@ -5,6 +5,8 @@
 
 #include <map>
 
+#include "cli/output/exit_code.hpp"
+
 namespace mmverify::cli::describe {
 namespace {
 
@@ -108,13 +110,10 @@ std::string manual(const Program& program, const std::string& version, const std
   for (const Option& option : program.options) text += manual_option(option);
   text += ".SH COMMANDS\n";
   for (const Command& command : program.commands) text += manual_command(program.name, command);
+  text += ".SH EXIT STATUS\n";
+  for (std::size_t code = 0; code < exit_meanings.size(); ++code)
+    text += fmt::format(".TP\n.B {}\n{}\n", code, roff(std::string(exit_meanings[code])));
   text +=
-      ".SH EXIT STATUS\n"
-      ".TP\n.B 0\nComplete; nothing is refuted or broken.\n"
-      ".TP\n.B 1\nRefuted, broken, or a mutant survived.\n"
-      ".TP\n.B 2\nUsage, or nothing to run.\n"
-      ".TP\n.B 3\nInterrupted.\n"
-      ".TP\n.B 4\nThe environment, or a bad file.\n"
       ".SH ENVIRONMENT\n"
       ".TP\n.B MMVERIFY_CLANG\nThe compiler of \\-\\-source; clang where it is not set.\n"
       ".TP\n.B MMVERIFY_CODEC_PROVER\nThe prover of a codec's laws; mmverify\\-codec of this program where "
@@ -123,6 +122,8 @@ std::string manual(const Program& program, const std::string& version, const std
       "set.\n"
       ".TP\n.B MMVERIFY_UNCONFINED\n1: a library under test may start programs, as a driver\\(aqs compiler "
       "does.\n"
+      ".TP\n.B MMVERIFY_WORKER\nThe program that calls a library under test; the installed one where it is "
+      "not set.\n"
       ".TP\n.B MMVERIFY_WORKER_MEMORY\nThe memory of a library under test, in MiB; 4096 where it is not "
       "set.\n"
       ".TP\n.B SOURCE_DATE_EPOCH\nThe date of this page, in seconds since 1970.\n"

@@ -170,6 +170,12 @@ void refuse_same_file(const std::vector<NamedPath>& arguments) {
                                      arguments[b].first, arguments[b].second));
 }
 
+void refuse_no_folder(const char* option, const std::string& folder) {
+  std::error_code error;
+  if (folder.empty() || fs::is_directory(folder, error)) return;
+  throw EnvironmentError(fmt::format("{} {}: there is no such folder", option, folder));
+}
+
 void need_folder(const char* option, const std::string& folder) {
   if (folder.empty()) return;
   std::error_code error;

@@ -53,6 +53,9 @@ using NamedPath = std::pair<const char*, std::string>;
 /// UsageError if two arguments name one file, existing or not. A path that cannot be followed equals no other.
 void refuse_same_file(const std::vector<NamedPath>& arguments);
 
+/// EnvironmentError if the folder of an option is given and does not exist.
+void refuse_no_folder(const char* option, const std::string& folder);
+
 /// Makes the folder of an option, if it is given and does not exist. EnvironmentError if none can be made.
 void need_folder(const char* option, const std::string& folder);
 

@@ -51,6 +51,7 @@ std::vector<std::string> scenes_in(const std::string& folder) {
 }
 
 papers::Measured measured_for(const PaperOptions& options) {
+  refuse_no_folder("--textures", options.textures);
   papers::Sources sources;
   if (!options.scenes.empty()) sources.scenes = scenes_in(options.scenes);
   sources.textures = options.textures;
@@ -160,12 +161,10 @@ Action add_paper(CLI::App& program) {
   command
       ->add_option("--scenes", options->scenes,
                    "measure the glTF files in a folder, not the suite's own scene")
-      ->check(CLI::ExistingDirectory)
       ->type_name("FOLDER");
   command
       ->add_option("--textures", options->textures,
                    "measure the alpha textures in a folder, not generated leaves")
-      ->check(CLI::ExistingDirectory)
       ->type_name("FOLDER");
   command->add_option("-o,--output", options->folder, "write a page a paper, with tables and pictures")
       ->type_name("FOLDER");

@@ -155,6 +155,7 @@ int prove_codec_of(const ProveOptions& options) {
   if (options.levels) codec.levels = parse_levels(*options.levels);
   codec.format = options.format;
   codec.one_case = options.one_case;
+  refuse_no_folder("--certificates", options.certificates);
   codec.certificates = options.certificates;
   codec.second_solver = options.second_solver;
   codec.tier = options.tier == "long" ? Tier::long_run : Tier::fast;
@@ -361,7 +362,6 @@ void add_source(CLI::App& command, ProveOptions& options) {
       .add_option("--certificates", options.certificates,
                   "an existing folder: each proof of a codec leaves its steps there")
       ->type_name("FOLDER")
-      ->check(CLI::ExistingDirectory)
       ->needs(source);
   command
       .add_option(

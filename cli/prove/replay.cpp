@@ -60,7 +60,10 @@ int replay(const ReplayOptions& options) {
     if (picture && r.picture.empty()) throw UsageError(fmt::format("--picture: {} has none", law->id));
     say(stdout, "{} {} level {} case {} subject {} expected {} got {}\n", r.holds ? "holds" : "refuted",
         law->id, level, options.at, subject->name(), r.expected, r.got);
-    if (picture) picture->commit(r.picture);
+    if (picture) {
+      picture->commit(r.picture);
+      say(stdout, "picture: {} is written\n", options.picture);
+    }
     return r.holds ? ExitCode::complete : ExitCode::failed;
   } catch (const SubjectBroken& broken) {
     say(stdout, "broken {} level {} case {} subject {}: {}\n", law->id, level, options.at, subject->name(),

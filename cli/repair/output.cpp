@@ -69,8 +69,7 @@ RepairOutput::RepairOutput(const std::string& input, const std::string& output)
   same_folder_ = fs::equivalent(folder_of(input), folder_of(output), error);
   const std::string wanted = lower_extension(input), given = lower_extension(output);
   if (wanted != given && (given == ".glb" || given == ".gltf"))
-    throw UsageError(
-        fmt::format("-o {}: {} is no {}, and stays what it is; name a {}", output, input, given, wanted));
+    throw UsageError(fmt::format("-o {}: repair keeps the form of {}; name a {}", output, input, wanted));
 }
 
 void RepairOutput::rename_buffers(EditedFile& file) const {

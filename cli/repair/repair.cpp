@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <new>
 
 #include "cli/output/exit_code.hpp"
@@ -11,6 +12,8 @@
 #include "cli/repair/output.hpp"
 #include "cli/scene/loaded.hpp"
 #include "proofs/engine/interrupt.hpp"
+#include "scene/edit/edited_file.hpp"
+#include "scene/read/bad_scene.hpp"
 #include "scene/validate/micromaps.hpp"
 
 namespace mmverify::cli {
@@ -19,6 +22,15 @@ namespace {
 using namespace mmverify::scene;
 using proofs::scene::FileRepair;
 using proofs::scene::RepairReport;
+
+/// Errors: EnvironmentError for a file that is missing, or cannot be read to its end.
+void need_whole(const std::string& file) try { EditedFile{file}; } catch (const BadScene& bad) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) throw;
+  const std::string what = bad.what();
+  throw EnvironmentError(fmt::format("{}{} repair needs a file that can be read: copy or export it again",
+                                     what, what.ends_with('?') ? "" : ";"));
+}
 
 /// Errors: UsageError where no primitive has a micromap.
 void need_micromaps(const std::string& file) {
@@ -65,6 +77,7 @@ int finished(const RepairOptions& options, FileRepair& repair, RepairOutput& out
 int repair(const RepairOptions& options) try {
   refuse_same_file({{"FILE", options.file}, {"-o", options.output}, {"--json", options.json}});
   const proofs::InterruptGuard guard;
+  need_whole(options.file);
   RepairOutput output(options.file, options.output);
   JsonOutput json(options.json);
   std::FILE* const out = json.text();

@@ -23,7 +23,7 @@ using OrderedJson = nlohmann::ordered_json;
 /// Lines of triangles' repairs that are printed without --details.
 constexpr std::size_t most_lines = 16;
 
-/// A repair without its numbers: "given the map of record 3" and "... of record 7" are of one kind.
+/// A repair without its numbers: "linked to the map of record 3" and "... of record 7" are of one kind.
 std::string kind_of(const std::string& did) {
   std::string kind;
   for (std::size_t at = 0; at < did.size();) {

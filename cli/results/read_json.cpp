@@ -13,6 +13,7 @@
 #include "delivery/gate/contradictions.hpp"
 #include "delivery/gate/seal.hpp"
 #include "proofs/engine/kinds.hpp"
+#include "scene/read/json_fault.hpp"
 #include "scene/read/unique_names.hpp"
 
 namespace mmverify::cli {
@@ -148,6 +149,8 @@ Json read_json(const std::string& path) {
       throw std::runtime_error(
           fmt::format("{}: an object has two members of this name; which of them is meant?", *twice));
     return json;
+  } catch (const Json::parse_error&) {
+    throw EnvironmentError(fmt::format("{}: {}", path, mmverify::scene::json_fault(text)));
   } catch (const std::exception& error) {
     throw EnvironmentError(fmt::format("{}: {}", path, error.what()));
   }

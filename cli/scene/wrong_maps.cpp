@@ -40,6 +40,7 @@ std::optional<Cause> cause_of(const CheckMapsOptions& options, bool two_state, c
   Scene with_images = scene;
   decode_other_images(document, with_images, most_other_texels);
   Judged judged{with_images, maps, options.margin, two_state};
+  judged.until = std::chrono::steady_clock::now() + proofs::scene::most_cause_time;
   judged.uvs = [&](const Primitive& primitive, const BaseColorTexture& texture) {
     try {
       return read_uvs(document, buffers, primitive, texture);
@@ -147,8 +148,14 @@ std::string print_why(std::FILE* out, const CheckMapsOptions& options, bool two_
       print_repair(out, options.file);
       return json_of({});
     }
-    if (!options.quiet) say(stderr, "progress: looking for a cause; this may take as long as the laws did\n");
+    if (!options.quiet)
+      say(stderr, "progress: looking for a cause, for at most {} s\n",
+          proofs::scene::most_cause_time.count());
     cause = cause_of(options, two_state, scene, maps);
+  } catch (const proofs::scene::OutOfTime&) {
+    say(out, "cause: none was found within {} s\n", proofs::scene::most_cause_time.count());
+    print_repair(out, options, {});
+    return json_of({});
   } catch (const proofs::Interrupted&) {
     say(out, "cause: the search was interrupted\n");
     return json_of({});

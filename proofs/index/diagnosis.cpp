@@ -5,6 +5,7 @@
 #include "proofs/index/children_inside.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/known_orders.hpp"
+#include "proofs/index/ties.hpp"
 
 namespace mmverify::proofs::index {
 namespace {
@@ -181,6 +182,8 @@ std::vector<std::string> diagnose(const IndexSubject& s, const std::vector<Resul
     lines.push_back(
         fmt::format("out of range at level {}: {} of {} cases", first_wrong, out.mismatches(), out.cases()));
   lines.push_back(where_wrong(results, first, at_first.by_kind()));
+  if (wrong(at_first.by_kind(), Kind::interior) == 0 && first_wrong <= 7)
+    if (const std::string rule = rule_of_ties(s, first_wrong); !rule.empty()) lines.push_back(rule);
   if (n >= 1 && n <= 7) {
     const std::string order = name_order(n, [&](const MicroTriangle& m) {
       std::uint32_t answer = 0;
@@ -189,7 +192,10 @@ std::vector<std::string> diagnose(const IndexSubject& s, const std::vector<Resul
       s.functions.index(n, Batch{{&p, 1}, false}, {&answer, 1});
       return answer;
     });
-    if (!order.empty()) lines.push_back(fmt::format("its order at level {}: {}", n, order));
+    if (!order.empty())
+      lines.push_back(
+          fmt::format("it numbers level {}'s micro-triangles along {}{}", n, order,
+                      order.find(" digit") == order.npos ? "" : " (digit 1: the index's top two bits)"));
   }
   return lines;
 }

@@ -370,7 +370,8 @@ class Rules {
       ++dropped;
     }
     write_codes(file_, *primitive, primitives);
-    return "made " + std::to_string(dropped) + (dropped == 1 ? " index" : " indices") + " special: unknown";
+    return "set " + std::to_string(dropped) + (dropped == 1 ? " index that names" : " indices that name") +
+           " no record to the special index UO, unknown";
   }
 
   /// The number behind a plain code; 0 for one that is none.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "scene/read/bad_scene.hpp"
+#include "scene/validate/suspect_record.hpp"
 #include "scene/validate/vuids.hpp"
 
 namespace mmverify::scene {
@@ -21,7 +22,14 @@ void Report::add(const impl::micromap::Violation& violation, const impl::microma
   // "id (sets): words"
   const std::string line = impl::micromap::describe(violation);
   const char* const rule = impl::micromap::text(violation.rule).id;
-  add(rule, pointer, line.substr(line.find(": ") + 2), vuids_of(rule, in.sets, cases_of(violation, in)));
+  std::string found = line.substr(line.find(": ") + 2);
+  using enum impl::micromap::Rule;
+  const bool of_bytes = violation.rule == record_overlap || violation.rule == record_region ||
+                        violation.rule == record_level_12 || violation.rule == record_format ||
+                        violation.rule == counts_array;
+  if (of_bytes && suspected_.insert(in.records.data()).second)
+    if (const std::string suspect = suspect_record(in); !suspect.empty()) found += "; " + suspect;
+  add(rule, pointer, found, vuids_of(rule, in.sets, cases_of(violation, in)));
 }
 
 std::vector<FileViolation> Report::taken() {

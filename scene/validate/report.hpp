@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "impl/micromap/validate.hpp"
@@ -34,7 +35,8 @@ class Report {
   /// Adds `more` to the count of a rule of which `most` were added at this place.
   void count(std::string_view rule, const std::string& pointer, std::uint64_t more);
 
-  /// Adds a violation of the array's rules by `in`, at the pointer of its place.  The words are describe()'s.
+  /// Adds a violation of the array's rules by `in`, at the pointer of its place.  The words are describe()'s; the first
+  /// that tells of maps' bytes names the suspect_record(), too.
   void add(const impl::micromap::Violation& violation, const impl::micromap::Input& in,
            const std::string& pointer);
 
@@ -45,6 +47,7 @@ class Report {
   Target target_;
   std::vector<FileViolation> list_;
   std::map<std::pair<std::string_view, std::string>, std::uint64_t> counts_;
+  std::set<const void*> suspected_;  ///< buffers of records
 };
 
 /// The value as a message may show it.

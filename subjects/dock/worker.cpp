@@ -30,6 +30,11 @@ std::string worker_program() {
   if (const char* named = std::getenv("MMVERIFY_WORKER")) return named;
   std::error_code error;
   const auto here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  if (error)
+    throw std::runtime_error(fmt::format(
+        "/proc/self/exe, by which mmverify-worker is found, cannot be read: {}; mount /proc, or set "
+        "MMVERIFY_WORKER to the worker's path",
+        error.message()));
   for (const auto& place : {here / "mmverify-worker", here / "../libexec/mmverify/mmverify-worker"})
     if (std::filesystem::exists(place, error)) return place.string();
   throw std::runtime_error(

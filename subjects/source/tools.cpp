@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "subjects/program/own_folder.hpp"
 #include "subjects/source/flags.hpp"
 
 namespace mmverify::source {
@@ -15,11 +16,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using program::ProgramEnd;
-
-fs::path program_folder() {
-  std::error_code error;
-  return fs::read_symlink("/proc/self/exe", error).parent_path();
-}
 
 std::string clang() {
   const char* named = std::getenv("MMVERIFY_CLANG");
@@ -44,7 +40,7 @@ bool ends_in_one_of(const std::string& file, const std::array<const char*, count
 }  // namespace
 
 std::string header_folder() {
-  const fs::path here = program_folder();
+  const fs::path here = program::own_folder();
   std::error_code error;
   std::string tried;
   for (const fs::path& folder : {here / "../include", here / "../sdk", fs::path(MMVERIFY_SDK)}) {
@@ -59,7 +55,7 @@ std::string header_folder() {
 std::string helper(const char* variable, const std::string& name, const std::string& lacks) {
   if (const char* named = std::getenv(variable)) return named;
   std::error_code error;
-  const fs::path here = program_folder();
+  const fs::path here = program::own_folder();
   for (const fs::path& place : {here / name, here / "../libexec/mmverify" / name, here / "../cli" / name})
     if (fs::exists(place, error)) return place.string();
   throw NotAvailable(name + ", " + lacks);

@@ -13,6 +13,7 @@
 #include "proofs/index/judges/on_cells.hpp"
 #include "proofs/index/laws.hpp"
 #include "proofs/index/subject.hpp"
+#include "proofs/index/ties.hpp"
 #include "proofs/planning/plan.hpp"
 #include "proofs/points/stiff_floats.hpp"
 #include "proofs/registry/registry.hpp"
@@ -180,6 +181,41 @@ TEST(Orders, UMajorIsKnown) {
   EXPECT_EQ(u_major(1)({0, 1, false}), 2u);
   EXPECT_EQ(u_major(1)({1, 0, false}), 3u);
   EXPECT_EQ(index::name_order(3, u_major(3)), "U-major, rows from the edge u = 0 on, not the curve");
+}
+
+/// The curve's index of points that are moved a little, as if a tie belonged to the other side.
+index::IndexSubject moved(const std::function<points::GridPoint(points::GridPoint, Level)>& move) {
+  index::Functions functions;
+  functions.index = [move](Level n, index::Batch batch, std::span<std::uint32_t> out) {
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = spec::index::reference(move(batch.points[k], n), n);
+  };
+  functions.receive = [](std::span<points::GridPoint>) {};
+  return index::IndexSubject("moved", "wrong on purpose", functions, "moved");
+}
+
+TEST(IndexDiagnosis, NamesTheRuleOfWrongTies) {
+  using points::Fixed64;
+  using points::GridPoint;
+  constexpr Level level = 4;
+  const Fixed64 little = Fixed64::dyadic(1, 12);
+  const auto square_of = [](Fixed64 x, Level n) { return whole(times(points::side(n), x)); };
+  const auto down_within_the_square = [&](GridPoint p, Level n) {
+    const GridPoint q{p.u - little, p.v - little};
+    return square_of(q.u, n) == square_of(p.u, n) && square_of(q.v, n) == square_of(p.v, n) ? q : p;
+  };
+  EXPECT_EQ(index::rule_of_ties(moved(down_within_the_square), level),
+            "the rule: where uf + vf = 1 the upper micro-triangle owns the point, so test uf + vf >= 1");
+  const auto to_lesser_u = [&](GridPoint p, Level) {
+    return p.u < little ? p : GridPoint{p.u - little, p.v + little};
+  };
+  EXPECT_EQ(index::rule_of_ties(moved(to_lesser_u), level),
+            "the rule: where uf = 0 the square of the greater u owns it, so take the floor of 2^n u");
+  const auto to_lesser_v = [&](GridPoint p, Level) {
+    return p.v < little ? p : GridPoint{p.u + little, p.v - little};
+  };
+  EXPECT_EQ(index::rule_of_ties(moved(to_lesser_v), level),
+            "the rule: where vf = 0 the square of the greater v owns it, so take the floor of 2^n v");
+  EXPECT_EQ(index::rule_of_ties(moved([](GridPoint p, Level) { return p; }), level), "");
 }
 
 /// The name of an order that turns index k of the curve's level 3 into that of `of(k)`.

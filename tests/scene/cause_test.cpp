@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <numeric>
 #include <string>
@@ -812,6 +814,42 @@ TEST(Cause, NamesNoneOfOneWrongState) {
     return;
   }
   FAIL() << "no map has a UT";
+}
+
+/// The processor's time that a call takes.
+double time_of(const std::function<void()>& call) {
+  const std::clock_t start = std::clock();
+  call();
+  return static_cast<double>(std::clock() - start);
+}
+
+// Most changes leave the one wrong map wrong, so the others are not looked at.
+TEST(Cause, OneWrongStateEndsMostTrialsAtOnce) {
+  const Scene scene = leaves();
+  constexpr unsigned fine = 8;
+  StoredMaps maps = stored(scene, fine);
+  std::vector<State> all = states(maps, 3);
+  const auto found = std::find(all.begin(), all.end(), State::UT);
+  ASSERT_NE(found, all.end());
+  *found = State::O;
+  set(maps, 3, all);
+  const std::vector<unsigned> levels(maps.plan.triangles.size(), fine);
+  const double of_bake = time_of([&] { bake(scene, maps.plan, levels); });
+  std::string named;
+  const double of_search = time_of([&] { named = code(scene, maps); });
+  EXPECT_EQ(named, "none");
+  EXPECT_LT(of_search, 200 * of_bake) << "some 50 bakes' time; 600 if each trial looks at all maps";
+}
+
+TEST(Cause, ASearchEndsWhenItsTimeIsOver) {
+  const Scene scene = leaves();
+  const StoredMaps maps =
+      baked_from(scene, [](Scene& s) { s.materials[0].texture->sampler.wrap_u = Wrap::repeat; });
+  Judged judged{scene, maps};
+  judged.until = std::chrono::steady_clock::now() + std::chrono::hours(1);
+  EXPECT_EQ(proofs::scene::cause_of(judged)->code, "wrap");
+  judged.until = std::chrono::steady_clock::now() - std::chrono::seconds(1);
+  EXPECT_THROW(proofs::scene::cause_of(judged), proofs::scene::OutOfTime);
 }
 
 TEST(Cause, NamesNoneOfAStateThatABakerTookForKnown) {

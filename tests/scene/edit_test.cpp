@@ -11,6 +11,7 @@
 #include "scene/edit/map_edits.hpp"
 #include "scene/edit/record_sizes.hpp"
 #include "scene/edit/rules.hpp"
+#include "scene/validate/suspect_record.hpp"
 #include "tests/folder.hpp"
 #include "tests/scene/micromap_breaches.hpp"
 
@@ -311,6 +312,62 @@ TEST(RecordSizes, RefuseGapsThatNoMapOrSeveralFill) {
   EXPECT_FALSE(sized_by_gaps({{0, 3, 1}, {0, 3, 1}}, 16));  // one place for two
   EXPECT_FALSE(sized_by_gaps({{0, 3, 1}, {16, 3, 1}}, 8));  // behind the data
   EXPECT_FALSE(sized_by_gaps({}, 0));
+}
+
+/// The suspect of an array of 16, 32 and 8 bytes of data, whose usage counts are those of `counted`.
+std::string suspect(const std::vector<impl::micromap::Record>& records,
+                    const std::optional<std::vector<impl::micromap::UsageCount>>& counts) {
+  const std::vector<std::uint8_t> bytes = impl::micromap::record_buffer(records), data(56);
+  impl::micromap::Input in;
+  in.records = bytes;
+  in.record_count = records.size();
+  in.data = data;
+  if (counts) in.array_counts = *counts;
+  return suspect_record(in);
+}
+
+TEST(SuspectRecord, IsTheOneWhoseBytesAnotherLevelFills) {
+  const std::vector<impl::micromap::Record> right{{0, 3, 2}, {24, 4, 1}, {16, 3, 1}};
+  const std::vector<impl::micromap::UsageCount> counts{{1, 3, 2}, {1, 4, 1}, {1, 3, 1}};
+  EXPECT_EQ(suspect(right, counts), "");
+  auto overlapping = right, beyond = right, gap = right, moved = right, format = right, two = right;
+  overlapping[0].level = 5;
+  EXPECT_EQ(
+      suspect(overlapping, counts),
+      "suspect: record 0: level 5 in 4-state is 256 bytes; level 3 in 4-state is the 16 bytes that it has");
+  EXPECT_EQ(suspect(overlapping, {}), suspect(overlapping, counts));
+  beyond[1].level = 6;
+  EXPECT_EQ(
+      suspect(beyond, counts),
+      "suspect: record 1: level 6 in 2-state is 512 bytes; level 4 in 2-state is the 32 bytes that it has");
+  gap[0].level = 2;
+  EXPECT_EQ(
+      suspect(gap, counts),
+      "suspect: record 0: level 2 in 4-state is 4 bytes; level 3 in 4-state is the 16 bytes that it has");
+  EXPECT_EQ(suspect(gap, {}), "") << "a gap breaks no rule";
+  EXPECT_EQ(suspect(gap, {{{1, 2, 2}, {1, 4, 1}, {1, 3, 1}}}), "") << "the counts say that the gap is meant";
+  format[0].format = 7;
+  EXPECT_EQ(suspect(format, counts),
+            "suspect: record 0: format 7; level 3 in 4-state is the 16 bytes that it has");
+  two[0].level = two[2].level = 5;
+  EXPECT_NE(suspect(two, counts).find("; and 1 more such record"), std::string::npos);
+  moved[1].offset = 20;
+  EXPECT_EQ(suspect(moved, counts), "") << "its offset is wrong";
+}
+
+TEST(SuspectRecord, IsNamedByTheValidatorOnce) {
+  Subject s;
+  const auto named = [&] {
+    const std::string text = s.file.glb();
+    const Bytes bytes(text.begin(), text.end());
+    std::size_t count = 0;
+    for (const FileViolation& one : validate_micromaps("f.glb", bytes))
+      count += one.found.find("suspect: record 0: level 9") != std::string::npos ? 1 : 0;
+    return count;
+  };
+  EXPECT_EQ(named(), 0u);
+  s.byte_of(s.records_view(), 4) = 9;
+  EXPECT_EQ(named(), 1u);
 }
 
 TEST(WrittenMaps, ASharedRecordGetsASecondOne) {

@@ -350,7 +350,9 @@ TEST(FileRepair, GivesAUniformTriangleWithARecordItsSpecialIndex) {
       if (low != 0xff && low != 0xfe) continue;  // T and O
       with.file.bytes.replace(at, width, std::string(width, '\0'));
       const std::vector<std::string> did = back_to_right(with);
-      EXPECT_EQ(number_of(did, low == 0xff ? "given the special index T" : "given the special index O"), 1u);
+      EXPECT_EQ(number_of(did, low == 0xff ? "linked to the special index T, being transparent all over"
+                                           : "linked to the special index O, being opaque all over"),
+                1u);
       ++tried;
       break;
     }
@@ -497,7 +499,7 @@ TEST(FileRepair, RandomMapsNeedTheBaker) {
   ASSERT_TRUE(baked.is_whole);
   const auto of_another_record =
       static_cast<std::size_t>(std::count_if(baked.did.begin(), baked.did.end(), [](const std::string& did) {
-        return did.starts_with("given the map of record ");
+        return did.starts_with("linked to the map of record ");
       }));
   EXPECT_GT(number_of(baked.did, "baked anew"), 5u);
   EXPECT_EQ(number_of(baked.did, "baked anew") + of_another_record, baked.did.size())

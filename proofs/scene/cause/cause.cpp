@@ -20,6 +20,7 @@
 namespace mmverify::proofs::scene {
 namespace {
 
+using impl::micromap::State;
 using mmverify::scene::BakedTriangle;
 using mmverify::scene::VertexOrder;
 using Maps = Trials::Maps;
@@ -35,7 +36,17 @@ const std::string uniform_place = "a special index";
 
 class Search {
  public:
-  Search(const Judged& judged, std::uint64_t most) : examined_(judged, most) {}
+  Search(const Judged& judged, std::uint64_t most) : examined_(judged, most) {
+    std::set<std::size_t> wrong;
+    for (const std::size_t k : examined_.tried())
+      if (examined_.fit(k).wrong != 0) wrong.insert(examined_.link(k).primitive);
+    for (const std::size_t k : examined_.tried())
+      if (wrong.contains(examined_.link(k).primitive)) bound_.push_back(k);
+    std::stable_sort(bound_.begin(), bound_.end(), [this](std::size_t a, std::size_t b) {
+      return std::pair(examined_.fit(a).wrong == 0, examined_.level(a)) <
+             std::pair(examined_.fit(b).wrong == 0, examined_.level(b));
+    });
+  }
 
   /// The cause of unknown states on the other side.
   std::optional<Cause> side_cause() const {
@@ -90,8 +101,32 @@ class Search {
     return *trials_.best();
   }
 
+  /// Whether one of the maps that a change has to put right has a wrong state under it: the change then explains
+  /// nothing, and its other maps are spared.
+  bool is_contradicted(const std::function<bool(std::size_t triangle)>& has_wrong) const {
+    return std::any_of(bound_.begin(), bound_.end(), [&](std::size_t k) {
+      stop_if_due(examined_.judged());
+      return has_wrong(k);
+    });
+  }
+
+  /// Whether a change of states or order gives a known state of a triangle that is not the expected one.
+  bool has_wrong_state(const MapChange& change, std::size_t k) const {
+    if (!examined_.link(k).record) return examined_.fit(k).wrong != 0;
+    const States &stored = examined_.stored(k), &right = examined_.right(k);
+    constexpr std::uint32_t far =
+        2'654'435'761;  // odd, so all are visited; neighbours, often alike, long after
+    for (std::uint32_t i = 0; i < stored.size(); ++i) {
+      const std::uint32_t at = i * far % static_cast<std::uint32_t>(stored.size());
+      const auto state = change.state(stored, examined_.level(k), at);
+      if ((state == State::T || state == State::O) && state != right[at]) return true;
+    }
+    return false;
+  }
+
   void try_maps() {
-    for (const MapChange& change : map_changes())
+    for (const MapChange& change : map_changes()) {
+      if (is_contradicted([&](std::size_t k) { return has_wrong_state(change, k); })) continue;
       trials_.attempt(change.code, change.says, [&](const Triangles& triangles) {
         Maps maps{examined_.stored(triangles), examined_.right(triangles)};
         for (std::size_t k = 0; k < triangles.size(); ++k)
@@ -99,6 +134,7 @@ class Search {
             maps.stored[k] = change.undo(maps.stored[k], examined_.level(triangles[k]));
         return maps;
       });
+    }
   }
 
   void try_corners() {
@@ -143,7 +179,12 @@ class Search {
 
   void try_links() {
     const bool exact = is_exact_baker();
-    for (const LinkChange& change : link_changes(examined_.judged()))
+    for (const LinkChange& change : link_changes(examined_.judged())) {
+      const bool contradicted = is_contradicted([&](std::size_t k) {
+        const std::optional<BakedTriangle> map = change.map(k);
+        return (map ? fit(states_of(*map), examined_.right_at(k, map->level)) : examined_.fit(k)).wrong != 0;
+      });
+      if (contradicted) continue;
       trials_.attempt(
           change.code, change.says,
           [&](const Triangles& triangles) {
@@ -161,6 +202,7 @@ class Search {
             return maps;
           },
           least_evidence_of_many, exact);
+    }
   }
 
   void try_inputs() {
@@ -294,6 +336,7 @@ class Search {
     constexpr std::uint64_t most = 4096;
     const Fit uniform = fit_of_uniform(k);
     if (uniform.is_right() && uniform.evidence() >= least_evidence) return std::pair(uniform_place, uniform);
+    stop_if_due(examined_.judged());
     for (std::size_t a = 0; a < examined_.judged().maps.arrays.size(); ++a)
       for (std::uint64_t r = 0;
            r < std::min<std::uint64_t>(most, examined_.judged().maps.arrays[a]->records.size()); ++r) {
@@ -406,6 +449,9 @@ class Search {
   }
 
   const Examined examined_;
+  /// The tried triangles of primitives with a wrong state, which a change has to put right; the wrong ones first, and
+  /// small maps first.
+  Triangles bound_;
   Trials trials_{examined_};
 };
 

@@ -1,9 +1,11 @@
 // The cause of wrong maps: the one change under which all stored maps are right.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,16 @@ struct Judged {
   std::function<std::vector<mmverify::scene::Uv>(const mmverify::scene::Primitive&,
                                                  const mmverify::scene::BaseColorTexture&)>
       uvs = {};
+  /// The end of the search for a cause; none: it takes as long as it takes.
+  std::optional<std::chrono::steady_clock::time_point> until = {};
+};
+
+/// A command looks for a cause for so long; files of some million micro-triangles take a tenth of it.
+inline constexpr std::chrono::seconds most_cause_time{30};
+
+/// The end of a search that has no cause by Judged::until.
+struct OutOfTime : std::runtime_error {
+  OutOfTime() : std::runtime_error("the search for a cause ran out of time") {}
 };
 
 struct Cause {
@@ -33,7 +45,7 @@ struct Cause {
 /// The cause, if one change of the list in docs/CAUSES.md makes all maps right.
 ///   right: each known state is that of the exact bake; few micro-triangles are needlessly unknown
 /// No cause: the maps are right, or no single change explains them.
-/// Domain: at least one triangle.  Errors: exceptions of baking.
+/// Domain: at least one triangle.  Errors: Interrupted; OutOfTime; exceptions of baking.
 std::optional<Cause> cause_of(const Judged& judged);
 
 /// The cause `unknown_side`, if most unknown states of right maps are on the other side than alpha at their centroids.

@@ -20,8 +20,10 @@ std::vector<InputChange> input_changes(const Judged& judged);
 /// A baker, or a tool, that wrote the states otherwise.
 struct MapChange {
   std::string code, says;
+  /// The right state of micro-triangle k of a stored map.  Domain: 4^level states; k below their number.
+  std::function<impl::micromap::State(const States&, Level, std::uint32_t k)> state;
   /// The right map of a stored one.  Domain: 4^level states.
-  std::function<States(const States&, Level)> undo;
+  States undo(const States& map, Level n) const;
 };
 /// Exchanged states, and orders other than the curve's.
 const std::vector<MapChange>& map_changes();

@@ -10,6 +10,11 @@ Inputs inputs_of(const Judged& judged) {
   return inputs;
 }
 
+void stop_if_due(const Judged& judged) {
+  if (interrupted()) throw Interrupted();
+  if (judged.until && std::chrono::steady_clock::now() > *judged.until) throw OutOfTime();
+}
+
 namespace {
 
 std::vector<States> baked(const Judged& judged, const Inputs& inputs,
@@ -25,9 +30,7 @@ std::vector<States> baked(const Judged& judged, const Inputs& inputs,
   mmverify::scene::BakeOptions options;
   options.two_state = judged.two_state;
   options.margin = judged.margin;
-  options.done = [](std::uint64_t) {
-    if (interrupted()) throw Interrupted();
-  };
+  options.done = [&judged](std::uint64_t) { stop_if_due(judged); };
   std::vector<States> all;
   for (const auto& map : mmverify::scene::bake(judged.scene, plan, levels, options).triangles)
     all.push_back(states_of(map));

@@ -16,6 +16,9 @@ struct Inputs {
 };
 Inputs inputs_of(const Judged& judged);
 
+/// Ends a search: throws Interrupted after a signal, OutOfTime after Judged::until.
+void stop_if_due(const Judged& judged);
+
 /// The exact maps of some triangles at the levels of their stored maps; in the order of `triangles`.
 std::vector<States> expected(const Judged& judged, const Inputs& inputs,
                              const std::vector<std::size_t>& triangles);

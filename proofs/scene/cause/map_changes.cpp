@@ -45,41 +45,38 @@ void add_states(std::vector<MapChange>& all) {
                    known != nullptr ? known
                                     : fmt::format("the codes 0, 1, 2, 3 stand for the states {}, {}, {}, {}",
                                                   digit(0), digit(1), digit(2), digit(3)),
-                   [codes](const States& map, Level) {
-                     States right = map;
-                     for (State& s : right) s = codes[static_cast<std::size_t>(s)];
-                     return right;
+                   [codes](const States& map, Level, std::uint32_t k) {
+                     return codes[static_cast<std::size_t>(map[k])];
                    }});
   }
 }
 
-/// The places of a level's micro-triangles by an order, by their place on the curve.
-std::vector<std::uint32_t> places(const index::KnownOrder& order, Level n) {
-  std::vector<std::uint32_t> all(std::size_t{1} << (2 * n));
-  for (std::uint32_t k = 0; k < all.size(); ++k) {
-    std::uint32_t i = 0, j = 0;
-    for (const auto& corner : spec::index::corners(k, n)) {
-      i += corner.i;
-      j += corner.j;
-    }
-    const points::MicroTriangle m{i / 3, j / 3, i % 3 == 2};
-    all[k] = order.index(points::representative(m, n), n);
+/// The place by an order of the micro-triangle with place k on the curve.
+std::uint32_t place(const index::KnownOrder& order, Level n, std::uint32_t k) {
+  std::uint32_t i = 0, j = 0;
+  for (const auto& corner : spec::index::corners(k, n)) {
+    i += corner.i;
+    j += corner.j;
   }
-  return all;
+  const points::MicroTriangle m{i / 3, j / 3, i % 3 == 2};
+  return order.index(points::representative(m, n), n);
 }
 
 void add_orders(std::vector<MapChange>& all) {
   for (const index::KnownOrder& order : index::known_orders())
-    all.push_back(
-        {"order", "the states lie in another order: " + order.name, [order](const States& map, Level n) {
-           const std::vector<std::uint32_t> from = places(order, n);
-           States right = map;
-           for (std::size_t k = 0; k < map.size(); ++k) right[k] = map[from[k] % map.size()];
-           return right;
-         }});
+    all.push_back({"order", "the states lie in another order: " + order.name,
+                   [&order](const States& map, Level n, std::uint32_t k) {
+                     return map[place(order, n, k) % map.size()];
+                   }});
 }
 
 }  // namespace
+
+States MapChange::undo(const States& map, Level n) const {
+  States right(map.size());
+  for (std::uint32_t k = 0; k < map.size(); ++k) right[k] = state(map, n, k);
+  return right;
+}
 
 const std::vector<MapChange>& map_changes() {
   static const std::vector<MapChange> all = [] {

@@ -6,7 +6,6 @@
 #include <array>
 #include <set>
 
-#include "proofs/engine/interrupt.hpp"
 #include "proofs/scene/cause/changes.hpp"
 #include "proofs/scene/cause/trials.hpp"
 
@@ -76,7 +75,7 @@ class Rewritten {
 
  private:
   void look_at(std::size_t k) {
-    if (interrupted()) throw Interrupted();
+    stop_if_due(examined_.judged());
     const std::uint64_t times = examined_.times(k);
     wrong_ += times;
     const State whole = examined_.right_at(k, 0).front();

@@ -5,8 +5,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "proofs/engine/interrupt.hpp"
-
 namespace mmverify::proofs::scene {
 namespace {
 
@@ -46,7 +44,7 @@ Trials::Sum Trials::sum(const std::vector<std::size_t>& triangles, const Maps& m
 
 bool Trials::attempt(const std::string& code, const std::string& says, const Make& make,
                      std::uint64_t evidence, bool exact) {
-  if (interrupted()) throw Interrupted();
+  stop_if_due(examined_.judged());
   try {
     return keeps_within_domain(code, says, make, evidence, exact);
   } catch (const std::invalid_argument&) {

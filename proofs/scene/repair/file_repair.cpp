@@ -168,7 +168,14 @@ void FileRepair::repair_maps(const std::vector<TriangleOfFile>& unlinked) {
     if (!is_left) edits.push_back({primitive.mesh, primitive.number, link.triangle, link.planned});
   }
   if (report_.left.empty()) return write_maps(file_, maps, edits);
-  const auto cause = searched([](const auto& judged) { return cause_of(judged); });
+  const auto cause = searched([](Judged judged) -> std::optional<Cause> {
+    judged.until = std::chrono::steady_clock::now() + most_cause_time;
+    try {
+      return cause_of(judged);
+    } catch (const OutOfTime&) {
+      return {};
+    }
+  });
   if (cause && cause->explained == cause->wrong) report_.cause = cause->code + ": " + cause->says;
 }
 

@@ -121,7 +121,7 @@ class RelinkSearch {
                own.array,
                static_cast<std::uint64_t>(base + by),
                {},
-               fmt::format("given base triangle {}, which was {}", base + by, base)},
+               fmt::format("its base triangle is {} now; it was {}", base + by, base)},
               [by](const MapLink& link) -> std::optional<LinkPlace> {
                 if (!link.record) return LinkPlace{link.array, {}};
                 return LinkPlace{link.array, *link.record + static_cast<std::uint64_t>(by)};

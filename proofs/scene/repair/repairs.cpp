@@ -146,8 +146,11 @@ class RepairSearch {
   bool try_special(std::size_t k) {
     const State right = fitting_.right(k, 0)[0];
     if (right != State::T && right != State::O) return false;
-    all_[k] = {
-        Kind::found, {}, fmt::format("given the special index {}", right == State::T ? "T" : "O"), false};
+    all_[k] = {Kind::found,
+               {},
+               right == State::T ? "linked to the special index T, being transparent all over"
+                                 : "linked to the special index O, being opaque all over",
+               false};
     all_[k].map.uniform = right;
     return true;
   }
@@ -195,9 +198,9 @@ class RepairSearch {
 
   bool try_record(std::size_t k, const RecordPlace& place, bool is_own, bool turns) {
     return try_map(k, fitting_.map(place.array, place.record), {},
-                   is_own
-                       ? fmt::format("given the map of record {}", place.record)
-                       : fmt::format("given the map of record {} of micromap {}", place.record, place.array),
+                   is_own ? fmt::format("linked to the map of record {}, which fits", place.record)
+                          : fmt::format("linked to the map of record {} of micromap {}, which fits",
+                                        place.record, place.array),
                    turns);
   }
 

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "subjects/program/own_folder.hpp"
 #include "subjects/shaders/compile/includes.hpp"
 #include "subjects/shaders/compile/interface.hpp"
 #include "subjects/shaders/compile/sha256.hpp"
@@ -355,7 +356,7 @@ std::string compile_function(const std::string& file, const std::string& functio
 
 std::string device_library() {
   if (const char* named = std::getenv("MMVERIFY_SHADER_LIBRARY")) return named;
-  const fs::path here = program_folder();
+  const fs::path here = program::own_folder();
   std::error_code error;
   for (const auto& place : {here / "mmverify-shaders.so", here / "../libexec/mmverify/mmverify-shaders.so"})
     if (fs::exists(place, error)) return place.string();

@@ -2,16 +2,13 @@
 
 #include <filesystem>
 
-namespace mmverify::shaders {
+#include "subjects/program/own_folder.hpp"
 
-std::string program_folder() {
-  std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path().string();
-}
+namespace mmverify::shaders {
 
 std::string include_root() {
   std::error_code error;
-  const auto installed = std::filesystem::path(program_folder()) / "../share/mmverify";
+  const auto installed = program::own_folder() / "../share/mmverify";
   if (std::filesystem::exists(installed / "shaders", error)) return installed.lexically_normal().string();
   return MMVERIFY_SHADER_INCLUDES;
 }

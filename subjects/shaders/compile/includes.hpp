@@ -8,7 +8,4 @@ namespace mmverify::shaders {
 /// The folder that contains `shaders/`: subjects/ of the checkout, or the installed one.
 std::string include_root();
 
-/// The folder of this program.
-std::string program_folder();
-
 }  // namespace mmverify::shaders
