@@ -1,7 +1,6 @@
 #include "bench/tree/bench.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <random>
 #include <stdexcept>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
-#include <utility>
 
 #include "impl/index/index.hpp"
 #include "impl/tree/tree.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <utility>
 
 #include "impl/common/crc32c.hpp"
 #include "impl/dag/known.hpp"

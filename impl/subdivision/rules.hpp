@@ -1,8 +1,6 @@
 // The children of each scheme, as the state machines read them.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
 #include "impl/subdivision/subdivision.hpp"

@@ -1,7 +1,6 @@
 #include "proofs/scene/subject_maps.hpp"
 
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <variant>
 

@@ -1,7 +1,5 @@
 #include "scene/flip/rows.hpp"
 
-#include <cmath>
-
 #include "scene/flip/colour.hpp"
 
 #undef HWY_TARGET_INCLUDE

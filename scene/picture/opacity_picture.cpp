@@ -6,7 +6,6 @@
 #include <limits>
 #include <set>
 #include <utility>
-#include <variant>
 
 #include "impl/bake/texture/wrap.hpp"
 #include "impl/index/index.hpp"

@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <span>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "spec/attribute/colour.hpp"

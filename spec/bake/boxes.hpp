@@ -6,7 +6,6 @@
 // for thin polygons across many repeats, whose squares are cut one by one.
 #pragma once
 
-#include <array>
 #include <deque>
 #include <optional>
 #include <vector>

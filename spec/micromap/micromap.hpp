@@ -1,7 +1,6 @@
 // Micromaps: states, formats, the packing of states in bytes, force-2-state, and special indices for uniform triangles.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

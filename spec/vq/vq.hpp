@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "spec/rational.hpp"
 

@@ -2,14 +2,12 @@
 // changes a verdict, a count or a digest without a word.
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
-#include <vector>
 
 #include "delivery/gate/compare.hpp"
 #include "delivery/gate/runs.hpp"

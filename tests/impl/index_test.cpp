@@ -10,7 +10,6 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #if defined(__SSE2__)

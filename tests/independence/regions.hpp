@@ -3,10 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "subjects/dock/entry_points.hpp"

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <string>
 #include <vector>
 

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <vector>
 
 #include "spec/traverse/blend.hpp"
 #include "spec/traverse/decision.hpp"

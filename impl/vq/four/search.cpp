@@ -1,7 +1,6 @@
 #include "impl/vq/four/search.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "impl/vq/four/search.cpp"
