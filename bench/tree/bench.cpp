@@ -262,14 +262,10 @@ class Measurement {
 
 const char* to_string(TreeForm form) {
   switch (form) {
-    case TreeForm::flat:
-      return "flat";
-    case TreeForm::paper:
-      return "paper";
-    case TreeForm::ours:
-      return "ours";
-    case TreeForm::sdsl:
-      break;
+    case TreeForm::flat: return "flat";
+    case TreeForm::paper: return "paper";
+    case TreeForm::ours: return "ours";
+    case TreeForm::sdsl: break;
   }
   return "sdsl";
 }

@@ -123,8 +123,7 @@ class Replay {
         if (n <= tile_level) bad_record("a flat map of level " + number(n), "level 4 to 12", 1);
         flat(n, value);
         return;  // its record is there already
-      default:
-        bad_record("kind " + number(kind), "0 to 4", 1);
+      default: bad_record("kind " + number(kind), "0 to 4", 1);
     }
     dag_.records_.push_back({static_cast<std::uint8_t>(n), Kind{static_cast<std::uint8_t>(kind)}, 0, value});
   }

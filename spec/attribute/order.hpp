@@ -324,12 +324,9 @@ constexpr Vertex bird_vertex(std::uint64_t x, Level n) {
 /// The index of a vertex in an order.  Domain: a vertex of level n, n in 0..31.  Result in [0, V(n)).
 constexpr std::uint64_t vertex_index(VertexOrder order, const Vertex& at, Level n) {
   switch (order) {
-    case VertexOrder::w_minor:
-      return w_minor_index<std::uint64_t>(at.i, at.j);
-    case VertexOrder::u_major:
-      return u_major_index<std::uint64_t>(at.i, at.j, n);
-    case VertexOrder::bird:
-      break;
+    case VertexOrder::w_minor: return w_minor_index<std::uint64_t>(at.i, at.j);
+    case VertexOrder::u_major: return u_major_index<std::uint64_t>(at.i, at.j, n);
+    case VertexOrder::bird: break;
   }
   return bird_index(at.i, at.j, n);
 }
@@ -337,12 +334,9 @@ constexpr std::uint64_t vertex_index(VertexOrder order, const Vertex& at, Level 
 /// The vertex with an index in an order.  Domain: x in [0, V(n)), n in 0..16.
 constexpr Vertex vertex_at(VertexOrder order, std::uint64_t x, Level n) {
   switch (order) {
-    case VertexOrder::w_minor:
-      return w_minor_vertex(x);
-    case VertexOrder::u_major:
-      return u_major_vertex(x, n);
-    case VertexOrder::bird:
-      break;
+    case VertexOrder::w_minor: return w_minor_vertex(x);
+    case VertexOrder::u_major: return u_major_vertex(x, n);
+    case VertexOrder::bird: break;
   }
   return bird_vertex(x, n);
 }
@@ -404,12 +398,9 @@ constexpr MicroTriangle u_major_triangle(std::uint64_t x, Level n) {
 /// The index of a micro-triangle in an order.  Domain: a micro-triangle of level n, n in 0..31.  Result in [0, 4^n).
 constexpr std::uint64_t face_index(FaceOrder order, const MicroTriangle& t, Level n) {
   switch (order) {
-    case FaceOrder::curve:
-      return curve_index(t, n);
-    case FaceOrder::rows:
-      return row_index<std::uint64_t>(t.iu, t.iv, t.upper);
-    case FaceOrder::u_major:
-      break;
+    case FaceOrder::curve: return curve_index(t, n);
+    case FaceOrder::rows: return row_index<std::uint64_t>(t.iu, t.iv, t.upper);
+    case FaceOrder::u_major: break;
   }
   return u_major_face_index<std::uint64_t>(t.iu, t.iv, t.upper, n);
 }
@@ -417,12 +408,9 @@ constexpr std::uint64_t face_index(FaceOrder order, const MicroTriangle& t, Leve
 /// The micro-triangle with an index in an order.  Domain: x in [0, 4^n), n in 0..16.
 constexpr MicroTriangle triangle_at(FaceOrder order, std::uint64_t x, Level n) {
   switch (order) {
-    case FaceOrder::curve:
-      return curve_triangle(x, n);
-    case FaceOrder::rows:
-      return row_triangle(x);
-    case FaceOrder::u_major:
-      break;
+    case FaceOrder::curve: return curve_triangle(x, n);
+    case FaceOrder::rows: return row_triangle(x);
+    case FaceOrder::u_major: break;
   }
   return u_major_triangle(x, n);
 }

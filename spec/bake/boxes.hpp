@@ -36,16 +36,11 @@ inline Interval distinct(Wrap wrap, const Interval& indices, std::uint32_t size)
     return Interval{indices.first, std::min(indices.last, indices.first + period - 1)};
   };
   switch (wrap) {
-    case Wrap::repeat:
-      return at_most(n);
-    case Wrap::mirrored_repeat:
-      return at_most(n == 1 ? 1 : 2 * n);
-    case Wrap::clamp_to_edge:
-      return between(0, n - 1);
-    case Wrap::mirror_once:
-      return between(-n, n - 1);
-    case Wrap::clamp_to_border:
-      break;
+    case Wrap::repeat: return at_most(n);
+    case Wrap::mirrored_repeat: return at_most(n == 1 ? 1 : 2 * n);
+    case Wrap::clamp_to_edge: return between(0, n - 1);
+    case Wrap::mirror_once: return between(-n, n - 1);
+    case Wrap::clamp_to_border: break;
   }
   return between(-1, n);
 }

@@ -93,18 +93,10 @@ inline std::optional<std::uint32_t> wrapped(Wrap wrap, std::int64_t i, std::uint
   const auto mod = [](std::int64_t k, std::int64_t m) { return (k % m + m) % m; };
   const auto mirror = [](std::int64_t k) { return k >= 0 ? k : -(1 + k); };
   switch (wrap) {
-    case Wrap::repeat:
-      i = mod(i, n);
-      break;
-    case Wrap::mirrored_repeat:
-      i = n - 1 - mirror(mod(i, 2 * n) - n);
-      break;
-    case Wrap::clamp_to_edge:
-      i = std::clamp<std::int64_t>(i, 0, n - 1);
-      break;
-    case Wrap::mirror_once:
-      i = std::clamp<std::int64_t>(mirror(i), 0, n - 1);
-      break;
+    case Wrap::repeat: i = mod(i, n); break;
+    case Wrap::mirrored_repeat: i = n - 1 - mirror(mod(i, 2 * n) - n); break;
+    case Wrap::clamp_to_edge: i = std::clamp<std::int64_t>(i, 0, n - 1); break;
+    case Wrap::mirror_once: i = std::clamp<std::int64_t>(mirror(i), 0, n - 1); break;
     case Wrap::clamp_to_border:
       if (i < 0 || i >= n) return std::nullopt;
       break;

@@ -252,14 +252,10 @@ constexpr std::array<At, 3> corners_turn(const std::array<At, 3>& P, std::uint32
   };
   const At P01 = mid(0, 1), P02 = mid(0, 2), P12 = mid(1, 2);
   switch (digit) {
-    case 0:
-      return {P[0], P01, P02};
-    case 1:
-      return {P02, P12, P01};
-    case 2:
-      return {P01, P[1], P12};
-    default:
-      return {P12, P02, P[2]};
+    case 0: return {P[0], P01, P02};
+    case 1: return {P02, P12, P01};
+    case 2: return {P01, P[1], P12};
+    default: return {P12, P02, P[2]};
   }
 }
 

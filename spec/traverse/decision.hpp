@@ -118,14 +118,10 @@ constexpr bool two_state_override(const Combination& c) {
 /// The outcome of a state.  Source: Vulkan, Ray Opacity Micromap, its table.
 constexpr Outcome looked_up(State s, bool two_state) {
   switch (s) {
-    case State::T:
-      return Outcome::ignored;
-    case State::O:
-      return Outcome::opaque;
-    case State::UT:
-      return two_state ? Outcome::ignored : Outcome::non_opaque;
-    case State::UO:
-      break;
+    case State::T: return Outcome::ignored;
+    case State::O: return Outcome::opaque;
+    case State::UT: return two_state ? Outcome::ignored : Outcome::non_opaque;
+    case State::UO: break;
   }
   return two_state ? Outcome::opaque : Outcome::non_opaque;
 }

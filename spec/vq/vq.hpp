@@ -176,13 +176,10 @@ enum class Code4 : std::uint8_t {
 
 constexpr std::uint32_t bits_of(Code4 how) {
   switch (how) {
-    case Code4::simple:
-      return 17;
+    case Code4::simple: return 17;
     case Code4::vertical:
-    case Code4::horizontal:
-      return 18;
-    case Code4::generic:
-      break;
+    case Code4::horizontal: return 18;
+    case Code4::generic: break;
   }
   return 20;
 }

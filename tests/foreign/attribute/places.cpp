@@ -45,14 +45,10 @@ struct Path {
 
 unsigned digit_of(Child child, bool turned) {
   switch (child) {
-    case at_w:
-      return turned ? 2 : 0;
-    case at_u:
-      return turned ? 0 : 2;
-    case middle:
-      return 1;
-    case at_v:
-      return 3;
+    case at_w: return turned ? 2 : 0;
+    case at_u: return turned ? 0 : 2;
+    case middle: return 1;
+    case at_v: return 3;
   }
   return 0;
 }
@@ -195,8 +191,7 @@ std::uint32_t index_of(VertexOrder order, Level n, const Vertex& at, Fault wrong
       }
       return static_cast<std::uint32_t>(before + j);
     }
-    case VertexOrder::bird:
-      return static_cast<std::uint32_t>(bird(n, at, wrong));
+    case VertexOrder::bird: return static_cast<std::uint32_t>(bird(n, at, wrong));
   }
   throw std::logic_error("no order of vertices");
 }
@@ -218,8 +213,7 @@ Vertex vertex_of(VertexOrder order, Level n, std::uint32_t index, Fault wrong) {
       const auto c = static_cast<std::uint32_t>(y - r * (r + 1) / 2);
       return {N - static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(r) - c};
     }
-    case VertexOrder::bird:
-      return bird_vertex(n, index, wrong);
+    case VertexOrder::bird: return bird_vertex(n, index, wrong);
   }
   throw std::logic_error("no order of vertices");
 }
@@ -231,8 +225,7 @@ Vertex vertex_of(VertexOrder order, Level n, std::uint32_t index, Fault wrong) {
 std::uint32_t index_of(FaceOrder order, Level n, const MicroTriangle& t, Fault wrong) {
   const std::uint32_t up = t.upper ? 1 : 0;
   switch (order) {
-    case FaceOrder::curve:
-      return static_cast<std::uint32_t>(path_to(t, n, wrong).index);
+    case FaceOrder::curve: return static_cast<std::uint32_t>(path_to(t, n, wrong).index);
     case FaceOrder::rows: {
       const std::uint32_t r = t.iu + t.iv + up;
       if (wrong == face_rows_in_u_from_6 && n >= 6) return r * r + 2 * t.iu + up;
@@ -252,8 +245,7 @@ std::uint32_t index_of(FaceOrder order, Level n, const MicroTriangle& t, Fault w
 
 MicroTriangle face_of(FaceOrder order, Level n, std::uint32_t index, Fault wrong) {
   switch (order) {
-    case FaceOrder::curve:
-      return on_curve(index, n, wrong);
+    case FaceOrder::curve: return on_curve(index, n, wrong);
     case FaceOrder::rows: {
       const auto r = static_cast<std::uint32_t>(root_of(index));
       std::uint32_t rest = index - r * r;

@@ -115,14 +115,10 @@ std::vector<Part> parts_of(Code4 how, Fault wrong) {
   if (wrong == "rows_are_columns"_fault && how != Code4::simple && how != Code4::generic)
     how = how == Code4::vertical ? Code4::horizontal : Code4::vertical;
   switch (how) {
-    case Code4::simple:
-      return {{all, 16}};
-    case Code4::vertical:
-      return {{left, 16}, {all & ~left, 17}};
-    case Code4::horizontal:
-      return {{bottom, 16}, {all & ~bottom, 17}};
-    case Code4::generic:
-      break;
+    case Code4::simple: return {{all, 16}};
+    case Code4::vertical: return {{left, 16}, {all & ~left, 17}};
+    case Code4::horizontal: return {{bottom, 16}, {all & ~bottom, 17}};
+    case Code4::generic: break;
   }
   return {};
 }
