@@ -170,10 +170,12 @@ def sections(found):
     lines += ["", *laws_of(found)]
     if not found["whole"]:
         lines += ["", "The time limit ended the run before its last law."]
-    for text in simplest(found["results"]):
-        lines += ["", "```", *text, "```"]
+    blocks = simplest(found["results"])
     if found["diagnoses"]:
-        lines += ["", "```", *(line for text in found["diagnoses"] for line in message(text)), "```"]
+        blocks.append([line for text in found["diagnoses"] for line in message(text)])
+    if blocks:
+        lines += ["", "```", *(line for text in blocks for line in [*text, ""])]
+        lines[-1] = "```"
     return lines
 
 

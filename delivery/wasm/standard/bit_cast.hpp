@@ -3,6 +3,8 @@
 #pragma once
 
 #if defined(__cplusplus)
+#include <bit>
+#include <type_traits>
 
 #if !defined(__cpp_lib_bit_cast)
 namespace std {
