@@ -9,9 +9,7 @@
 namespace mmverify::impl::attribute {
 namespace {
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The bytes: docs/ATTRIBUTE_FORMAT.md
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The bytes: docs/ATTRIBUTE_FORMAT.md
 
 constexpr std::array<std::uint8_t, 4> file_magic{'m', 'm', 'a', 't'};
 constexpr std::uint8_t file_version = 1;
@@ -57,9 +55,7 @@ std::uint64_t flag_bytes(const AttributeMaps& maps, std::uint64_t triangles) {
   return maps.decimation == DecimationRule::none ? 0 : (3 * triangles + 7) / 8;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Members that go together
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Members that go together
 
 /// A fault of the header's members, and its byte.
 struct Complaint {

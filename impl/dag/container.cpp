@@ -83,9 +83,7 @@ class Replay {
     throw BadContainer(static_cast<std::size_t>(byte), where, found, would_do);
   }
 
-  // -----------------------------------------------------------------------------------------------------------------
-  // Records
-  // -----------------------------------------------------------------------------------------------------------------
+  // ---- Records
 
   [[noreturn]] void bad_record(const std::string& found, const std::string& would_do,
                                std::uint64_t field = 4) const {
@@ -166,9 +164,7 @@ class Replay {
   /// A measure of all tiles and nodes, which only grows.
   std::uint64_t grown_to() const { return dag_.tiles_.size() + dag_.nodes_.size(); }
 
-  // -----------------------------------------------------------------------------------------------------------------
-  // Tiles
-  // -----------------------------------------------------------------------------------------------------------------
+  // ---- Tiles
 
   std::uint64_t tiles() const { return dag_.tiles_.size() / b_; }
 
@@ -190,9 +186,7 @@ class Replay {
     if (part != t) bad(at, "tile " + number(t), "the same as tile " + number(part), "another one");
   }
 
-  // -----------------------------------------------------------------------------------------------------------------
-  // Nodes
-  // -----------------------------------------------------------------------------------------------------------------
+  // ---- Nodes
 
   std::uint64_t byte_of(std::uint64_t word) const { return in_.nodes_at + 4 * word; }
 

@@ -84,9 +84,7 @@ constexpr MicroTriangle narrowed(const FaceOf<std::uint64_t>& t) {
   return {static_cast<std::uint32_t>(t.iu), static_cast<std::uint32_t>(t.iv), t.upper != 0};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Vertices
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Vertices
 
 /// Index of a vertex in rows counted from the w-corner, each from the edge w-u on:
 ///   r(r+1)/2 + j,  r = i+j
@@ -341,9 +339,7 @@ constexpr Vertex vertex_at(VertexOrder order, std::uint64_t x, Level n) {
   return bird_vertex(x, n);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Faces
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Faces
 
 /// Index of a micro-triangle in rows counted from the w-corner: r^2 + 2 iv + upper, r = iu+iv+upper.
 /// Domain: a micro-triangle of a level in 0..31.  Source: Color and Attribute Micromaps, figure 4.
@@ -415,9 +411,7 @@ constexpr MicroTriangle triangle_at(FaceOrder order, std::uint64_t x, Level n) {
   return u_major_triangle(x, n);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Faces and their vertices
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Faces and their vertices
 
 /// The corners of a micro-triangle: the base, and one step along u and along v from there, +1 or, in an upper one, -1:
 ///   lower (iu, iv) (iu+1, iv) (iu, iv+1);  upper (iu+1, iv+1) (iu, iv+1) (iu+1, iv)

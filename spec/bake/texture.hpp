@@ -20,9 +20,7 @@ Q fraction(std::int64_t m, std::int64_t n) {
   return Q(typename Q::int_type(m), typename Q::int_type(n));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Stored numbers
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Stored numbers
 
 /// A binary32 number by its bits: sign, 8 of exponent, 23 of fraction.
 struct Binary32 {
@@ -60,9 +58,7 @@ Q number(Binary32 x) {
   return e < 0 ? Q(s * odd, two_e) : Q(s * odd * two_e);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Texels
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Texels
 
 /// The wrap mode.  mirror_once is Vulkan's MIRROR_CLAMP_TO_EDGE.
 enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge, clamp_to_border, mirror_once };

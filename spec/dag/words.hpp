@@ -129,9 +129,7 @@ inline Bytes container(const Dag& dag) {
   return out.all;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Back from bytes
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Back from bytes
 
 /// The maps of a container's bytes, or nothing for a map if a place is outside the arrays, or if its record's kind does
 /// not exist at its level.

@@ -84,9 +84,7 @@ constexpr std::uint32_t side(Scheme scheme, Level n) {
   return N;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The children
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The children
 
 /// A child: the parent's corners whose mean each of its corners is, and its state.
 struct Child {
@@ -163,9 +161,7 @@ constexpr Child child(Scheme scheme, unsigned state, unsigned digit) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Cells
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Cells
 
 /// A cell, and the state in which its own children are listed.
 template <class Q>
@@ -214,9 +210,7 @@ constexpr Cell<Q> cell(Scheme scheme, Level n, std::uint64_t index, const Q& uni
   return at;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The cell of a point
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The cell of a point
 
 /// The determinant of the vectors a, b, c; in the plane of a and b, where c counts for nothing.
 template <class Q>
@@ -295,9 +289,7 @@ constexpr std::uint64_t index(Scheme scheme, Level n, const At<Q>& p, const Q& u
   return index;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Neighbours
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Neighbours
 
 /// The corners that two cells of one level have in common; the scheme's dimension of them make a facet.
 template <class Q>

@@ -195,9 +195,7 @@ TEST(Gate, OfSeveralRunsTheBestSpeedCounts) {
   EXPECT_THROW(best(run("1", "2", "2"), other_seed), NoResult);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Rules and files
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Rules and files
 
 // The gate's purpose: each kind of figure has a direction, place by place.
 TEST(Gate, TheFiguresThatMatterPointTheRightWay) {

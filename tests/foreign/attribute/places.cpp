@@ -21,9 +21,7 @@ std::uint64_t root_of(std::uint64_t x) {
 /// The greatest r with r(r+1)/2 <= x.
 std::uint64_t row_of(std::uint64_t x) { return (root_of(8 * x + 1) - 1) / 2; }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The curve, by descent from the base triangle
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The curve, by descent from the base triangle
 
 enum Child { at_w, middle, at_u, at_v };
 
@@ -96,9 +94,7 @@ MicroTriangle on_curve(std::uint64_t x, Level n, Fault wrong) {
           upper};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Bird
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Bird
 
 std::uint64_t bird(Level n, const Vertex& at, Fault wrong) {
   const std::uint32_t N = side_of(n), k = N - at.i - at.j;
@@ -152,9 +148,7 @@ Vertex bird_vertex(Level n, std::uint64_t x, Fault wrong) {
 
 }  // namespace
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Vertices
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Vertices
 
 std::uint32_t index_of(VertexOrder order, Level n, const Vertex& at, Fault wrong) {
   const std::uint64_t i = at.i, j = at.j, N = side_of(n);
@@ -218,9 +212,7 @@ Vertex vertex_of(VertexOrder order, Level n, std::uint32_t index, Fault wrong) {
   throw std::logic_error("no order of vertices");
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Faces
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Faces
 
 std::uint32_t index_of(FaceOrder order, Level n, const MicroTriangle& t, Fault wrong) {
   const std::uint32_t up = t.upper ? 1 : 0;

@@ -48,9 +48,7 @@ constexpr std::uint32_t column(std::uint32_t x) {
   return mask;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Which vectors there are
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Which vectors there are
 
 /// O spread by one region to each side must not meet T.
 template <std::size_t side>
@@ -72,9 +70,7 @@ bool valid(const Vector<side>& v, Fault how) {
   return (near & t) == 0;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Transforms
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Transforms
 
 template <std::size_t side>
 Vector<side> applied(Transform t, const Vector<side>& v, Fault how) {
@@ -102,9 +98,7 @@ Transform composed(Transform then, Transform first, Fault how) {
   return Transform::of(row);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Codes of vectors
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Codes of vectors
 
 /// The sets of regions that have a palette each, and where its flag is.
 struct Part {
@@ -181,9 +175,7 @@ std::optional<std::uint32_t> encoded(Code4 how, const Vector<4>& v, Fault wrong)
   return fits ? std::optional(code) : std::nullopt;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Rows
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Rows
 
 proofs::SubjectPtr subject(Fault f) {
   Functions parts;
