@@ -1,5 +1,6 @@
 // Micromaps written from the header and docs/MICROMAP.md alone: packing, force-2-state, levels, 1-bit modes and
 // a lossy codec, one state at a time.  Each fault of the table is one slip inside this code.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -10,10 +11,23 @@
 
 namespace {
 
+using mmverify::tests::foreign::chosen_fault;
 using mmverify::tests::foreign::threading;
 
-#define MMVERIFY_FAULTS "tests/foreign/micromap_faults.def"
-#include "tests/foreign/fault_rows.hpp"
+enum Fault {
+#define MMVERIFY_FAULT(name, wrong, laws) name,
+#include "tests/foreign/micromap_faults.def"
+#undef MMVERIFY_FAULT
+};
+
+constexpr const char* fault_names[] = {
+#define MMVERIFY_FAULT(name, wrong, laws) #name,
+#include "tests/foreign/micromap_faults.def"
+#undef MMVERIFY_FAULT
+};
+
+const std::optional<int> fault = chosen_fault(fault_names);
+bool has(Fault f) { return fault == f; }
 
 enum State : unsigned { T = 0, O = 1, UT = 2, UO = 3 };
 

@@ -11,10 +11,23 @@
 
 namespace {
 
+using mmverify::tests::foreign::chosen_fault;
 using mmverify::tests::foreign::threading;
 
-#define MMVERIFY_FAULTS "tests/foreign/traverse_faults.def"
-#include "tests/foreign/fault_rows.hpp"
+enum Fault {
+#define MMVERIFY_FAULT(name, wrong, laws) name,
+#include "tests/foreign/traverse_faults.def"
+#undef MMVERIFY_FAULT
+};
+
+constexpr const char* fault_names[] = {
+#define MMVERIFY_FAULT(name, wrong, laws) #name,
+#include "tests/foreign/traverse_faults.def"
+#undef MMVERIFY_FAULT
+};
+
+const std::optional<int> fault = chosen_fault(fault_names);
+bool has(Fault f) { return fault == f; }
 
 /// The words of one candidate, taken apart.
 struct Seen {

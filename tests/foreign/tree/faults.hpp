@@ -5,7 +5,22 @@
 
 #include "tests/foreign/fault.hpp"
 
-#define MMVERIFY_FAULTS "tests/foreign/tree_faults.def"
 namespace mmverify::tests::foreign::tree {
-#include "tests/foreign/fault_rows.hpp"
-}
+
+enum Fault {
+#define MMVERIFY_FAULT(name, wrong, laws) name,
+#include "tests/foreign/tree_faults.def"
+#undef MMVERIFY_FAULT
+};
+
+inline constexpr const char* fault_names[] = {
+#define MMVERIFY_FAULT(name, wrong, laws) #name,
+#include "tests/foreign/tree_faults.def"
+#undef MMVERIFY_FAULT
+};
+
+/// Nothing where the environment names no row of the table.
+inline const std::optional<int> fault = chosen_fault(fault_names);
+inline bool has(Fault f) { return fault == f; }
+
+}  // namespace mmverify::tests::foreign::tree

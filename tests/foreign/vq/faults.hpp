@@ -5,7 +5,24 @@
 
 #include "tests/foreign/fault.hpp"
 
-#define MMVERIFY_FAULTS "tests/foreign/vq_faults.def"
 namespace mmverify::tests::foreign::vq {
-#include "tests/foreign/fault_rows.hpp"
-}
+
+enum Fault {
+#define MMVERIFY_FAULT(name, wrong, laws) name,
+#include "tests/foreign/vq_faults.def"
+#undef MMVERIFY_FAULT
+};
+
+inline constexpr const char* fault_names[] = {
+#define MMVERIFY_FAULT(name, wrong, laws) #name,
+#include "tests/foreign/vq_faults.def"
+#undef MMVERIFY_FAULT
+};
+
+/// Nothing where the environment names no row of the table.
+inline const std::optional<int> fault = chosen_fault(fault_names);
+inline const int chosen = fault.value_or(-1);  // asked for every region, so without the optional's own flag
+
+inline bool has(Fault f) { return chosen == f; }
+
+}  // namespace mmverify::tests::foreign::vq
