@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "proofs/bake/domains/family.hpp"
+#include "proofs/bake/domains/plateaus.hpp"
 #include "proofs/bake/domains/samples.hpp"
 #include "proofs/bake/domains/strata.hpp"
 #include "proofs/bake/subject.hpp"
@@ -199,6 +200,34 @@ TEST(BakeStrata, HaveEveryPairOfValues) {
     for (std::uint64_t k = 0; k < 22; ++k) widths.insert(rows[first + k][width_of]);
     EXPECT_EQ(widths.size(), 22u);
   }
+}
+
+// The texels of a plateau are named; the name brings back the case.  Most cases are plateaus, and all states occur.
+TEST(BakePlateaus, AreWhatTheirTextSays) {
+  std::array<std::size_t, 4> states{};
+  std::size_t plateaus = 0;
+  constexpr std::uint64_t count = 60;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const Level n = static_cast<Level>(k % 4);
+    const Case one = plateau_sample(1, n, k);
+    const std::string text = text_of(one);
+    EXPECT_LT(text.size(), 260u) << text;
+    const Case again = case_from(text);
+    EXPECT_EQ(again.alpha, one.alpha) << text;
+    EXPECT_EQ(again.uv, one.uv) << text;
+    EXPECT_EQ(text_of(again), text);
+    std::map<std::uint32_t, std::size_t> times;
+    for (const std::uint32_t texel : one.alpha) ++times[texel];
+    const auto most = std::max_element(times.begin(), times.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    plateaus += 2 * most->second > one.alpha.size() ? 1 : 0;
+    for (const State s : true_states(one, n).lower) ++states[static_cast<std::size_t>(s)];
+  }
+  EXPECT_GT(plateaus, count / 2);
+  for (const std::size_t times : states) EXPECT_GT(times, 10u);
+  EXPECT_THROW(case_from("texels=u8:12x12:plateau-1-2,wrap=clamp:clamp,cutoff=1/2,uv=0:0:0:1:1:0"), BadCase);
+  EXPECT_THROW(case_from("texels=u8:12x12:plateau-1-02-3,wrap=clamp:clamp,cutoff=1/2,uv=0:0:0:1:1:0"),
+               BadCase);
 }
 
 // Each row of the design becomes a case: its sides, mips and texels; the cases' true states are not all alike.

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "proofs/bake/cases/lone_texel.hpp"
+#include "proofs/bake/domains/plateaus.hpp"
 #include "proofs/bake/domains/strata.hpp"
 #include "proofs/engine/random.hpp"
 
@@ -87,10 +88,11 @@ void read_texels(Case& one, std::string_view value) {
     one.alpha = texels(lone_texel(one.drawn), one.width, one.height);
     return;
   }
-  if (functions[2].starts_with("drawn-")) {
+  const bool is_plateau = functions[2].starts_with(plateau_begins);
+  if (is_plateau || functions[2].starts_with("drawn-")) {
     one.drawn = functions[2];
-    const std::optional<Case> drawn =
-        resized(drawn_case(one.drawn), one.width, one.height, one.mips, one.texel);
+    const std::optional<Case> drawn = resized(is_plateau ? plateau_named(one.drawn) : drawn_case(one.drawn),
+                                              one.width, one.height, one.mips, one.texel);
     if (!drawn) bad(value, "the draw has fewer columns, rows or mips");
     one.alpha = drawn->alpha;
     return;
@@ -175,7 +177,9 @@ std::string text_of(const Case& one) {
   if (one.mips != 1) text += fmt::format("mips={},", one.mips);
   text += fmt::format("texels={}:{}x{}:", texel_names[static_cast<std::size_t>(one.texel)], one.width,
                       one.height);
-  if (!one.drawn.empty() && (one.alpha.size() > most_said || one.drawn.starts_with(lone_begins)))
+  if (one.alpha.size() > most_said
+          ? !one.drawn.empty()
+          : one.drawn.starts_with(lone_begins) || one.drawn.starts_with(plateau_begins))
     text += one.drawn;
   else
     for (const std::uint32_t bits : one.alpha) text += fmt::format("{:0{}x}", bits, digits);

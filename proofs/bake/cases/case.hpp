@@ -53,7 +53,7 @@ struct Case {
   TexelChange change = {};        ///< without boxes: none, and all is baked afresh
   Rules rules = {};
   std::string drawn =
-      {};  ///< the name of the draw that made all texels (domains/strata.hpp, lone_texel.hpp); else empty
+      {};  ///< the name of the draw that made all texels (domains/strata.hpp, plateaus.hpp, lone_texel.hpp); else empty
   friend bool operator==(const Case&, const Case&) = default;
 };
 
@@ -65,7 +65,8 @@ std::uint64_t texels_of(std::uint32_t width, std::uint32_t height, std::uint32_t
 
 /// A case as one word of a shell, "texels=u8:2x2:00ff80ff,wrap=repeat:clamp,cutoff=1/2,uv=0x0p+0:...".  Defaults (one
 /// mip, bilinear, MASK, factors 1, no margin, travel or change) are left out.  The draw stands for more than 1024 drawn texels:
-/// "texels=u8:4096x3:drawn-1-5-77", "texels=u8:256x256:lone-ff-0-17-200".
+/// "texels=u8:4096x3:drawn-1-5-77"; a lone texel's and a plateau's draw always does, "texels=u8:256x256:lone-ff-0-17-200",
+/// "texels=f32:24x34:plateau-1-2-7".
 std::string text_of(const Case& one);
 /// The case of a text.  Throws BadCase, also for a side of 0 or above 16384, a number that is not finite, a cutoff
 /// over 0, or a factor or margin below 0: no baker takes such a case.

@@ -150,7 +150,10 @@ std::vector<std::string> found(const BakeSubject& s, Fault fault) {
     take(stratified(1, static_cast<Level>(k % (last + 1)), k), static_cast<Level>(k % (last + 1)), k);
 
   std::vector<std::string> lines;
-  if (fault == Fault::conservative)
+  if (proper + ties == 0)
+    lines.push_back(
+        fmt::format("a rare fault: none of {} other cases of levels 0..{} shows it", cases, last));
+  else if (fault == Fault::conservative)
     lines.push_back(
         fmt::format("of {} cases of levels 0..{}, {} have a state that is wrong on an area, {} only ties: a "
                     "contact of area 0",

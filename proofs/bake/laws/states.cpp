@@ -9,11 +9,13 @@
 
 #include "proofs/bake/diagnosis/diagnosis.hpp"
 #include "proofs/bake/domains/family.hpp"
+#include "proofs/bake/domains/plateaus.hpp"
 #include "proofs/bake/domains/samples.hpp"
 #include "proofs/bake/domains/spans.hpp"
 #include "proofs/bake/domains/strata.hpp"
 #include "proofs/bake/law_parts.hpp"
 #include "proofs/bake/laws.hpp"
+#include "proofs/bake/mutants/plateaus.hpp"
 #include "proofs/bake/truth/denial.hpp"
 #include "proofs/engine/passed.hpp"
 
@@ -121,6 +123,12 @@ constexpr Domain spans{nullptr,
                        [](Level, Tier tier) -> std::uint64_t { return tier == Tier::fast ? 40 : 4'000; },
                        {0, 3},
                        {0, 5}};
+constexpr Domain plateaus{nullptr,
+                          plateau_sample,
+                          plateau_samples_text,
+                          [](Level, Tier tier) -> std::uint64_t { return tier == Tier::fast ? 312 : 20'000; },
+                          {0, 3},
+                          {0, 6}};
 constexpr Domain strata{
     nullptr,
     [](std::uint64_t seed, Level n, std::uint64_t k) { return stratified(seed, n, stratum(n, k)); },
@@ -327,6 +335,23 @@ std::vector<Law> span_laws() {
   };
 }
 
+std::vector<Law> plateau_laws() {
+  const Levels all{0, 3};
+  return {
+      state_law("bake.conservative_on_plateaus", conservative, not_conservative, plateaus,
+                {spoiled("an unknown whose middle rows are at the cutoff is opaque", "bake", all,
+                         looks_at_middle_rows),
+                 asked_for_another("alpha at the cutoff is below it", all, above_the_cutoff),
+                 asked_for_another("coordinates are in steps of 2^-6", all, in_steps_of(6))}),
+      state_law(
+          "bake.tight_on_plateaus", tight, not_tight, plateaus,
+          {unknown_where_another_differs("alpha at the cutoff is unknown", all, above_the_cutoff),
+           unknown_where_another_differs("unknown, too, where the vertices' factor decides", all,
+                                         without_vertex_factor),
+           unknown_where_another_differs("unknown, too, where steps of 2^-6 differ", all, in_steps_of(6))}),
+  };
+}
+
 Law moving_law() {
   return state_law("bake.moving", "each state is the specification's of all positions of a moving triangle",
                    differs, moving,
@@ -402,8 +427,8 @@ std::vector<Law> other_laws() {
 
 std::vector<Law> state_laws() {
   std::vector<Law> all = other_laws();
-  const std::vector<Law> spans = span_laws();
-  all.insert(all.end() - 1, spans.begin(), spans.end());  // the last one is of the long tier
+  for (const std::vector<Law>& more : {span_laws(), plateau_laws()})
+    all.insert(all.end() - 1, more.begin(), more.end());  // the last one is of the long tier
   return all;
 }
 
