@@ -1,4 +1,5 @@
 // [release alone, night] Shared libraries of maps and codes: right, wrong and misbehaving ones, judged by the built program.
+#include <cstdlib>
 #include <string>
 
 #include "tests/dock/plugin.hpp"

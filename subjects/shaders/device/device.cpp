@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <optional>
+#include <vector>
 
 namespace mmverify::shaders {
 namespace {
