@@ -68,19 +68,15 @@ std::string to_string(const Growth& growth) {
   std::array<char, 64> text{};
   const double slope = growth.exponential.slope;
   switch (growth.law) {
-    case GrowthLaw::none:
-      return "none found";
-    case GrowthLaw::too_few:
-      return "too few to fit";
-    case GrowthLaw::flat:
-      return "flat";
+    case GrowthLaw::none: return "none found";
+    case GrowthLaw::too_few: return "too few to fit";
+    case GrowthLaw::flat: return "flat";
     case GrowthLaw::exponential:
       if (std::abs(slope - 1) < near_doubling) return "doubles each level";
       if (std::abs(slope + 1) < near_doubling) return "halves each level";
       std::snprintf(text.data(), text.size(), "x%.2f each level", std::exp2(slope));
       return text.data();
-    case GrowthLaw::power:
-      break;
+    case GrowthLaw::power: break;
   }
   std::snprintf(text.data(), text.size(), "as level^%.1f", growth.power.slope);
   return text.data();

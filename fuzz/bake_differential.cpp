@@ -271,14 +271,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Case c = read(in, sides);
   const Share share(data, size);
   switch (sides >> 6) {
-    case 1:
-      judge<std::uint16_t>(c, in, share);
-      break;
-    case 2:
-      judge<float>(c, in, share);
-      break;
-    default:
-      judge<std::uint8_t>(c, in, share);
+    case 1: judge<std::uint16_t>(c, in, share); break;
+    case 2: judge<float>(c, in, share); break;
+    default: judge<std::uint8_t>(c, in, share);
   }
   return 0;
 }

@@ -199,9 +199,7 @@ std::optional<Rule> plant_in_record(BuiltArray& b, slow::Input& in, unsigned kin
   slow::Record record = records[r];
   Rule rule = Rule::record_region;
   switch (kind) {
-    case 0:
-      record.offset += static_cast<std::uint32_t>(b.array.data.size());
-      break;
+    case 0: record.offset += static_cast<std::uint32_t>(b.array.data.size()); break;
     case 1:
       if (records.size() < 2) return std::nullopt;
       record.offset = records[(r + 1) % records.size()].offset;
@@ -211,9 +209,7 @@ std::optional<Rule> plant_in_record(BuiltArray& b, slow::Input& in, unsigned kin
       record.format = 3;
       rule = Rule::record_format;
       break;
-    default:
-      record.level = 13;
-      rule = Rule::record_level_12;
+    default: record.level = 13; rule = Rule::record_level_12;
   }
   records[r] = record;
   b.records = slow::record_buffer(records);
@@ -235,8 +231,7 @@ std::optional<Rule> plant(BuiltArray& b, slow::Input& in, std::uint8_t breach, s
     case 0:
     case 1:
     case 2:
-    case 3:
-      return records == 0 ? std::nullopt : plant_in_record(b, in, kind, where % records);
+    case 3: return records == 0 ? std::nullopt : plant_in_record(b, in, kind, where % records);
     case 4:
       if (b.array_counts.empty()) return std::nullopt;
       ++b.array_counts[where % b.array_counts.size()].count;
@@ -250,9 +245,7 @@ std::optional<Rule> plant(BuiltArray& b, slow::Input& in, std::uint8_t breach, s
       if (maps == 0 || !slow::is_signed(in.encoding)) return std::nullopt;
       set_index(b, in, where % maps, 0xfffffffb);
       return Rule::index_special;
-    case 7:
-      in.record_stride = where % 8;
-      return Rule::stride_least;
+    case 7: in.record_stride = where % 8; return Rule::stride_least;
     case 8:
       if (records == 0) return std::nullopt;
       b.array.data.pop_back();
@@ -270,9 +263,7 @@ std::optional<Rule> plant(BuiltArray& b, slow::Input& in, std::uint8_t breach, s
       ++b.geometry.counts[where % b.geometry.counts.size()].count;
       in.geometry_counts = b.geometry.counts;
       return Rule::counts_geometry;
-    default:
-      ++in.record_count;
-      return Rule::records_size;
+    default: ++in.record_count; return Rule::records_size;
   }
 }
 

@@ -1,7 +1,6 @@
 // One input for both validators, and one list of their findings.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "impl/micromap/validate.hpp"

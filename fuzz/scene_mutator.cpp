@@ -24,20 +24,13 @@ void collect(Json& json, std::vector<Json*>& all) {
 
 Json strange(Random& random) {
   switch (below(8, random)) {
-    case 0:
-      return static_cast<std::int64_t>(below(12, random)) - 2;
-    case 1:
-      return (std::uint64_t{1} << below(34, random)) - below(3, random);
-    case 2:
-      return static_cast<double>(random()) / 7 * (below(2, random) == 0 ? 1 : -1e30);
-    case 3:
-      return nullptr;
-    case 4:
-      return below(2, random) == 0;
-    case 5:
-      return Json::array({below(4, random), 1});
-    case 6:
-      return Json::object();
+    case 0: return static_cast<std::int64_t>(below(12, random)) - 2;
+    case 1: return (std::uint64_t{1} << below(34, random)) - below(3, random);
+    case 2: return static_cast<double>(random()) / 7 * (below(2, random) == 0 ? 1 : -1e30);
+    case 3: return nullptr;
+    case 4: return below(2, random) == 0;
+    case 5: return Json::array({below(4, random), 1});
+    case 6: return Json::object();
     default: {
       constexpr const char* texts[] = {
           "",        "VEC3", "SCALAR",        "MAT4",       "MASK",
@@ -54,9 +47,7 @@ void mutate(Json& json, Random& random) {
   Json& value = *all[below(all.size(), random)];
   constexpr int component_types[] = {5120, 5121, 5122, 5123, 5124, 5125, 5126, 5130};
   switch (below(6, random)) {
-    case 0:
-      value = Json(*all[below(all.size(), random)]);
-      return;
+    case 0: value = Json(*all[below(all.size(), random)]); return;
     case 1:
       if (value.is_structured() && !value.empty()) {
         auto element = value.begin();
@@ -73,8 +64,7 @@ void mutate(Json& json, Random& random) {
     case 3:
       if (value.is_number()) value = component_types[below(std::size(component_types), random)];
       return;
-    default:
-      value = strange(random);
+    default: value = strange(random);
   }
 }
 

@@ -312,35 +312,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto four = [](const fast::vq::Block4& b) { return fast::vq::decode(b); };
   Input in(data, size);
   switch (in.next() % 10) {
-    case 0:
-      indices_of_hits(in);
-      break;
-    case 1:
-      tree_there_and_back(in);
-      break;
-    case 2:
-      tree_from_any_bytes(in);
-      break;
-    case 3:
-      square_block(in, "vq2.region_is_map", s.vq2_decode, s.vq2_region, two, 32, 16);
-      break;
-    case 4:
-      square_block(in, "vq4.region_is_map", s.vq4_decode, s.vq4_region, four, 64, 32);
-      break;
-    case 5:
-      square_map(in, "vq2.conservative", s.vq2_encode, two, 32, 16);
-      break;
-    case 6:
-      square_map(in, "vq4.conservative", s.vq4_encode, four, 64, 32);
-      break;
-    case 7:
-      held_map(in, "vq2.lossless_when_it_fits", s.vq2_encode, two, 32, 16);
-      break;
-    case 8:
-      held_map(in, "vq4.lossless_when_it_fits", s.vq4_encode, four, 64, 32);
-      break;
-    default:
-      substituted(in);
+    case 0: indices_of_hits(in); break;
+    case 1: tree_there_and_back(in); break;
+    case 2: tree_from_any_bytes(in); break;
+    case 3: square_block(in, "vq2.region_is_map", s.vq2_decode, s.vq2_region, two, 32, 16); break;
+    case 4: square_block(in, "vq4.region_is_map", s.vq4_decode, s.vq4_region, four, 64, 32); break;
+    case 5: square_map(in, "vq2.conservative", s.vq2_encode, two, 32, 16); break;
+    case 6: square_map(in, "vq4.conservative", s.vq4_encode, four, 64, 32); break;
+    case 7: held_map(in, "vq2.lossless_when_it_fits", s.vq2_encode, two, 32, 16); break;
+    case 8: held_map(in, "vq4.lossless_when_it_fits", s.vq4_encode, four, 64, 32); break;
+    default: substituted(in);
   }
   return 0;
 }

@@ -20,7 +20,6 @@
 //
 // Covers: impl/vq/*/encode.cpp impl/vq/*/paper.cpp impl/vq/*/search.* impl/vq/*/sets.* impl/vq/continuity.cpp
 // Covers: impl/vq/transform.hpp impl/vq/vq.hpp
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 

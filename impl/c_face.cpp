@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -121,14 +120,10 @@ bake::Texels view(const mmverify_texture& mip) {
 
 bake::Texels view(const mmverify_texture& mip, std::uint32_t texel) {
   switch (texel) {
-    case MMVERIFY_TEXEL_UNORM8:
-      return view<std::uint8_t>(mip);
-    case MMVERIFY_TEXEL_UNORM16:
-      return view<std::uint16_t>(mip);
-    case MMVERIFY_TEXEL_FLOAT32:
-      return view<float>(mip);
-    default:
-      throw std::invalid_argument("texels are of 1, 8 bits, 2, 16 bits, or 3, float32");
+    case MMVERIFY_TEXEL_UNORM8: return view<std::uint8_t>(mip);
+    case MMVERIFY_TEXEL_UNORM16: return view<std::uint16_t>(mip);
+    case MMVERIFY_TEXEL_FLOAT32: return view<float>(mip);
+    default: throw std::invalid_argument("texels are of 1, 8 bits, 2, 16 bits, or 3, float32");
   }
 }
 
@@ -153,18 +148,12 @@ std::vector<bake::PixelView> levels_of(std::span<const mmverify_pixels> mips, st
 
 bake::BlockFormat block_format_of(std::uint32_t format) {
   switch (format) {
-    case MMVERIFY_BLOCKS_BC1:
-      return bake::BlockFormat::bc1;
-    case MMVERIFY_BLOCKS_BC2:
-      return bake::BlockFormat::bc2;
-    case MMVERIFY_BLOCKS_BC3:
-      return bake::BlockFormat::bc3;
-    case MMVERIFY_BLOCKS_BC4:
-      return bake::BlockFormat::bc4;
-    case MMVERIFY_BLOCKS_BC7:
-      return bake::BlockFormat::bc7;
-    default:
-      throw std::invalid_argument("blocks are of format 1, 2, 3, 4 or 7, as BC1 to BC4 and BC7");
+    case MMVERIFY_BLOCKS_BC1: return bake::BlockFormat::bc1;
+    case MMVERIFY_BLOCKS_BC2: return bake::BlockFormat::bc2;
+    case MMVERIFY_BLOCKS_BC3: return bake::BlockFormat::bc3;
+    case MMVERIFY_BLOCKS_BC4: return bake::BlockFormat::bc4;
+    case MMVERIFY_BLOCKS_BC7: return bake::BlockFormat::bc7;
+    default: throw std::invalid_argument("blocks are of format 1, 2, 3, 4 or 7, as BC1 to BC4 and BC7");
   }
 }
 

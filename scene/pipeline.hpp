@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include "scene/bake/any_hit.hpp"
 #include "scene/bake/arrays.hpp"

@@ -8,12 +8,9 @@ namespace mmverify::scene {
 
 const char* name_of(Wrap wrap) noexcept {
   switch (wrap) {
-    case Wrap::repeat:
-      return "REPEAT";
-    case Wrap::mirrored_repeat:
-      return "MIRRORED_REPEAT";
-    case Wrap::clamp_to_edge:
-      break;
+    case Wrap::repeat: return "REPEAT";
+    case Wrap::mirrored_repeat: return "MIRRORED_REPEAT";
+    case Wrap::clamp_to_edge: break;
   }
   return "CLAMP_TO_EDGE";
 }

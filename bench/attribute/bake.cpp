@@ -1,6 +1,5 @@
 #include "bench/attribute/bake.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>

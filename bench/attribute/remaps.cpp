@@ -67,14 +67,10 @@ void each(Located& l) {
 
 void run(Remap remap, Located& l) {
   switch (remap) {
-    case Remap::cramer:
-      return each<by_cramer>(l);
-    case Remap::two_equations:
-      return each<by_two_equations>(l);
-    case Remap::pattern:
-      return each<by_pattern>(l);
-    case Remap::ours:
-      return fast::weights(l.points.u, l.points.v, l.level, {l.w0, l.w1, l.w2});
+    case Remap::cramer: return each<by_cramer>(l);
+    case Remap::two_equations: return each<by_two_equations>(l);
+    case Remap::pattern: return each<by_pattern>(l);
+    case Remap::ours: return fast::weights(l.points.u, l.points.v, l.level, {l.w0, l.w1, l.w2});
   }
 }
 

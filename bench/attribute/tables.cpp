@@ -7,9 +7,7 @@ namespace {
 
 Value or_none(const std::optional<double>& x) { return x ? Value(*x) : Value(); }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Lookups
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Lookups
 
 Fields<AttributeOrderTimes> order_fields() {
   using O = AttributeOrderTimes;
@@ -66,9 +64,7 @@ Table lookups_table(const AttributeFigures& figures) {
       figures.lookups);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Remaps
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Remaps
 
 struct RemapOf {
   Remap remap;
@@ -151,9 +147,7 @@ Table growth_table(const AttributeFigures& figures) {
   return table_of<GrowthOf>({.key = list("growth", "", {4, 4}), .caption = "Growth"}, fields, all);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Bakes
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Bakes
 
 constexpr AttributeBakeWay all_ways[] = {AttributeBakeWay::faces, AttributeBakeWay::clipped,
                                          AttributeBakeWay::centres, AttributeBakeWay::vertices,
@@ -223,9 +217,7 @@ Table bakes_table(const AttributeFigures& figures) {
                      fields, figures.bakes);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Mips, levels of detail
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Mips, levels of detail
 
 Table mips_table(const AttributeFigures& figures) {
   using L = MipLevel;

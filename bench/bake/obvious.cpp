@@ -1,7 +1,6 @@
 #include "bench/bake/obvious.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace mmverify::bench {
 namespace {

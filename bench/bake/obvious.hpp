@@ -2,7 +2,6 @@
 // texture repeated.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 

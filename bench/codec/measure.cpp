@@ -1,7 +1,5 @@
 #include "bench/codec/measure.hpp"
 
-#include <algorithm>
-
 #include "bench/rounds.hpp"
 
 namespace mmverify::bench {

@@ -26,14 +26,10 @@ std::mt19937_64 engine(const NumberType& numbers, Inputs inputs, std::uint32_t l
 
 std::string_view to_string(StiffRecipe kind) {
   switch (kind) {
-    case StiffRecipe::lines:
-      return "lines";
-    case StiffRecipe::diagonal:
-      return "diagonal";
-    case StiffRecipe::straddling:
-      return "straddling";
-    case StiffRecipe::hypotenuse:
-      break;
+    case StiffRecipe::lines: return "lines";
+    case StiffRecipe::diagonal: return "diagonal";
+    case StiffRecipe::straddling: return "straddling";
+    case StiffRecipe::hypotenuse: break;
   }
   return "hypotenuse";
 }

@@ -1,7 +1,6 @@
 // Easy and stiff points for an index function, in the number type that it receives.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <random>

@@ -6,12 +6,9 @@ namespace mmverify::bench::papers {
 
 const char* to_string(Status status) {
   switch (status) {
-    case Status::ok:
-      return "ok";
-    case Status::differs:
-      return "differs";
-    case Status::not_here:
-      break;
+    case Status::ok: return "ok";
+    case Status::differs: return "differs";
+    case Status::not_here: break;
   }
   return "not here";
 }

@@ -101,14 +101,10 @@ std::uint32_t lost_of(VqEncoder encoder, const OpacityMaps& maps, std::uint32_t&
   // The transforms stand behind the 64 indices of 3 and of 4 bits.
   constexpr std::size_t of_vq2 = 24, of_vq4 = 32;
   switch (encoder) {
-    case VqEncoder::vq2_paper:
-      return taken(impl::vq::encode_paper(maps.regions_16), of_vq2);
-    case VqEncoder::vq2_optimal:
-      return taken(impl::vq::encode_optimal(maps.regions_16), of_vq2);
-    case VqEncoder::vq4_paper:
-      return taken(impl::vq::encode_paper(maps.regions_32), of_vq4);
-    case VqEncoder::vq4_balanced:
-      break;
+    case VqEncoder::vq2_paper: return taken(impl::vq::encode_paper(maps.regions_16), of_vq2);
+    case VqEncoder::vq2_optimal: return taken(impl::vq::encode_optimal(maps.regions_16), of_vq2);
+    case VqEncoder::vq4_paper: return taken(impl::vq::encode_paper(maps.regions_32), of_vq4);
+    case VqEncoder::vq4_balanced: break;
   }
   return taken(encode(maps.regions_32), of_vq4);
 }

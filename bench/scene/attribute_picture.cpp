@@ -16,12 +16,9 @@ enum class Shown { faces, interpolated, nearest };
 picture::Series series_of(Shown shown) {
   using namespace picture;
   switch (shown) {
-    case Shown::faces:
-      return {.name = "faces", .colour = vermilion, .shape = Shape::square};
-    case Shown::interpolated:
-      return {.name = "vertices", .colour = blue, .shape = Shape::disc};
-    case Shown::nearest:
-      break;
+    case Shown::faces: return {.name = "faces", .colour = vermilion, .shape = Shape::square};
+    case Shown::interpolated: return {.name = "vertices", .colour = blue, .shape = Shape::disc};
+    case Shown::nearest: break;
   }
   return {.name = "vertices, the nearest", .colour = blue, .shape = Shape::circle};
 }

@@ -162,12 +162,9 @@ std::optional<scene::BytesAtError> textures_at(const BesideTextures& b, Measure 
 
 std::string name_of(scene::AmongSizes where) {
   switch (where) {
-    case scene::AmongSizes::within:
-      return "within";
-    case scene::AmongSizes::coarsest_is_closer:
-      return "all are closer";
-    case scene::AmongSizes::finest_is_farther:
-      break;
+    case scene::AmongSizes::within: return "within";
+    case scene::AmongSizes::coarsest_is_closer: return "all are closer";
+    case scene::AmongSizes::finest_is_farther: break;
   }
   return "all are farther";
 }

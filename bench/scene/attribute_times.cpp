@@ -39,12 +39,9 @@ std::uint32_t sum_of(std::span<const SurfacePoint> points, const Read& read) {
 
 const char* name_of(LookupWay way) {
   switch (way) {
-    case LookupWay::face:
-      return "faces";
-    case LookupWay::vertices_w_minor:
-      return "vertices, W-minor";
-    default:
-      return "vertices, Bird";
+    case LookupWay::face: return "faces";
+    case LookupWay::vertices_w_minor: return "vertices, W-minor";
+    default: return "vertices, Bird";
   }
 }
 
@@ -215,12 +212,9 @@ namespace {
 picture::Series series_of(LookupWay way) {
   using namespace picture;
   switch (way) {
-    case LookupWay::face:
-      return {.name = name_of(way), .colour = vermilion, .shape = Shape::square};
-    case LookupWay::vertices_w_minor:
-      return {.name = name_of(way), .colour = blue, .shape = Shape::disc};
-    case LookupWay::vertices_bird:
-      break;
+    case LookupWay::face: return {.name = name_of(way), .colour = vermilion, .shape = Shape::square};
+    case LookupWay::vertices_w_minor: return {.name = name_of(way), .colour = blue, .shape = Shape::disc};
+    case LookupWay::vertices_bird: break;
   }
   return {.name = name_of(way), .colour = purple, .shape = Shape::triangle};
 }

@@ -14,16 +14,11 @@ constexpr std::pair<SceneForm, std::pair<const char*, Shape>> looks[] = {
 
 const char* name_of(SceneForm form) {
   switch (form) {
-    case SceneForm::once:
-      return "flat, each map once";
-    case SceneForm::paper:
-      return "trees, two sequences";
-    case SceneForm::ranked:
-      return "trees, ranked";
-    case SceneForm::dag:
-      return "one graph";
-    default:
-      return to_string(form);
+    case SceneForm::once: return "flat, each map once";
+    case SceneForm::paper: return "trees, two sequences";
+    case SceneForm::ranked: return "trees, ranked";
+    case SceneForm::dag: return "one graph";
+    default: return to_string(form);
   }
 }
 

@@ -1,5 +1,4 @@
 // Stiff points for the index functions.
-#include <cmath>
 #include <utility>
 
 #include "bench/exact.hpp"

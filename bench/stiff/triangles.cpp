@@ -3,8 +3,6 @@
 
 #include <bit>
 #include <cmath>
-#include <limits>
-#include <memory>
 
 #include "bench/bake/obvious.hpp"
 #include "bench/stiff/parts.hpp"

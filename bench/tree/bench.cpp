@@ -1,7 +1,6 @@
 #include "bench/tree/bench.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <random>
 #include <stdexcept>
 
@@ -263,14 +262,10 @@ class Measurement {
 
 const char* to_string(TreeForm form) {
   switch (form) {
-    case TreeForm::flat:
-      return "flat";
-    case TreeForm::paper:
-      return "paper";
-    case TreeForm::ours:
-      return "ours";
-    case TreeForm::sdsl:
-      break;
+    case TreeForm::flat: return "flat";
+    case TreeForm::paper: return "paper";
+    case TreeForm::ours: return "ours";
+    case TreeForm::sdsl: break;
   }
   return "sdsl";
 }

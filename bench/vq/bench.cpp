@@ -138,18 +138,12 @@ const char* to_string(Vq2Encoder encoder) {
 
 const char* to_string(Vq4Encoder encoder) {
   switch (encoder) {
-    case Vq4Encoder::paper:
-      return "paper";
-    case Vq4Encoder::paper_free_c:
-      return "paper, C free";
-    case Vq4Encoder::fast:
-      return "fast";
-    case Vq4Encoder::balanced:
-      return "balanced";
-    case Vq4Encoder::thorough:
-      return "thorough";
-    case Vq4Encoder::proved:
-      break;
+    case Vq4Encoder::paper: return "paper";
+    case Vq4Encoder::paper_free_c: return "paper, C free";
+    case Vq4Encoder::fast: return "fast";
+    case Vq4Encoder::balanced: return "balanced";
+    case Vq4Encoder::thorough: return "thorough";
+    case Vq4Encoder::proved: break;
   }
   return "proved";
 }

@@ -1,7 +1,6 @@
 // The list of all encoders, and sums of one encoder's figures over all maps.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "bench/vq/bench.hpp"

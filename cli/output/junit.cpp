@@ -55,8 +55,7 @@ void add_test(pugi::xml_node suite, const Result& r, Totals& sums) {
       add_message(test, "skipped", r.reason);
       break;
     case Verdict::proved:
-    case Verdict::checked:
-      break;
+    case Verdict::checked: break;
   }
 }
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "bench/scene/path_tables.hpp"
 #include "cli/arguments/arguments.hpp"
 #include "cli/bench/tables.hpp"

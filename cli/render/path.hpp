@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
 
 #include "cli/output/json_output.hpp"
 #include "display/render/scene/compare.hpp"

@@ -1,9 +1,7 @@
 // The files that a repaired scene becomes.
 #pragma once
 
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "cli/output/output_file.hpp"
 #include "scene/edit/edited_file.hpp"

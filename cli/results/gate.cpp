@@ -50,18 +50,12 @@ auto of_file(const std::string& path, Read read) {
 
 const char* word(Change change) {
   switch (change) {
-    case Change::worse:
-      return "worse";
-    case Change::better:
-      return "better";
-    case Change::changed:
-      return "changed";
-    case Change::gone:
-      return "gone";
-    case Change::added:
-      return "new";
-    default:
-      return "faster";
+    case Change::worse: return "worse";
+    case Change::better: return "better";
+    case Change::changed: return "changed";
+    case Change::gone: return "gone";
+    case Change::added: return "new";
+    default: return "faster";
   }
 }
 

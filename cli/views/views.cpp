@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 
 #include "bench/scene/view_tables.hpp"
 #include "cli/arguments/arguments.hpp"

@@ -1,4 +1,4 @@
-// Baselines: files of a result's figures, one a line, so that a change shows in a diff.
+// Baselines: files of a result's figures, a line for equal ones of a law, so that a change shows in a diff.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -29,7 +29,8 @@ Baseline baseline_of(const nlohmann::ordered_json& file);
 
 /// Schema mmverify.baseline/1:
 ///   {"schema": .., "of": the result's schema, "processor": .., "settings": {NAME: VALUE ..},
-///    "figures": {GROUP: {FIGURE: VALUE ..} ..}}
+///    "figures": {GROUP: {"also": [GROUP ..], FIGURE: VALUE ..} ..}}
+/// "also" names the groups of the same law that have these figures, too; without such groups it is missing.
 std::string to_json(const Baseline& baseline);
 
 }  // namespace mmverify::gate

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace mmverify::gate {
@@ -22,20 +21,13 @@ std::optional<Change> change_of(Rule rule, const Value& before, const Value& aft
   const double a = before.number, b = after.number;
   const bool close = std::fabs(a - b) <= 1e-9 * std::max(std::fabs(a), std::fabs(b));
   switch (rule) {
-    case Rule::verdict:
-      return toward(rank(after) > rank(before));
-    case Rule::yes:
-      return toward(after.text == "true");
-    case Rule::about_more:
-      return close ? std::nullopt : std::optional(toward(b > a));
-    case Rule::about_less:
-      return close ? std::nullopt : std::optional(toward(b < a));
-    case Rule::about:
-      return close ? std::nullopt : std::optional(Change::changed);
-    case Rule::more:
-      return toward(b > a);
-    case Rule::less:
-      return toward(b < a);
+    case Rule::verdict: return toward(rank(after) > rank(before));
+    case Rule::yes: return toward(after.text == "true");
+    case Rule::about_more: return close ? std::nullopt : std::optional(toward(b > a));
+    case Rule::about_less: return close ? std::nullopt : std::optional(toward(b < a));
+    case Rule::about: return close ? std::nullopt : std::optional(Change::changed);
+    case Rule::more: return toward(b > a);
+    case Rule::less: return toward(b < a);
     case Rule::speed_more:
     case Rule::speed_less: {
       // A ratio of 0, from a time too short to measure, cannot be compared.
@@ -45,8 +37,7 @@ std::optional<Change> change_of(Rule rule, const Value& before, const Value& aft
       if (gain * tolerance < 1) return Change::worse;
       return gain > tolerance ? std::optional(Change::faster) : std::nullopt;
     }
-    default:
-      return Change::changed;
+    default: return Change::changed;
   }
 }
 

@@ -102,28 +102,17 @@ class Walk {
       if (!holds) throw NoResult(fmt::format("{}: {} where {} should be", place, text_of(j), what));
     };
     switch (rule) {
-      case Rule::verdict:
-        expect(j.is_string() && is_verdict(j.get<std::string>()), "a verdict");
-        break;
-      case Rule::yes:
-        expect(j.is_boolean(), "true or false");
-        break;
+      case Rule::verdict: expect(j.is_string() && is_verdict(j.get<std::string>()), "a verdict"); break;
+      case Rule::yes: expect(j.is_boolean(), "true or false"); break;
       case Rule::more:
-      case Rule::less:
-        expect(j.is_number() && !(j.get<double>() < 0), "a number of things");
-        break;
+      case Rule::less: expect(j.is_number() && !(j.get<double>() < 0), "a number of things"); break;
       case Rule::about:
       case Rule::about_more:
-      case Rule::about_less:
-        expect(j.is_number() || j.is_null(), "a number");
-        break;
+      case Rule::about_less: expect(j.is_number() || j.is_null(), "a number"); break;
       // JSON has no infinity: a ratio to a time of 0 is null.
       case Rule::speed_more:
-      case Rule::speed_less:
-        expect((j.is_number() && j.get<double>() >= 0) || j.is_null(), "a ratio");
-        break;
-      default:
-        break;
+      case Rule::speed_less: expect((j.is_number() && j.get<double>() >= 0) || j.is_null(), "a ratio"); break;
+      default: break;
     }
   }
 

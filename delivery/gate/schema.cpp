@@ -14,9 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Schemas = std::vector<Schema>;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// One keyword
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- One keyword
 
 struct Type {
   std::string_view name, words;
@@ -111,9 +109,7 @@ const Keyword& keyword_named(const std::string& name) {
   throw std::logic_error(fmt::format("a schema says {}, which nothing checks", name));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Schemas in words
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Schemas in words
 
 /// The value as a message quotes it.
 std::string as_quoted(const Json& value) {
@@ -161,9 +157,7 @@ std::string wanted(const Json& part) {
   throw Misfit(fmt::format("{}: {} should stand here, not {}", place, wants, as_quoted(value)));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Schemas combined
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Schemas combined
 
 Json known_part_of_all(const Schemas& schemas, const Json& value, const std::string& place);
 

@@ -1,7 +1,6 @@
 #include "display/render/bitmask.hpp"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace mmverify::render {

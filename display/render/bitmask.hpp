@@ -1,7 +1,6 @@
 // The alpha test of a texture, stored as 1 or 2 bits for each texel.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 
 #include "display/render/opacity.hpp"

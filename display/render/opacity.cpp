@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
-#include <utility>
 
 #include "impl/index/index.hpp"
 #include "impl/tree/tree.hpp"
@@ -189,19 +188,14 @@ bool has_levels(Method method) {
 
 std::unique_ptr<Opacity> opacity_of(Method method, const Micromaps& micromaps) {
   switch (method) {
-    case Method::special:
-      return std::make_unique<Special>(micromaps);
-    case Method::flat:
-      return std::make_unique<Flat>(micromaps);
-    case Method::tree:
-      return std::make_unique<Streams>(micromaps);
-    case Method::ranked:
-      return std::make_unique<Ranked>(micromaps);
+    case Method::special: return std::make_unique<Special>(micromaps);
+    case Method::flat: return std::make_unique<Flat>(micromaps);
+    case Method::tree: return std::make_unique<Streams>(micromaps);
+    case Method::ranked: return std::make_unique<Ranked>(micromaps);
     case Method::texture:
     case Method::vq2:
     case Method::vq4:
-    case Method::bitmask:
-      break;
+    case Method::bitmask: break;
   }
   throw std::invalid_argument("opacity_of: no method of micromaps");
 }

@@ -101,8 +101,7 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
       if (context.passes) valid = 0;
       if (gathering != nullptr) blend();
       return;
-    case impl::traverse::Outcome::non_opaque:
-      break;
+    case impl::traverse::Outcome::non_opaque: break;
   }
   ++context.counts.shader;
   ++context.asked.shader;

@@ -58,13 +58,10 @@ static uint32_t record_of(const mmverify_array_case_t* what, uint32_t k) {
 
 static uint32_t width_of(uint32_t index_type) {
   switch (index_type) {
-    case MMVERIFY_INDEX_U8:
-      return 8;
+    case MMVERIFY_INDEX_U8: return 8;
     case MMVERIFY_INDEX_U16:
-    case MMVERIFY_INDEX_I16:
-      return 16;
-    default:
-      return 32;
+    case MMVERIFY_INDEX_I16: return 16;
+    default: return 32;
   }
 }
 static int is_signed(uint32_t index_type) { return index_type >= MMVERIFY_INDEX_I16; }

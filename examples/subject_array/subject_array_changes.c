@@ -16,13 +16,10 @@ static size_t map_bytes(uint32_t level, uint32_t format) {
 
 static uint32_t width_of(uint32_t index_type) { /* in bytes */
   switch (index_type) {
-    case MMVERIFY_INDEX_U8:
-      return 1;
+    case MMVERIFY_INDEX_U8: return 1;
     case MMVERIFY_INDEX_U16:
-    case MMVERIFY_INDEX_I16:
-      return 2;
-    default:
-      return 4;
+    case MMVERIFY_INDEX_I16: return 2;
+    default: return 4;
   }
 }
 

@@ -265,14 +265,10 @@ static void decimate(uint32_t level, uint32_t flags, const uint32_t* i, const ui
 static uint32_t mean(uint32_t rounding, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
   const uint32_t sum = a + b + c + d;
   switch (rounding) {
-    case MMVERIFY_ROUND_HALF_UP:
-      return (sum + 2) / 4;
-    case MMVERIFY_ROUND_HALF_TO_EVEN:
-      return (sum + 1 + sum / 4 % 2) / 4;
-    case MMVERIFY_ROUND_TRUNCATE:
-      return sum / 4;
-    default:
-      return ((a + b + 1) / 2 + (c + d + 1) / 2 + 1) / 2;
+    case MMVERIFY_ROUND_HALF_UP: return (sum + 2) / 4;
+    case MMVERIFY_ROUND_HALF_TO_EVEN: return (sum + 1 + sum / 4 % 2) / 4;
+    case MMVERIFY_ROUND_TRUNCATE: return sum / 4;
+    default: return ((a + b + 1) / 2 + (c + d + 1) / 2 + 1) / 2;
   }
 }
 

@@ -22,18 +22,13 @@ static int64_t wrapped(int64_t i, uint32_t side, uint32_t wrap) {
   const int64_t n = side;
   int64_t m;
   switch (wrap) {
-    case MMVERIFY_REPEAT:
-      return (i % n + n) % n;
-    case MMVERIFY_MIRRORED_REPEAT:
-      m = (i % (2 * n) + 2 * n) % (2 * n);
-      return m < n ? m : 2 * n - 1 - m;
-    case MMVERIFY_CLAMP_TO_BORDER:
-      return i < 0 || i >= n ? -1 : i;
+    case MMVERIFY_REPEAT: return (i % n + n) % n;
+    case MMVERIFY_MIRRORED_REPEAT: m = (i % (2 * n) + 2 * n) % (2 * n); return m < n ? m : 2 * n - 1 - m;
+    case MMVERIFY_CLAMP_TO_BORDER: return i < 0 || i >= n ? -1 : i;
     case MMVERIFY_MIRROR_CLAMP_TO_EDGE:
       if (i < 0) i = -1 - i;
       return i < n ? i : n - 1;
-    default:
-      return i < 0 ? 0 : i < n ? i : n - 1;
+    default: return i < 0 ? 0 : i < n ? i : n - 1;
   }
 }
 

@@ -13,12 +13,9 @@ typedef struct {
 static long wrapped(uint32_t mode, long i, long size) {
   const long twice = (i % (2 * size) + 2 * size) % (2 * size);
   switch (mode) {
-    case MMVERIFY_REPEAT:
-      return twice % size;
-    case MMVERIFY_MIRRORED_REPEAT:
-      return twice < size ? twice : 2 * size - 1 - twice;
-    case MMVERIFY_CLAMP_TO_BORDER:
-      return i < 0 || i >= size ? -1 : i;
+    case MMVERIFY_REPEAT: return twice % size;
+    case MMVERIFY_MIRRORED_REPEAT: return twice < size ? twice : 2 * size - 1 - twice;
+    case MMVERIFY_CLAMP_TO_BORDER: return i < 0 || i >= size ? -1 : i;
     case MMVERIFY_MIRROR_CLAMP_TO_EDGE:
       if (i < 0) i = -1 - i;
       break;

@@ -36,16 +36,11 @@ static uint32_t least(uint32_t a, uint32_t b) { return a < b ? a : b; }
 /* One code; alpha is the value's. */
 static uint32_t blend_code(uint32_t operation, uint32_t p, uint32_t v, uint32_t alpha) {
   switch (operation) {
-    case MMVERIFY_BLEND_MAX:
-      return p > v ? p : v;
-    case MMVERIFY_BLEND_MIN:
-      return least(p, v);
-    case MMVERIFY_BLEND_ADD:
-      return least(p + v, 255);
-    case MMVERIFY_BLEND_MULTIPLY:
-      return divided_by_255(p * v);
-    default:
-      return least(v + divided_by_255(p * (255 - alpha)), 255);
+    case MMVERIFY_BLEND_MAX: return p > v ? p : v;
+    case MMVERIFY_BLEND_MIN: return least(p, v);
+    case MMVERIFY_BLEND_ADD: return least(p + v, 255);
+    case MMVERIFY_BLEND_MULTIPLY: return divided_by_255(p * v);
+    default: return least(v + divided_by_255(p * (255 - alpha)), 255);
   }
 }
 

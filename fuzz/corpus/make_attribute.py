@@ -21,9 +21,7 @@ def crc32c(data):
     return crc ^ 0xFFFFFFFF
 
 
-# ----------------------------------------------------------------------------------------------------------------------
-# Packed maps: one channel of one map, small levels
-# ----------------------------------------------------------------------------------------------------------------------
+# ---- Packed maps: one channel of one map, small levels
 
 
 def family(a, b, c, d):
@@ -78,9 +76,7 @@ def packed(at, level, channels, maps, errors, content):
     return bytes([PACKED, shape(at, level, channels, maps)]) + bytes(errors) + bytes(content)
 
 
-# ----------------------------------------------------------------------------------------------------------------------
-# Files
-# ----------------------------------------------------------------------------------------------------------------------
+# ---- Files
 
 
 def file(payload, at=FACES, order=0, level=0, components=1, meaning=0, tie=None, decimation=0, mips=0, kind=0,

@@ -342,9 +342,7 @@ LOAD = {
 } | BAD
 
 
-# ----------------------------------------------------------------------------------------------------------------------
-# scene_validate: two primitives with micromaps, and a thing or two wrong with them
-# ----------------------------------------------------------------------------------------------------------------------
+# ---- scene_validate: two primitives with micromaps, and a thing or two wrong with them
 
 
 def micromapped(component=I16, form="2h", codes=(1, -2)):

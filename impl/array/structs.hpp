@@ -35,15 +35,11 @@ struct IndexType {
 /// Test: engine_test
 constexpr IndexType index_type(Encoding e) {
   switch (e) {
-    case Encoding::u8:
-      return {1000265000, 62};
-    case Encoding::u16:
-      return {0, 57};
-    case Encoding::u32:
-      return {1, 42};
+    case Encoding::u8: return {1000265000, 62};
+    case Encoding::u16: return {0, 57};
+    case Encoding::u32: return {1, 42};
     case Encoding::i16:
-    case Encoding::i32:
-      break;
+    case Encoding::i32: break;
   }
   throw std::invalid_argument("array::index_type: signed indices are glTF's alone");
 }

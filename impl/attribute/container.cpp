@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
-#include <utility>
 
 #include "impl/common/crc32c.hpp"
 
 namespace mmverify::impl::attribute {
 namespace {
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The bytes: docs/ATTRIBUTE_FORMAT.md
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The bytes: docs/ATTRIBUTE_FORMAT.md
 
 constexpr std::array<std::uint8_t, 4> file_magic{'m', 'm', 'a', 't'};
 constexpr std::uint8_t file_version = 1;
@@ -58,9 +55,7 @@ std::uint64_t flag_bytes(const AttributeMaps& maps, std::uint64_t triangles) {
   return maps.decimation == DecimationRule::none ? 0 : (3 * triangles + 7) / 8;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Members that go together
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Members that go together
 
 /// A fault of the header's members, and its byte.
 struct Complaint {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <initializer_list>
 #include <stdexcept>
 
@@ -135,10 +136,8 @@ HWY_INLINE void with_bird([[maybe_unused]] Level n, Run run) {
 void run_triplets(VertexOrder order, const float* u, const float* v, std::uint32_t* x0, std::uint32_t* x1,
                   std::uint32_t* x2, std::size_t count, Level n) {
   switch (order) {
-    case VertexOrder::w_minor:
-      return triplets_of<WMinorIndex>(u, v, x0, x1, x2, count, n);
-    case VertexOrder::u_major:
-      return triplets_of<UMajorIndex>(u, v, x0, x1, x2, count, n);
+    case VertexOrder::w_minor: return triplets_of<WMinorIndex>(u, v, x0, x1, x2, count, n);
+    case VertexOrder::u_major: return triplets_of<UMajorIndex>(u, v, x0, x1, x2, count, n);
     default:
       return with_bird(n, [&]<class Index, class Each>()
                               HWY_ATTR { triplets_of<Index, Each>(u, v, x0, x1, x2, count, n); });
@@ -193,10 +192,8 @@ void interpolate(const std::uint32_t* map, const float* u, const float* v, std::
 void run_interpolate(VertexOrder order, const std::uint32_t* map, const float* u, const float* v,
                      std::uint32_t* out, std::size_t count, Level n) {
   switch (order) {
-    case VertexOrder::w_minor:
-      return interpolate<WMinorIndex>(map, u, v, out, count, n);
-    case VertexOrder::u_major:
-      return interpolate<UMajorIndex>(map, u, v, out, count, n);
+    case VertexOrder::w_minor: return interpolate<WMinorIndex>(map, u, v, out, count, n);
+    case VertexOrder::u_major: return interpolate<UMajorIndex>(map, u, v, out, count, n);
     default:
       return with_bird(
           n, [&]<class Index, class Each>() HWY_ATTR { interpolate<Index, Each>(map, u, v, out, count, n); });

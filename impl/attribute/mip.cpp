@@ -87,14 +87,10 @@ void each_parent(const std::uint32_t* children, std::uint32_t* parents, std::siz
 void run_face_mip(const std::uint32_t* children, std::uint32_t* parents, std::size_t count,
                   Rounding rounding) {
   switch (rounding) {
-    case Rounding::half_up:
-      return each_parent(children, parents, count, MeanOfSum<HalfUp>());
-    case Rounding::half_to_even:
-      return each_parent(children, parents, count, MeanOfSum<HalfToEven>());
-    case Rounding::truncate:
-      return each_parent(children, parents, count, MeanOfSum<Truncate>());
-    case Rounding::halves_up:
-      return each_parent(children, parents, count, MeanOfMeans());
+    case Rounding::half_up: return each_parent(children, parents, count, MeanOfSum<HalfUp>());
+    case Rounding::half_to_even: return each_parent(children, parents, count, MeanOfSum<HalfToEven>());
+    case Rounding::truncate: return each_parent(children, parents, count, MeanOfSum<Truncate>());
+    case Rounding::halves_up: return each_parent(children, parents, count, MeanOfMeans());
   }
 }
 

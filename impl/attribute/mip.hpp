@@ -16,9 +16,7 @@
 
 namespace mmverify::impl::attribute {
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Mips
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Mips
 
 /// The rounding of the mean of four codes.  Its drift is the mean of code - mean over all quadruples of codes: the
 /// average error that each level adds in a chain where each level is made from the one above it.
@@ -76,9 +74,7 @@ enum class ChainOf : std::uint32_t {
 void face_chain(Level level, std::span<const std::uint32_t> base, Rounding rounding, ChainOf of,
                 std::span<std::uint32_t> chain);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Level of detail
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Level of detail
 
 namespace detail {
 /// Areas in binary64, in which every positive float is a normal number.  NaN and everything below zero become 0.

@@ -1,9 +1,6 @@
 // Orders of vertices and faces in vectors, for the kernels of order.cpp and lookup.cpp.  Compiled once for each target.
 #include <hwy/highway.h>
 
-#include <array>
-#include <cstring>
-
 #include "impl/attribute/order.hpp"
 #include "impl/index/vectors-inl.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <stdexcept>
 
 #undef HWY_TARGET_INCLUDE
@@ -94,48 +95,36 @@ void faces_of_index(const std::uint32_t* index, std::uint32_t* iu, std::uint32_t
 void run_vertex_index(VertexOrder order, const std::uint32_t* i, const std::uint32_t* j, std::uint32_t* out,
                       std::size_t count, Level n) {
   switch (order) {
-    case VertexOrder::w_minor:
-      return index_of_vertices<WMinorIndex>(i, j, out, count, n);
-    case VertexOrder::u_major:
-      return index_of_vertices<UMajorIndex>(i, j, out, count, n);
-    default:
-      return index_of_vertices<BirdIndex>(i, j, out, count, n);
+    case VertexOrder::w_minor: return index_of_vertices<WMinorIndex>(i, j, out, count, n);
+    case VertexOrder::u_major: return index_of_vertices<UMajorIndex>(i, j, out, count, n);
+    default: return index_of_vertices<BirdIndex>(i, j, out, count, n);
   }
 }
 
 void run_vertex_at(VertexOrder order, const std::uint32_t* index, std::uint32_t* i, std::uint32_t* j,
                    std::size_t count, Level n) {
   switch (order) {
-    case VertexOrder::w_minor:
-      return vertices_of_index<WMinorVertex>(index, i, j, count, n);
-    case VertexOrder::u_major:
-      return vertices_of_index<UMajorVertex>(index, i, j, count, n);
-    default:
-      return vertices_of_index<BirdVertex>(index, i, j, count, n);
+    case VertexOrder::w_minor: return vertices_of_index<WMinorVertex>(index, i, j, count, n);
+    case VertexOrder::u_major: return vertices_of_index<UMajorVertex>(index, i, j, count, n);
+    default: return vertices_of_index<BirdVertex>(index, i, j, count, n);
   }
 }
 
 void run_face_index(FaceOrder order, const std::uint32_t* iu, const std::uint32_t* iv_,
                     const std::uint32_t* upper, std::uint32_t* out, std::size_t count, Level n) {
   switch (order) {
-    case FaceOrder::curve:
-      return index_of_faces<CurveFaceIndex>(iu, iv_, upper, out, count, n);
-    case FaceOrder::rows:
-      return index_of_faces<RowFaceIndex>(iu, iv_, upper, out, count, n);
-    default:
-      return index_of_faces<UMajorFaceIndex>(iu, iv_, upper, out, count, n);
+    case FaceOrder::curve: return index_of_faces<CurveFaceIndex>(iu, iv_, upper, out, count, n);
+    case FaceOrder::rows: return index_of_faces<RowFaceIndex>(iu, iv_, upper, out, count, n);
+    default: return index_of_faces<UMajorFaceIndex>(iu, iv_, upper, out, count, n);
   }
 }
 
 void run_face_at(FaceOrder order, const std::uint32_t* index, std::uint32_t* iu, std::uint32_t* iv_,
                  std::uint32_t* upper, std::size_t count, Level n) {
   switch (order) {
-    case FaceOrder::curve:
-      return faces_of_index<CurveFace>(index, iu, iv_, upper, count, n);
-    case FaceOrder::rows:
-      return faces_of_index<RowFace>(index, iu, iv_, upper, count, n);
-    default:
-      return faces_of_index<UMajorFace>(index, iu, iv_, upper, count, n);
+    case FaceOrder::curve: return faces_of_index<CurveFace>(index, iu, iv_, upper, count, n);
+    case FaceOrder::rows: return faces_of_index<RowFace>(index, iu, iv_, upper, count, n);
+    default: return faces_of_index<UMajorFace>(index, iu, iv_, upper, count, n);
   }
 }
 

@@ -70,9 +70,7 @@ constexpr MicroTriangle curve_square(std::uint32_t b0, std::uint32_t b1) noexcep
 
 }  // namespace detail
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Vertices
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Vertices
 
 /// Index of a vertex in rows counted from the w-corner: r(r+1)/2 + j, r = i+j; the level does not enter.
 /// Domain: a vertex of a level in 0..16.  Source: Color and Attribute Micromaps, 3.1 and figure 4.
@@ -194,9 +192,7 @@ void vertex_at(VertexOrder order, std::span<const std::uint32_t> index, Level le
 void convert(VertexOrder from, VertexOrder to, std::span<const std::uint32_t> index, Level level,
              std::span<std::uint32_t> out);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Faces
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Faces
 
 /// Index of a micro-triangle in an order: its number on the curve; r^2 + 2 iv + upper, r = iu+iv+upper;
 /// 4^n - (N-iu)^2 + 2 iv + upper.
@@ -248,9 +244,7 @@ void face_at(FaceOrder order, std::span<const std::uint32_t> index, Level level,
 void convert(FaceOrder from, FaceOrder to, std::span<const std::uint32_t> index, Level level,
              std::span<std::uint32_t> out);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Faces and their vertices
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Faces and their vertices
 
 /// Corners of a micro-triangle: the base, and one step along u and along v from there, +1 or, in an upper one, -1:
 ///   lower (iu, iv) (iu+1, iv) (iu, iv+1);  upper (iu+1, iv+1) (iu, iv+1) (iu+1, iv)

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <utility>
 
 #include "impl/common/crc32c.hpp"
 #include "impl/dag/known.hpp"
@@ -84,9 +83,7 @@ class Replay {
     throw BadContainer(static_cast<std::size_t>(byte), where, found, would_do);
   }
 
-  // -----------------------------------------------------------------------------------------------------------------
-  // Records
-  // -----------------------------------------------------------------------------------------------------------------
+  // ---- Records
 
   [[noreturn]] void bad_record(const std::string& found, const std::string& would_do,
                                std::uint64_t field = 4) const {
@@ -124,8 +121,7 @@ class Replay {
         if (n <= tile_level) bad_record("a flat map of level " + number(n), "level 4 to 12", 1);
         flat(n, value);
         return;  // its record is there already
-      default:
-        bad_record("kind " + number(kind), "0 to 4", 1);
+      default: bad_record("kind " + number(kind), "0 to 4", 1);
     }
     dag_.records_.push_back({static_cast<std::uint8_t>(n), Kind{static_cast<std::uint8_t>(kind)}, 0, value});
   }
@@ -168,9 +164,7 @@ class Replay {
   /// A measure of all tiles and nodes, which only grows.
   std::uint64_t grown_to() const { return dag_.tiles_.size() + dag_.nodes_.size(); }
 
-  // -----------------------------------------------------------------------------------------------------------------
-  // Tiles
-  // -----------------------------------------------------------------------------------------------------------------
+  // ---- Tiles
 
   std::uint64_t tiles() const { return dag_.tiles_.size() / b_; }
 
@@ -192,9 +186,7 @@ class Replay {
     if (part != t) bad(at, "tile " + number(t), "the same as tile " + number(part), "another one");
   }
 
-  // -----------------------------------------------------------------------------------------------------------------
-  // Nodes
-  // -----------------------------------------------------------------------------------------------------------------
+  // ---- Nodes
 
   std::uint64_t byte_of(std::uint64_t word) const { return in_.nodes_at + 4 * word; }
 

@@ -32,16 +32,11 @@ struct Arrays {
     const std::uint32_t value = record.value;
     index &= (std::uint64_t{1} << (2 * record.level)) - 1;
     switch (record.kind) {
-      case Kind::node:
-        return from_node<bits>(value, record.level, index);
-      case Kind::flat:
-        return state_in(flat + std::size_t{value} * bits, bits, index);
-      case Kind::tile:
-        return state_in(tiles + std::size_t{value} * bits, bits, index);
-      case Kind::small:
-        return static_cast<std::uint8_t>(value >> (index * bits) & (bits == 1 ? 1 : 3));
-      case Kind::uniform:
-        break;
+      case Kind::node: return from_node<bits>(value, record.level, index);
+      case Kind::flat: return state_in(flat + std::size_t{value} * bits, bits, index);
+      case Kind::tile: return state_in(tiles + std::size_t{value} * bits, bits, index);
+      case Kind::small: return static_cast<std::uint8_t>(value >> (index * bits) & (bits == 1 ? 1 : 3));
+      case Kind::uniform: break;
     }
     return static_cast<std::uint8_t>(value);
   }
@@ -159,9 +154,7 @@ void Dag::decode(std::uint32_t map, std::span<std::uint8_t> bytes) const {
   if (bytes.size() != map_bytes(record.level, b_))
     throw std::invalid_argument("dag: the map is not ceil(4^level * bits / 8) bytes long");
   switch (record.kind) {
-    case Kind::small:
-      std::memcpy(bytes.data(), &record.value, bytes.size());
-      return;
+    case Kind::small: std::memcpy(bytes.data(), &record.value, bytes.size()); return;
     case Kind::uniform:
       std::memset(bytes.data(), static_cast<int>(repeated(record.value, b_) & 0xFF), bytes.size());
       return;

@@ -1,7 +1,6 @@
 // A hash table of stored parts.  Internal to impl/dag.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -89,9 +89,7 @@ struct Substitutions {
 Substitutions substitutions(std::span<const std::uint8_t> was, std::span<const std::uint8_t> is,
                             std::uint64_t count);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Special indices
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Special indices
 
 /// The encoding of an index buffer.  Vulkan and DirectX allow the three unsigned ones, glTF all five.
 enum class Encoding : std::uint8_t { u8, u16, u32, i16, i32 };

@@ -256,14 +256,11 @@ class GeometryPart : Part {
     all_named_ = kinds_.all;
     if (in_.indexed) {
       switch (in_.encoding) {
-        case Encoding::u8:
-          return read_indices<std::uint8_t>();
+        case Encoding::u8: return read_indices<std::uint8_t>();
         case Encoding::u16:
-        case Encoding::i16:
-          return read_indices<std::uint16_t>();
+        case Encoding::i16: return read_indices<std::uint16_t>();
         case Encoding::u32:
-        case Encoding::i32:
-          return read_indices<std::uint32_t>();
+        case Encoding::i32: return read_indices<std::uint32_t>();
       }
     }
     const std::uint64_t base = in_.base_triangle,
@@ -363,18 +360,13 @@ std::string told(std::uint64_t x) { return std::to_string(x); }
 
 std::string place_of(const Violation& v) {
   switch (v.place) {
-    case Place::whole:
-      return "";
-    case Place::record:
-      return "record " + told(v.where) + ": ";
-    case Place::array_count:
-      return "array's usage count " + told(v.where) + ": ";
-    case Place::geometry_count:
-      return "geometry's usage count " + told(v.where) + ": ";
+    case Place::whole: return "";
+    case Place::record: return "record " + told(v.where) + ": ";
+    case Place::array_count: return "array's usage count " + told(v.where) + ": ";
+    case Place::geometry_count: return "geometry's usage count " + told(v.where) + ": ";
     case Place::level_and_format:
       return "level " + told(v.where >> 32) + ", format " + told(v.where & 0xffffffff) + ": ";
-    case Place::triangle:
-      return "triangle " + told(v.where) + ": ";
+    case Place::triangle: return "triangle " + told(v.where) + ": ";
   }
   return "";
 }
@@ -387,8 +379,7 @@ std::string found_of_stride(const Violation& v) {
 
 std::string found_of_counts(const Violation& v) {
   switch (v.rule) {
-    case Rule::counts_zero:
-      return "counts nothing";
+    case Rule::counts_zero: return "counts nothing";
     case Rule::counts_limit:
       return "the usage counts add up to " + told(v.found) +
              ", above maxMicromapTriangles = " + told(v.other);
@@ -397,12 +388,9 @@ std::string found_of_counts(const Violation& v) {
     case Rule::counts_geometry:
       return "the geometry's usage counts say " + told(v.found) + ", there are " + told(v.other) +
              " triangles";
-    case Rule::counts_array_is_geometry:
-      return "the array's usage counts are the geometry's";
-    case Rule::counts_geometry_is_array:
-      return "the geometry's usage counts are the array's";
-    default:
-      return "";
+    case Rule::counts_array_is_geometry: return "the array's usage counts are the geometry's";
+    case Rule::counts_geometry_is_array: return "the geometry's usage counts are the array's";
+    default: return "";
   }
 }
 
@@ -412,18 +400,13 @@ std::string found_of_indices(const Violation& v) {
       constexpr const char* names[] = {"u8", "u16", "u32", "i16", "i32"};
       return std::string("indices are ") + (v.found < 5 ? names[v.found] : "of no known type");
     }
-    case Rule::index_stride_most:
-      return "the stride is " + told(v.found) + ", above " + told(v.other);
+    case Rule::index_stride_most: return "the stride is " + told(v.found) + ", above " + told(v.other);
     case Rule::index_size:
       return "no index in the buffer of " + told(v.found) + " bytes; there should be " + told(v.other);
-    case Rule::index_count:
-      return told(v.found) + " indices for " + told(v.other) + " triangles";
-    case Rule::index_special:
-      return "code " + told(v.found) + " is below -4";
-    case Rule::index_range:
-      return "record " + told(v.found) + " of " + told(v.other);
-    default:
-      return "";
+    case Rule::index_count: return told(v.found) + " indices for " + told(v.other) + " triangles";
+    case Rule::index_special: return "code " + told(v.found) + " is below -4";
+    case Rule::index_range: return "record " + told(v.found) + " of " + told(v.other);
+    default: return "";
   }
 }
 
@@ -434,32 +417,26 @@ std::string found_of(const Violation& v) {
     case Rule::align_data_128:
     case Rule::align_records_128:
     case Rule::align_records_4:
-    case Rule::align_index:
-      return "address " + told(v.found) + " is no multiple of " + told(v.other);
+    case Rule::align_index: return "address " + told(v.found) + " is no multiple of " + told(v.other);
     case Rule::stride_least:
     case Rule::stride_multiple:
     case Rule::stride_tight:
     case Rule::index_stride:
-    case Rule::index_tight:
-      return found_of_stride(v);
-    case Rule::records_whole:
-      return told(v.found) + " bytes are no multiple of " + told(v.other);
+    case Rule::index_tight: return found_of_stride(v);
+    case Rule::records_whole: return told(v.found) + " bytes are no multiple of " + told(v.other);
     case Rule::records_size:
       return "missing from the buffer of " + told(v.found) + " bytes; there should be " + told(v.other) +
              " records";
     case Rule::record_format:
-    case Rule::counts_format:
-      return "format " + told(v.found) + " is neither 1 nor 2";
+    case Rule::counts_format: return "format " + told(v.found) + " is neither 1 nor 2";
     case Rule::record_level:
     case Rule::record_level_lossy:
     case Rule::record_level_12:
     case Rule::counts_level:
     case Rule::counts_level_lossy:
-    case Rule::counts_level_12:
-      return "level " + told(v.found) + " is above " + told(v.other);
+    case Rule::counts_level_12: return "level " + told(v.found) + " is above " + told(v.other);
     case Rule::record_lossy_format:
-    case Rule::counts_lossy_format:
-      return "2-state in a lossy build";
+    case Rule::counts_lossy_format: return "2-state in a lossy build";
     case Rule::record_region:
       return (v.found == beyond ? "its bytes end beyond all numbers" : "its bytes end at " + told(v.found)) +
              ", the data at " + told(v.other);
@@ -470,17 +447,14 @@ std::string found_of(const Violation& v) {
     case Rule::counts_array:
     case Rule::counts_geometry:
     case Rule::counts_array_is_geometry:
-    case Rule::counts_geometry_is_array:
-      return found_of_counts(v);
+    case Rule::counts_geometry_is_array: return found_of_counts(v);
     case Rule::index_encoding:
     case Rule::index_stride_most:
     case Rule::index_size:
     case Rule::index_count:
     case Rule::index_special:
-    case Rule::index_range:
-      return found_of_indices(v);
-    case Rule::count_:
-      break;
+    case Rule::index_range: return found_of_indices(v);
+    case Rule::count_: break;
   }
   return "";
 }

@@ -17,14 +17,10 @@ struct Shape {
 Shape unit_shape(Scheme scheme) {
   switch (scheme) {
     case Scheme::hilbert:
-    case Scheme::morton:
-      return {{{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}}, 0};
-    case Scheme::tetrahedron:
-      return {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, first_path};
-    case Scheme::bisection:
-      return {{{{1, 0, 0}, {0, 0, 0}, {0, 1, 0}}}, 0};
-    default:
-      return {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, 0};
+    case Scheme::morton: return {{{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}}, 0};
+    case Scheme::tetrahedron: return {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, first_path};
+    case Scheme::bisection: return {{{{1, 0, 0}, {0, 0, 0}, {0, 1, 0}}}, 0};
+    default: return {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, 0};
   }
 }
 
@@ -132,16 +128,11 @@ Corners corners(Scheme scheme, Level level, std::uint32_t index) noexcept {
   level = std::min(level, highest_level(scheme));
   const std::vector<detail::Orientation>& all = detail::orientations(scheme);
   switch (scheme) {
-    case Scheme::triangle_4:
-      return walked<4>(all, 3, {}, level, index);
-    case Scheme::triangle_9:
-      return walked<9>(all, 3, {}, level, index);
-    case Scheme::tetrahedron:
-      return walked<8>(all, 4, {}, level, index);
-    case Scheme::bisection:
-      return walked<2>(all, 3, {1, 0, 0}, level, index);
-    default:
-      return walked<4>(all, 4, {}, level, index);
+    case Scheme::triangle_4: return walked<4>(all, 3, {}, level, index);
+    case Scheme::triangle_9: return walked<9>(all, 3, {}, level, index);
+    case Scheme::tetrahedron: return walked<8>(all, 4, {}, level, index);
+    case Scheme::bisection: return walked<2>(all, 3, {1, 0, 0}, level, index);
+    default: return walked<4>(all, 4, {}, level, index);
   }
 }
 

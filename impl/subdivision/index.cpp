@@ -224,19 +224,15 @@ std::uint32_t index(Scheme scheme, Level level, const Point& point) noexcept {
   const std::uint32_t N = side(scheme, level);
   const std::int64_t factor = nudge_factor(N);
   switch (scheme) {
-    case Scheme::triangle_4:
-      return in_four(point, N);
-    case Scheme::triangle_9:
-      return in_nine(nudged(point, triangle_directions, factor), level);
-    case Scheme::tetrahedron:
-      return in_tetrahedron(nudged(point, tetrahedron_directions, factor), level);
+    case Scheme::triangle_4: return in_four(point, N);
+    case Scheme::triangle_9: return in_nine(nudged(point, triangle_directions, factor), level);
+    case Scheme::tetrahedron: return in_tetrahedron(nudged(point, tetrahedron_directions, factor), level);
     case Scheme::bisection: {
       Nudged at = nudged(point, triangle_directions, factor);
       std::swap(at.weights[0], at.weights[1]);
       return in_bisection(at, level);
     }
-    default:
-      break;
+    default: break;
   }
   const std::uint32_t x = std::min(column(point.numerators[0], point.denominator, N).whole, N - 1),
                       y = std::min(column(point.numerators[1], point.denominator, N).whole, N - 1);

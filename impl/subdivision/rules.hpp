@@ -1,8 +1,6 @@
 // The children of each scheme, as the state machines read them.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
 #include "impl/subdivision/subdivision.hpp"
@@ -54,19 +52,12 @@ struct Listed {
 };
 constexpr Listed listed(Scheme scheme, unsigned state, unsigned digit) {
   switch (scheme) {
-    case Scheme::triangle_4:
-      return {of_triangle_4[digit], 0};
-    case Scheme::triangle_9:
-      return {of_triangle_9[digit], 0};
-    case Scheme::hilbert:
-      return {of_hilbert[digit], 0};
-    case Scheme::morton:
-      return {of_morton[digit], 0};
-    case Scheme::bisection:
-      return {of_bisection[digit], 0};
-    default:
-      const Step step = path_step(state, digit);
-      return {of_tetrahedron[step.child], step.state};
+    case Scheme::triangle_4: return {of_triangle_4[digit], 0};
+    case Scheme::triangle_9: return {of_triangle_9[digit], 0};
+    case Scheme::hilbert: return {of_hilbert[digit], 0};
+    case Scheme::morton: return {of_morton[digit], 0};
+    case Scheme::bisection: return {of_bisection[digit], 0};
+    default: const Step step = path_step(state, digit); return {of_tetrahedron[step.child], step.state};
   }
 }
 

@@ -21,16 +21,11 @@ void blend(Operation o, std::span<const std::uint32_t> payload, std::span<const 
   if (payload.size() != out.size() || value.size() != out.size())
     throw std::invalid_argument("blend: spans of different sizes");
   switch (o) {
-    case Operation::max:
-      return blend_all<Operation::max>(payload, value, out);
-    case Operation::min:
-      return blend_all<Operation::min>(payload, value, out);
-    case Operation::add:
-      return blend_all<Operation::add>(payload, value, out);
-    case Operation::multiply:
-      return blend_all<Operation::multiply>(payload, value, out);
-    case Operation::over:
-      return blend_all<Operation::over>(payload, value, out);
+    case Operation::max: return blend_all<Operation::max>(payload, value, out);
+    case Operation::min: return blend_all<Operation::min>(payload, value, out);
+    case Operation::add: return blend_all<Operation::add>(payload, value, out);
+    case Operation::multiply: return blend_all<Operation::multiply>(payload, value, out);
+    case Operation::over: return blend_all<Operation::over>(payload, value, out);
   }
 }
 

@@ -26,16 +26,11 @@ constexpr std::uint32_t divided_by_255(std::uint32_t x) noexcept { return (x + 1
 /// Law: traverse.blend
 constexpr std::uint32_t blend(Operation o, std::uint32_t p, std::uint32_t v, std::uint32_t alpha) noexcept {
   switch (o) {
-    case Operation::max:
-      return std::max(p, v);
-    case Operation::min:
-      return std::min(p, v);
-    case Operation::add:
-      return std::min(p + v, 255u);
-    case Operation::multiply:
-      return divided_by_255(p * v);
-    case Operation::over:
-      break;
+    case Operation::max: return std::max(p, v);
+    case Operation::min: return std::min(p, v);
+    case Operation::add: return std::min(p + v, 255u);
+    case Operation::multiply: return divided_by_255(p * v);
+    case Operation::over: break;
   }
   return std::min(v + divided_by_255(p * (255 - alpha)), 255u);
 }

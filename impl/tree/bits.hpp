@@ -99,20 +99,11 @@ inline void fill_run(std::uint8_t* bytes, std::uint64_t first_bit, std::uint64_t
       *to = static_cast<std::uint8_t>(*to | (states & low_bits(static_cast<std::uint32_t>(bits)))
                                                 << (first_bit % 8));
       return;
-    case 8:
-      *to = static_cast<std::uint8_t>(states);
-      return;
-    case 16:
-      std::memcpy(to, &states, 2);
-      return;
-    case 32:
-      std::memcpy(to, &states, 4);
-      return;
-    case 64:
-      std::memcpy(to, &states, 8);
-      return;
-    default:
-      std::memset(to, static_cast<int>(states & 0xff), bits / 8);
+    case 8: *to = static_cast<std::uint8_t>(states); return;
+    case 16: std::memcpy(to, &states, 2); return;
+    case 32: std::memcpy(to, &states, 4); return;
+    case 64: std::memcpy(to, &states, 8); return;
+    default: std::memset(to, static_cast<int>(states & 0xff), bits / 8);
   }
 }
 

@@ -96,16 +96,11 @@ void put_blocks(std::span<const std::uint64_t> mixed, const std::uint8_t* map, s
         bit += 4;
       });
       return;
-    case 8:
-      return copy(std::integral_constant<std::size_t, 1>());
-    case 16:
-      return copy(std::integral_constant<std::size_t, 2>());
-    case 32:
-      return copy(std::integral_constant<std::size_t, 4>());
-    case 64:
-      return copy(std::integral_constant<std::size_t, 8>());
-    default:
-      return copy(static_cast<std::size_t>(block_bits / 8));
+    case 8: return copy(std::integral_constant<std::size_t, 1>());
+    case 16: return copy(std::integral_constant<std::size_t, 2>());
+    case 32: return copy(std::integral_constant<std::size_t, 4>());
+    case 64: return copy(std::integral_constant<std::size_t, 8>());
+    default: return copy(static_cast<std::size_t>(block_bits / 8));
   }
 }
 

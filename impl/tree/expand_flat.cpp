@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "impl/tree/bits.hpp"
 #include "impl/tree/form.hpp"

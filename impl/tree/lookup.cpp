@@ -77,9 +77,7 @@ HWY_INLINE std::uint8_t find(const std::uint8_t* memory, std::uint64_t index) {
 
 std::uint8_t find_one(const std::uint8_t* memory, std::uint64_t index) { return find(memory, index); }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Many at once
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Many at once
 
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET <= HWY_AVX3  // gathers pay from four lanes on
 

@@ -34,14 +34,10 @@ Finding same_counts(const Answer& a, const maps::Histogram& expected, const std:
 
 std::string text_of(const Target& to) {
   switch (to.kind) {
-    case Target::Kind::special:
-      return fmt::format("special {}", maps::name_of(to.state));
-    case Target::Kind::none:
-      return "no micromap";
-    case Target::Kind::record:
-      return fmt::format("record {}", to.record);
-    case Target::Kind::outside:
-      return fmt::format("no record {}", to.record);
+    case Target::Kind::special: return fmt::format("special {}", maps::name_of(to.state));
+    case Target::Kind::none: return "no micromap";
+    case Target::Kind::record: return fmt::format("record {}", to.record);
+    case Target::Kind::outside: return fmt::format("no record {}", to.record);
   }
   return fmt::format("kind {}", static_cast<unsigned>(to.kind));
 }

@@ -80,24 +80,18 @@ void read(Level n, const std::string& text, MicroTriangle& at) {
 
 const char* name_of(VertexOrder order) {
   switch (order) {
-    case VertexOrder::w_minor:
-      return "w-minor";
-    case VertexOrder::u_major:
-      return "u-major";
-    case VertexOrder::bird:
-      break;
+    case VertexOrder::w_minor: return "w-minor";
+    case VertexOrder::u_major: return "u-major";
+    case VertexOrder::bird: break;
   }
   return "bird";
 }
 
 const char* name_of(FaceOrder order) {
   switch (order) {
-    case FaceOrder::curve:
-      return "curve";
-    case FaceOrder::rows:
-      return "rows";
-    case FaceOrder::u_major:
-      break;
+    case FaceOrder::curve: return "curve";
+    case FaceOrder::rows: return "rows";
+    case FaceOrder::u_major: break;
   }
   return "u-major";
 }

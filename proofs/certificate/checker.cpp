@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <sstream>
 #include <string>
 #include <unordered_map>
@@ -177,15 +176,10 @@ class Reader {
     const char kind = plain ? 'l' : line[0];
     const Clause c = numbers(plain ? line : line.substr(1));
     switch (kind) {
-      case 'i':
-        return define(c, 1, proved_.inputs);
-      case 'f':
-        define(c, 1, proved_.nodes);
-        return clauses_.add({-c[0]});
-      case 'n':
-        return define_node(c);
-      case 'd':
-        return clauses_.remove(c);
+      case 'i': return define(c, 1, proved_.inputs);
+      case 'f': define(c, 1, proved_.nodes); return clauses_.add({-c[0]});
+      case 'n': return define_node(c);
+      case 'd': return clauses_.remove(c);
       case 'a':
         expect(c, 1);
         ++proved_.assumptions;
@@ -200,8 +194,7 @@ class Reader {
         follow(c);
         ++proved_.claims;
         return;
-      default:
-        refuse("no step begins with '" + line.substr(0, 1) + "'");
+      default: refuse("no step begins with '" + line.substr(0, 1) + "'");
     }
   }
 

@@ -3,7 +3,6 @@
 
 #include <pugixml.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace mmverify::proofs::drawing {

@@ -54,16 +54,11 @@ enum class Method { exhaustive, sample, witness, induction, bit_vectors };
 
 constexpr const char* to_string(Method method) {
   switch (method) {
-    case Method::exhaustive:
-      return "exhaustive";
-    case Method::sample:
-      return "sample";
-    case Method::witness:
-      return "witness";
-    case Method::induction:
-      return "induction";
-    case Method::bit_vectors:
-      return "bit vectors";
+    case Method::exhaustive: return "exhaustive";
+    case Method::sample: return "sample";
+    case Method::witness: return "witness";
+    case Method::induction: return "induction";
+    case Method::bit_vectors: return "bit vectors";
   }
   return "?";
 }

@@ -6,18 +6,12 @@ namespace mmverify::proofs {
 
 std::string to_string(Verdict v) {
   switch (v) {
-    case Verdict::proved:
-      return "proved";
-    case Verdict::refuted:
-      return "refuted";
-    case Verdict::checked:
-      return "checked";
-    case Verdict::broken:
-      return "broken";
-    case Verdict::not_applicable:
-      return "not_applicable";
-    case Verdict::incomplete:
-      return "incomplete";
+    case Verdict::proved: return "proved";
+    case Verdict::refuted: return "refuted";
+    case Verdict::checked: return "checked";
+    case Verdict::broken: return "broken";
+    case Verdict::not_applicable: return "not_applicable";
+    case Verdict::incomplete: return "incomplete";
   }
   return "?";
 }

@@ -1,7 +1,5 @@
 #include "proofs/index/diagnosis.hpp"
 
-#include <numeric>
-
 #include "proofs/index/children_inside.hpp"
 #include "proofs/index/judges/judges.hpp"
 #include "proofs/index/known_orders.hpp"

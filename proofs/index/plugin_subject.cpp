@@ -215,13 +215,10 @@ class Questions {
       return number;
     };
     switch (call) {
-      case Call::index_f64:
-        return point_text(read(0, double{}), read(1, double{}));
+      case Call::index_f64: return point_text(read(0, double{}), read(1, double{}));
       case Call::index_f32:
-      case Call::row_index_f32:
-        return point_text(double{read(0, float{})}, double{read(1, float{})});
-      default:
-        break;
+      case Call::row_index_f32: return point_text(double{read(0, float{})}, double{read(1, float{})});
+      default: break;
     }
     return fmt::format("k={}", read(0, std::uint32_t{}));
   }

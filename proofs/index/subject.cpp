@@ -36,14 +36,10 @@ Functions completed(Functions f) {
 
 std::string to_string(Arithmetic a) {
   switch (a) {
-    case Arithmetic::exact:
-      return "exact";
-    case Arithmetic::binary16:
-      return "binary16";
-    case Arithmetic::binary32:
-      return "binary32";
-    case Arithmetic::binary64:
-      return "binary64";
+    case Arithmetic::exact: return "exact";
+    case Arithmetic::binary16: return "binary16";
+    case Arithmetic::binary32: return "binary32";
+    case Arithmetic::binary64: return "binary64";
   }
   return "?";
 }

@@ -48,12 +48,9 @@ std::string commented(const std::string& words) {
 
 std::string to_string(Answer a) {
   switch (a) {
-    case Answer::unsat:
-      return "unsat";
-    case Answer::sat:
-      return "sat";
-    case Answer::unknown:
-      return "unknown";
+    case Answer::unsat: return "unsat";
+    case Answer::sat: return "sat";
+    case Answer::unknown: return "unknown";
   }
   return "?";
 }

@@ -62,43 +62,27 @@ void spoil(Handed& h, Random& random) {
   switch (random.below(16)) {
     case 0:
     case 1:
-    case 2:
-      return spoil_bytes(h.records, random);
-    case 3:
-      return spoil_bytes(h.data, random);
+    case 2: return spoil_bytes(h.records, random);
+    case 3: return spoil_bytes(h.data, random);
     case 4:
-    case 5:
-      return spoil_bytes(h.indices, random);
-    case 6:
-      return spoil_counts(h.array_counts, random);
-    case 7:
-      return spoil_counts(h.geometry_counts, random);
-    case 8:
-      in.record_count = any_number(random);
-      return;
-    case 9:
-      in.record_stride = any_number(random);
-      return;
-    case 10:
-      in.index_stride = any_number(random);
-      return;
+    case 5: return spoil_bytes(h.indices, random);
+    case 6: return spoil_counts(h.array_counts, random);
+    case 7: return spoil_counts(h.geometry_counts, random);
+    case 8: in.record_count = any_number(random); return;
+    case 9: in.record_stride = any_number(random); return;
+    case 10: in.index_stride = any_number(random); return;
     case 11:
       // Without a buffer every triangle is a reference: the specification walks them all.
       in.indexed = !in.indexed;
       return;
-    case 12:
-      in.triangles = any_number(random);
-      return;
-    case 13:
-      in.base_triangle = any_word(random);
-      return;
+    case 12: in.triangles = any_number(random); return;
+    case 13: in.base_triangle = any_word(random); return;
     case 14:
       in.data_address = any_number(random);
       in.records_address = any_number(random);
       in.indices_address = any_number(random);
       return;
-    default:
-      h.array_counts.swap(h.geometry_counts);
+    default: h.array_counts.swap(h.geometry_counts);
   }
 }
 

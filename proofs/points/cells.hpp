@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
 
 #include "proofs/engine/kinds.hpp"
 #include "spec/fixed.hpp"

@@ -1,8 +1,6 @@
 // Points as the laws hold and print them: exact, whatever number they came from.
 #pragma once
 
-#include <optional>
-
 #include "proofs/engine/result.hpp"
 #include "proofs/points/cells.hpp"
 #include "spec/rational.hpp"

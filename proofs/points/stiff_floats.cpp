@@ -106,24 +106,18 @@ FloatPair tiny_beside_a_line(Level n, Random& random) {
 
 FloatPair candidate(Level n, Random& random, std::uint64_t kind) {
   switch (kind) {
-    case 0:
-      return near_lines(n, random);
-    case 1:
-      return near_diagonal(n, random);
-    case 2:
-      return straddling(n, random);
-    case 3:
-      return near_hypotenuse(random);
-    case 4:
-      return {special(random), special(random)};
+    case 0: return near_lines(n, random);
+    case 1: return near_diagonal(n, random);
+    case 2: return straddling(n, random);
+    case 3: return near_hypotenuse(random);
+    case 4: return {special(random), special(random)};
     case 5:
       return random.below(2) == 0
                  ? FloatPair{special(random),
                              nudged(static_cast<float>(line(some_level(n, random), 1, random)), random)}
                  : FloatPair{nudged(static_cast<float>(line(some_level(n, random), 1, random)), random),
                              special(random)};
-    default:
-      return random.below(2) == 0 ? tiny_beside_a_line(n, random) : uniform(random);
+    default: return random.below(2) == 0 ? tiny_beside_a_line(n, random) : uniform(random);
   }
 }
 

@@ -23,12 +23,9 @@ Binary32 bits(float x) { return {std::bit_cast<std::uint32_t>(x)}; }
 
 spec::bake::Wrap wrap(scene::Wrap w) {
   switch (w) {
-    case scene::Wrap::repeat:
-      return spec::bake::Wrap::repeat;
-    case scene::Wrap::mirrored_repeat:
-      return spec::bake::Wrap::mirrored_repeat;
-    case scene::Wrap::clamp_to_edge:
-      break;
+    case scene::Wrap::repeat: return spec::bake::Wrap::repeat;
+    case scene::Wrap::mirrored_repeat: return spec::bake::Wrap::mirrored_repeat;
+    case scene::Wrap::clamp_to_edge: break;
   }
   return spec::bake::Wrap::clamp_to_edge;
 }

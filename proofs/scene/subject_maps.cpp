@@ -1,7 +1,6 @@
 #include "proofs/scene/subject_maps.hpp"
 
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <variant>
 
@@ -20,12 +19,9 @@ constexpr std::uint64_t most_bytes = 15u << 20;
 
 bake::Wrap address_of(mmverify::scene::Wrap wrap) {
   switch (wrap) {
-    case mmverify::scene::Wrap::repeat:
-      return bake::Wrap::repeat;
-    case mmverify::scene::Wrap::mirrored_repeat:
-      return bake::Wrap::mirrored_repeat;
-    case mmverify::scene::Wrap::clamp_to_edge:
-      break;
+    case mmverify::scene::Wrap::repeat: return bake::Wrap::repeat;
+    case mmverify::scene::Wrap::mirrored_repeat: return bake::Wrap::mirrored_repeat;
+    case mmverify::scene::Wrap::clamp_to_edge: break;
   }
   return bake::Wrap::clamp_to_edge;
 }

@@ -20,18 +20,12 @@ constexpr std::uint32_t infinite = 0x7F800000, least_normal = 0x00800000;
 std::uint32_t distance(std::uint64_t kind, std::uint32_t middle, Random& random) {
   const auto bits = [](std::uint64_t word) { return static_cast<std::uint32_t>(word); };
   switch (kind) {
-    case 0:
-      return distance_of(std::ldexp(static_cast<float>(random.below(1u << 24)), -20));
-    case 1:
-      return bits(middle + random.below(5));
-    case 2:
-      return bits(middle + (random.below(2) << 12));
-    case 3:
-      return bits(random.below(2) == 0 ? random.below(4) : random.below(least_normal));
-    case 4:
-      return bits(infinite - 1 - random.below(16));
-    default:
-      return bits(random.below(infinite));
+    case 0: return distance_of(std::ldexp(static_cast<float>(random.below(1u << 24)), -20));
+    case 1: return bits(middle + random.below(5));
+    case 2: return bits(middle + (random.below(2) << 12));
+    case 3: return bits(random.below(2) == 0 ? random.below(4) : random.below(least_normal));
+    case 4: return bits(infinite - 1 - random.below(16));
+    default: return bits(random.below(infinite));
   }
 }
 

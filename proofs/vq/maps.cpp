@@ -279,26 +279,19 @@ template <class Format>
 Map<Format> sample_map(std::uint64_t seed, std::uint64_t k) {
   Random random(seed, level_of<Format>, k);
   switch (k % 32) {
-    case 31:
-      return noise<Format>(random);
+    case 31: return noise<Format>(random);
     case 14:
-    case 30:
-      return few_vectors<Format>(random);
-    case 12:
-      return uniform<Format>(random);
+    case 30: return few_vectors<Format>(random);
+    case 12: return uniform<Format>(random);
     case 11:
-    case 28:
-      return tiled<Format>(random);
+    case 28: return tiled<Format>(random);
     case 13:
-    case 29:
-      return one_odd_region<Format>(random);
+    case 29: return one_odd_region<Format>(random);
     case 15:
     case 17:
     case 21:
-    case 27:
-      return near_a_block<Format>(random);
-    default:
-      break;
+    case 27: return near_a_block<Format>(random);
+    default: break;
   }
   constexpr std::array shapes{wide_outline<Format>, sharp<Format>, two_shapes<Format>, symmetric<Format>};
   return shapes[k % shapes.size()](random);

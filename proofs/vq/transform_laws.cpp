@@ -1,5 +1,4 @@
 // Laws of the transforms of vectors (4.1, table 1); the oracle is signed coordinates.
-#include <cstdio>
 
 #include "proofs/vq/law_parts.hpp"
 #include "proofs/vq/laws.hpp"

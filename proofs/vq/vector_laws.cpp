@@ -1,5 +1,4 @@
 // Which vectors there are (2, 4, 5.1): the oracle is neighbourhoods of sets.
-#include <cstdio>
 
 #include "proofs/vq/law_parts.hpp"
 #include "proofs/vq/laws.hpp"

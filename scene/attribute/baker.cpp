@@ -1,7 +1,5 @@
 #include "scene/attribute/baker.hpp"
 
-#include <stdexcept>
-
 #include "scene/bake/wrap.hpp"
 #include "scene/plan/plan.hpp"
 

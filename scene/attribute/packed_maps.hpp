@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "impl/attribute/container.hpp"
 #include "scene/attribute/set_maps.hpp"

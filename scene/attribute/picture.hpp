@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "scene/attribute/measure.hpp"
 #include "scene/attribute/mip_errors.hpp"

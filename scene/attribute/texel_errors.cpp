@@ -1,6 +1,5 @@
 #include "scene/attribute/texel_errors.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 

@@ -1,8 +1,6 @@
 // The shares of rays that micromaps decide, and of rays that still call the any-hit shader.
 #pragma once
 
-#include <cstdint>
-
 #include "scene/bake/bake.hpp"
 
 namespace mmverify::scene {

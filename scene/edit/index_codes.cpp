@@ -37,16 +37,11 @@ std::size_t triangles_of(const Json& json, const Json& primitive) {
 
 int type_of_component(Encoding encoding) {
   switch (encoding) {
-    case Encoding::u8:
-      return TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE;
-    case Encoding::u16:
-      return TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
-    case Encoding::i16:
-      return TINYGLTF_COMPONENT_TYPE_SHORT;
-    case Encoding::i32:
-      return TINYGLTF_COMPONENT_TYPE_INT;
-    default:
-      return TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+    case Encoding::u8: return TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE;
+    case Encoding::u16: return TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+    case Encoding::i16: return TINYGLTF_COMPONENT_TYPE_SHORT;
+    case Encoding::i32: return TINYGLTF_COMPONENT_TYPE_INT;
+    default: return TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
   }
 }
 

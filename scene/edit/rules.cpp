@@ -1,7 +1,6 @@
 #include "scene/edit/rules.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <set>
 

@@ -1,7 +1,5 @@
 #include "scene/flip/rows.hpp"
 
-#include <cmath>
-
 #include "scene/flip/colour.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -22,9 +20,7 @@ using V = hn::Vec<Floats>;
 HWY_INLINE V all(double x) { return hn::Set(Floats(), static_cast<float>(x)); }
 HWY_INLINE V plus_product(V sum, V a, V b) { return hn::Add(sum, hn::Mul(a, b)); }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Functions
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Functions
 
 /// The cube root.  Domain: x normal and positive.  A first guess from the bits, then Halley's step twice:
 /// errors 3e-2, 2e-5, rounding.
@@ -72,9 +68,7 @@ HWY_INLINE V power(V x, V p) {
   return hn::IfThenElseZero(hn::Ge(x, least), value);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Filters
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Filters
 
 void along_x(const Filters& filters, const std::array<const float*, opponents>& rows, float (*out)[piece]) {
   const Floats f;
@@ -148,9 +142,7 @@ HWY_INLINE FilteredTexels along_y(const Filters& filters, Window rows, std::size
   return {y, xy, hn::Add(wide, narrow), {edge_x, edge_down}, {point_x, point_down}};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Texel by texel
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Texel by texel
 
 HWY_INLINE V product(const Vector& row, V a, V b, V c) {
   return plus_product(plus_product(hn::Mul(all(row[0]), a), all(row[1]), b), all(row[2]), c);

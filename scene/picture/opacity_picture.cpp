@@ -6,7 +6,6 @@
 #include <limits>
 #include <set>
 #include <utility>
-#include <variant>
 
 #include "impl/bake/texture/wrap.hpp"
 #include "impl/index/index.hpp"
@@ -29,13 +28,10 @@ constexpr double most_repeats = 2, border = 0.02;  ///< of the texture; share of
 
 Colour colour_of(State state) {
   switch (state) {
-    case State::T:
-      return transparent;
-    case State::O:
-      return opaque;
+    case State::T: return transparent;
+    case State::O: return opaque;
     case State::UT:
-    case State::UO:
-      break;
+    case State::UO: break;
   }
   return unknown;
 }

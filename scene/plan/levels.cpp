@@ -1,6 +1,5 @@
 #include "scene/plan/levels.hpp"
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 

@@ -161,10 +161,8 @@ class Planner {
 
 std::string_view sentence(LeftOut why) {
   switch (why) {
-    case LeftOut::no_triangles:
-      return "it draws no triangles: points, lines, or too few vertices";
-    case LeftOut::not_placed:
-      return "no node uses its mesh";
+    case LeftOut::no_triangles: return "it draws no triangles: points, lines, or too few vertices";
+    case LeftOut::not_placed: return "no node uses its mesh";
     case LeftOut::material_variants:
       return "KHR_materials_variants gives it a material of other alpha at run time: a stored micromap would "
              "be stale";
@@ -172,14 +170,11 @@ std::string_view sentence(LeftOut why) {
       return "KHR_animation_pointer changes its alpha or UVs at run time: a stored micromap would be stale";
     case LeftOut::specular_glossiness:
       return "KHR_materials_pbrSpecularGlossiness takes alpha from another texture, if the renderer knows it";
-    case LeftOut::opaque:
-      return "its material is opaque: no alpha is tested";
+    case LeftOut::opaque: return "its material is opaque: no alpha is tested";
     case LeftOut::no_texture:
       return "its base colour has no texture: the constant alpha decides for all of it";
-    case LeftOut::no_image:
-      return "its base colour's texture names no image that is read";
-    case LeftOut::no_uvs:
-      return "it lacks the UV set that its base colour names";
+    case LeftOut::no_image: return "its base colour's texture names no image that is read";
+    case LeftOut::no_uvs: return "it lacks the UV set that its base colour names";
     case LeftOut::morphed_uvs:
       return "a morph target moves its UVs or vertex colours at run time: a stored micromap would be stale";
     case LeftOut::vertex_alpha:
@@ -188,8 +183,7 @@ std::string_view sentence(LeftOut why) {
              "of it";
     case LeftOut::two_filters:
       return "its sampler magnifies by one filter and minifies by another: one map would be wrong for either";
-    case LeftOut::far_uvs:
-      return "UVs of 2^20 or more: float32 has no texels left there";
+    case LeftOut::far_uvs: return "UVs of 2^20 or more: float32 has no texels left there";
     case LeftOut::varying_alpha:
       return "vertex colours of varying alpha multiply the texture's: only bounds of alpha are known";
   }

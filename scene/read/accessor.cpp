@@ -92,12 +92,9 @@ class ElementReader {
   std::uint32_t unsigned_at(const Elements& elements, std::size_t k) const {
     const unsigned char* bytes = elements.first + k * elements.stride;
     switch (elements.component_type) {
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-        return *bytes;
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-        return load_as<std::uint16_t>(bytes);
-      default:
-        return load_as<std::uint32_t>(bytes);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return *bytes;
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load_as<std::uint16_t>(bytes);
+      default: return load_as<std::uint32_t>(bytes);
     }
   }
 
@@ -165,16 +162,11 @@ float component(int type, bool normal, const unsigned char* bytes) {
     return normal ? normalised(value) : static_cast<float>(value);
   };
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return integer(load_as<std::int8_t>(bytes));
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return integer(load_as<std::uint8_t>(bytes));
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return integer(load_as<std::int16_t>(bytes));
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return integer(load_as<std::uint16_t>(bytes));
-    default:
-      return load_as<float>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_BYTE: return integer(load_as<std::int8_t>(bytes));
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return integer(load_as<std::uint8_t>(bytes));
+    case TINYGLTF_COMPONENT_TYPE_SHORT: return integer(load_as<std::int16_t>(bytes));
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return integer(load_as<std::uint16_t>(bytes));
+    default: return load_as<float>(bytes);
   }
 }
 

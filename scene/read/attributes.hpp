@@ -1,7 +1,6 @@
 // The textures of a scene with attributes of its surfaces: colours, normals, roughness.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>

@@ -43,44 +43,35 @@ DdsFormat of_dxgi(std::uint32_t number) {
   switch (number) {
     case 70:
     case 71:
-    case 72:
-      return DdsFormat::bc1;
+    case 72: return DdsFormat::bc1;
     case 73:
     case 74:
-    case 75:
-      return DdsFormat::bc2;
+    case 75: return DdsFormat::bc2;
     case 76:
     case 77:
-    case 78:
-      return DdsFormat::bc3;
+    case 78: return DdsFormat::bc3;
     case 79:
     case 80:
-    case 81:
-      return DdsFormat::no_alpha_8;
+    case 81: return DdsFormat::no_alpha_8;
     case 82:
     case 83:
     case 84:
     case 94:
     case 95:
-    case 96:
-      return DdsFormat::no_alpha_16;
+    case 96: return DdsFormat::no_alpha_16;
     case 97:
     case 98:
-    case 99:
-      return DdsFormat::bc7;
+    case 99: return DdsFormat::bc7;
     case 27:
     case 28:
     case 29:
     case 87:
     case 90:
-    case 91:
-      return DdsFormat::alpha_byte;
+    case 91: return DdsFormat::alpha_byte;
     case 88:
     case 92:
-    case 93:
-      return DdsFormat::no_alpha_32;
-    default:
-      return DdsFormat::unread;
+    case 93: return DdsFormat::no_alpha_32;
+    default: return DdsFormat::unread;
   }
 }
 
@@ -196,8 +187,7 @@ void decode_dds_alpha(DdsBytes bytes, Image& image, const std::string& file, con
       image.alpha = std::move(alpha);
       return;
     }
-    default:
-      image.alpha = std::vector<std::uint8_t>(texels, 255);
+    default: image.alpha = std::vector<std::uint8_t>(texels, 255);
   }
 }
 

@@ -1,7 +1,6 @@
 // The alpha of a DDS, blocks of BC1 to BC7 and plain texels.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>

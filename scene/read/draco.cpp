@@ -93,18 +93,12 @@ class DracoDecoder {
       bad(shown(name) + " has " + std::to_string(its->num_components()) +
           " components in the mesh, its accessor " + std::to_string(components));
     switch (json["componentType"].get<int>()) {
-      case TINYGLTF_COMPONENT_TYPE_BYTE:
-        return values<std::int8_t>(*its, draco::DT_INT8, name);
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-        return values<std::uint8_t>(*its, draco::DT_UINT8, name);
-      case TINYGLTF_COMPONENT_TYPE_SHORT:
-        return values<std::int16_t>(*its, draco::DT_INT16, name);
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-        return values<std::uint16_t>(*its, draco::DT_UINT16, name);
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-        return values<std::uint32_t>(*its, draco::DT_UINT32, name);
-      default:
-        return values<float>(*its, draco::DT_FLOAT32, name);
+      case TINYGLTF_COMPONENT_TYPE_BYTE: return values<std::int8_t>(*its, draco::DT_INT8, name);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return values<std::uint8_t>(*its, draco::DT_UINT8, name);
+      case TINYGLTF_COMPONENT_TYPE_SHORT: return values<std::int16_t>(*its, draco::DT_INT16, name);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return values<std::uint16_t>(*its, draco::DT_UINT16, name);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return values<std::uint32_t>(*its, draco::DT_UINT32, name);
+      default: return values<float>(*its, draco::DT_FLOAT32, name);
     }
   }
 

@@ -103,14 +103,10 @@ void decode(ImageBytes bytes, const std::string& file, const std::string& place,
   switch (const PictureKind kind = picture_kind(bytes)) {
     case PictureKind::png:
     case PictureKind::jpeg:
-    case PictureKind::tga:
-      return decode_by_stb(bytes, kind, file, place, depth, take);
-    case PictureKind::webp:
-      return taken(decode_webp(bytes, file, place));
-    case PictureKind::avif:
-      return taken(decode_avif(bytes, depth == Depth::eight, file, place));
-    case PictureKind::ktx2:
-      return taken(decode_ktx2(bytes, file, place));
+    case PictureKind::tga: return decode_by_stb(bytes, kind, file, place, depth, take);
+    case PictureKind::webp: return taken(decode_webp(bytes, file, place));
+    case PictureKind::avif: return taken(decode_avif(bytes, depth == Depth::eight, file, place));
+    case PictureKind::ktx2: return taken(decode_ktx2(bytes, file, place));
     case PictureKind::unknown:
       throw BadScene(file, place,
                      "no picture that is read here: PNG, JPEG, WebP, AVIF, DDS, KTX2, TGA or OpenEXR");

@@ -1,7 +1,6 @@
 #include "scene/read/images.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <span>

@@ -13,12 +13,9 @@ namespace {
 
 Wrap wrap(int mode, const std::string& file, const std::string& at) {
   switch (mode) {
-    case TINYGLTF_TEXTURE_WRAP_REPEAT:
-      return Wrap::repeat;
-    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
-      return Wrap::mirrored_repeat;
-    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
-      return Wrap::clamp_to_edge;
+    case TINYGLTF_TEXTURE_WRAP_REPEAT: return Wrap::repeat;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT: return Wrap::mirrored_repeat;
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE: return Wrap::clamp_to_edge;
     default:
       throw BadScene(file, at, "wrap mode " + std::to_string(mode) + " is none of 10497, 33071, 33648");
   }
@@ -29,14 +26,9 @@ Sampler read_sampler(const tinygltf::Sampler& given, const std::string& file, co
   sampler.wrap_u = wrap(given.wrapS, file, at);
   sampler.wrap_v = wrap(given.wrapT, file, at);
   switch (given.magFilter) {
-    case -1:
-      break;
-    case TINYGLTF_TEXTURE_FILTER_NEAREST:
-      sampler.magnification = Filter::nearest;
-      break;
-    case TINYGLTF_TEXTURE_FILTER_LINEAR:
-      sampler.magnification = Filter::linear;
-      break;
+    case -1: break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST: sampler.magnification = Filter::nearest; break;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR: sampler.magnification = Filter::linear; break;
     default:
       throw BadScene(file, at, "magFilter " + std::to_string(given.magFilter) + " is none of 9728, 9729");
   }
@@ -45,26 +37,13 @@ Sampler read_sampler(const tinygltf::Sampler& given, const std::string& file, co
     sampler.between_mips = between;
   };
   switch (given.minFilter) {
-    case -1:
-      break;
-    case TINYGLTF_TEXTURE_FILTER_NEAREST:
-      minify(Filter::nearest, {});
-      break;
-    case TINYGLTF_TEXTURE_FILTER_LINEAR:
-      minify(Filter::linear, {});
-      break;
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
-      minify(Filter::nearest, Filter::nearest);
-      break;
-    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
-      minify(Filter::linear, Filter::nearest);
-      break;
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
-      minify(Filter::nearest, Filter::linear);
-      break;
-    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR:
-      minify(Filter::linear, Filter::linear);
-      break;
+    case -1: break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST: minify(Filter::nearest, {}); break;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR: minify(Filter::linear, {}); break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST: minify(Filter::nearest, Filter::nearest); break;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST: minify(Filter::linear, Filter::nearest); break;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR: minify(Filter::nearest, Filter::linear); break;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR: minify(Filter::linear, Filter::linear); break;
     default:
       throw BadScene(file, at,
                      "minFilter " + std::to_string(given.minFilter) + " is none of 9728, 9729, 9984..9987");

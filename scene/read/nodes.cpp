@@ -114,9 +114,7 @@ void place_instances(const Document& document, const Buffers& buffers, const nlo
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The places of uses
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The places of uses
 
 Transform product(const Transform& a, const Transform& b) {
   Transform c{product(a.linear, b.linear), a.translation};

@@ -1,7 +1,6 @@
 // A reader of nodes and of the meshes that they place.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "scene/read/buffers.hpp"

@@ -49,13 +49,11 @@ std::optional<std::string> why_unread(std::span<const unsigned char> bytes, Pict
 #else
       return "this program was built without WebP (Debian: libwebp-dev)";
 #endif
-    case PictureKind::avif:
-      return why_no_avif();
+    case PictureKind::avif: return why_no_avif();
     case PictureKind::dds:
       if (use == PictureUse::colour) return "the colours of a DDS are not read here";
       return why_unread_dds(bytes);
-    case PictureKind::ktx2:
-      return why_unread_ktx2(bytes, use);
+    case PictureKind::ktx2: return why_unread_ktx2(bytes, use);
     case PictureKind::openexr:
       if (use == PictureUse::colour) return "the colours of an OpenEXR are not read here";
 #ifdef MMVERIFY_HAS_OPENEXR
@@ -63,8 +61,7 @@ std::optional<std::string> why_unread(std::span<const unsigned char> bytes, Pict
 #else
       return "this program was built without OpenEXR (Debian: libopenexr-dev)";
 #endif
-    default:
-      return std::nullopt;
+    default: return std::nullopt;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/crc.hpp>
+#include <cstdint>
 #include <string_view>
 
 namespace mmverify::scene {

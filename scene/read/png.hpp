@@ -1,7 +1,6 @@
 // Checks of a PNG's chunks before it is decoded.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>

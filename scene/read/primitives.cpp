@@ -16,19 +16,14 @@ namespace {
 
 std::optional<Topology> topology(int mode, const std::string& file, const std::string& at) {
   switch (mode) {
-    case TINYGLTF_MODE_TRIANGLES:
-      return Topology::list;
-    case TINYGLTF_MODE_TRIANGLE_STRIP:
-      return Topology::strip;
-    case TINYGLTF_MODE_TRIANGLE_FAN:
-      return Topology::fan;
+    case TINYGLTF_MODE_TRIANGLES: return Topology::list;
+    case TINYGLTF_MODE_TRIANGLE_STRIP: return Topology::strip;
+    case TINYGLTF_MODE_TRIANGLE_FAN: return Topology::fan;
     case TINYGLTF_MODE_POINTS:
     case TINYGLTF_MODE_LINE:
     case TINYGLTF_MODE_LINE_LOOP:
-    case TINYGLTF_MODE_LINE_STRIP:
-      return {};
-    default:
-      throw BadScene(file, at, "mode " + std::to_string(mode) + " is none of 0..6");
+    case TINYGLTF_MODE_LINE_STRIP: return {};
+    default: throw BadScene(file, at, "mode " + std::to_string(mode) + " is none of 0..6");
   }
 }
 

@@ -1,7 +1,6 @@
 // The bytes and files that URIs in a document name.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "scene/read/buffers.hpp"

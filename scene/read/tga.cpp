@@ -1,7 +1,6 @@
 #include "scene/read/tga.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace mmverify::scene {
 namespace {

@@ -20,16 +20,11 @@ constexpr int element_array_buffer = 34963;
 
 int component_type(impl::micromap::Encoding encoding) {
   switch (encoding) {
-    case impl::micromap::Encoding::u8:
-      return TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE;
-    case impl::micromap::Encoding::u16:
-      return TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
-    case impl::micromap::Encoding::u32:
-      return TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-    case impl::micromap::Encoding::i16:
-      return TINYGLTF_COMPONENT_TYPE_SHORT;
-    case impl::micromap::Encoding::i32:
-      return TINYGLTF_COMPONENT_TYPE_INT;
+    case impl::micromap::Encoding::u8: return TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE;
+    case impl::micromap::Encoding::u16: return TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+    case impl::micromap::Encoding::u32: return TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+    case impl::micromap::Encoding::i16: return TINYGLTF_COMPONENT_TYPE_SHORT;
+    case impl::micromap::Encoding::i32: return TINYGLTF_COMPONENT_TYPE_INT;
   }
   throw std::invalid_argument("to_glb: unknown encoding");
 }

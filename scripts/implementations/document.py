@@ -40,29 +40,38 @@ def weakest(results):
     return min((r["verdict"] for r in results), key=WEAKEST_FIRST.index)
 
 
+BAKING = r"baking (?:the mesh )?|on case "  # what stands before a case in a reason
+
+
 def broken_case(one):
     """The replay line of the case that a reason names, where it names one."""
-    at = re.search(r"at level (\d+) (?:baking|on case) (\S+)", one.get("reason", ""))
-    if not at:
-        return []
-    return [f"mmverify replay {one['law']} --level {at[1]} --case {at[2]} --subject {one['subject']}"]
+    at = re.search(rf"at level (\d+) (?:{BAKING})(\S+)", one.get("reason", ""))
+    return at and f"mmverify replay {one['law']} --level {at[1]} --case {at[2]} --subject {one['subject']}"
 
 
 def simplest(results):
-    """For each law the case that refutes it, and one without an answer, at its lowest such level: lines of text."""
-    found = []
+    """For each law the case that refutes it, and one without an answer, at its lowest such level: lines of text.  Laws
+    that say the same of one case are told together."""
+    alike = {}
     for of_law in by_law(results).values():
         for verdict in ("refuted", "broken"):
             one = next((r for r in of_law if r["verdict"] == verdict), None)
-            case = one and one.get("counterexample")
-            if case:
+            if not one:
+                continue
+            if case := one.get("counterexample"):
                 told = f"{one['law']} level {case['level']}: expected {case['expected']}; got {case['got']}"
-                found.append([*message(told), *command(case["replay"])])
-            elif one:
+                replay = case["replay"]
+            else:
                 replay, reason = broken_case(one), one.get("reason", verdict)
                 if replay:
-                    reason = re.sub(r"(baking|on case) \S+", r"\1 this:", reason)
-                found.append([*message(f"{one['law']}: {reason}"), *(line for text in replay for line in command(text))])
+                    reason = re.sub(rf"({BAKING})\S+", lambda at: at[1].replace("the mesh ", "") + "this:", reason)
+                told = f"{one['law']}: {reason}"
+            about = f"{told} {replay}".replace(one["law"], "")
+            alike.setdefault(about, []).append((one["law"], told, replay))
+    found = []
+    for (_, told, replay), *others in alike.values():
+        same = message(f"  the same with {', '.join(law for law, *_ in others)}") if others else []
+        found.append([*message(told), *same, *(command(replay) if replay else [])])
     return found
 
 
@@ -178,10 +187,12 @@ def sections(found):
     lines += ["", *laws_of(found)]
     if not found["whole"]:
         lines += ["", "The time limit ended the run before its last law."]
-    for text in simplest(found["results"]):
-        lines += ["", "```", *text, "```"]
+    blocks = simplest(found["results"])
     if found["diagnoses"]:
-        lines += ["", "```", *(line for text in found["diagnoses"] for line in message(text)), "```"]
+        blocks.append([line for text in found["diagnoses"] for line in message(text)])
+    if blocks:
+        lines += ["", "```", *(line for text in blocks for line in [*text, ""])]
+        lines[-1] = "```"
     return lines
 
 

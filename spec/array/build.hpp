@@ -1,7 +1,6 @@
 // Builds an array, a geometry's indices and both histograms from the maps of many triangles.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <string>
 

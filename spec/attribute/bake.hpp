@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <span>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "spec/attribute/colour.hpp"
@@ -32,9 +31,7 @@ using bake::Polygon;
 using bake::TextureOf;
 using bake::TexturePoint;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Shares
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Shares
 
 /// A texel (i, j), before wrapping, and its weight.
 template <class Q>
@@ -67,9 +64,7 @@ Shares<Q> shares_at(const TexturePoint<Q>& p, Filter filter) {
           {i + 1, j + 1, x * y}};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Parts of a triangle
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Parts of a triangle
 
 /// A triangle in the texture as the image of s, t >= 0, s + t <= 1.
 template <class Q>
@@ -185,9 +180,7 @@ Shares<Q> shares_on(const Polygon<Q>& corners, Filter filter) {
   return shares;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Micro-vertices and micro-triangles
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Micro-vertices and micro-triangles
 
 /// The place of micro-vertex (i, j), in texels:  (P + i/N (Q - P) + j/N (R - P)) x (width, height).
 /// Domain: i + j <= 2^n, n in 0..16.

@@ -40,9 +40,7 @@ using Normal16 = Normal<std::uint16_t>;
 template <class Code>
 inline constexpr std::int64_t full_code = std::numeric_limits<Code>::max();
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The sRGB curve
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The sRGB curve
 
 /// The unit of light is 2^-24.
 inline constexpr unsigned light_bits = 24;
@@ -93,9 +91,7 @@ Q number(Normal<Code> stored) {
   return fraction<Q>(2 * std::int64_t{stored.code} - full_code<Code>, full_code<Code>);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Rounding
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Rounding
 
 /// min(full, max(0, floor(full q + 1/2))): half up.
 template <class Q>

@@ -22,9 +22,7 @@
 
 namespace mmverify::spec::attribute {
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Codes
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Codes
 
 /// The number of a code, for an error bound E: the nearest multiple of 2E+1, which is E off at most; back, 255 at most.
 ///   number(x) = floor((x+E) / (2E+1)),   code(k) = min(255, (2E+1) k),   |code(number(x)) - x| <= E
@@ -49,9 +47,7 @@ struct PackedShape {
   std::array<std::uint8_t, 4> error = {};  ///< E of each channel, 0..127; of no channel 0
 };
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Blocks
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Blocks
 
 inline constexpr std::uint32_t triples_of_block = 16, blocks_of_start = 8;
 
@@ -107,9 +103,7 @@ inline std::uint64_t packed_size(const PackedShape& shape, const Widths& widths)
          up(blocks * shape.channels, 2) + up(bits_of_blocks(shape, widths), 8);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Bytes
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Bytes
 
 namespace detail {
 

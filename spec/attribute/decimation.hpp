@@ -12,9 +12,7 @@
 
 namespace mmverify::spec::attribute {
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Edges of the base triangle
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Edges of the base triangle
 
 /// Flags of a map, a bit for each edge whose neighbour has level n-1: bit 0 edge w-u (v = 0), bit 1 edge u-v (w = 0),
 /// bit 2 edge v-w (u = 0).  Source: NV_attribute_micromap's primitiveFlags, BaryFile.
@@ -47,9 +45,7 @@ constexpr EdgePlace decimated_at(Vertex x, Level n, EdgeFlags flags) {
   return {};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The two rules
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The two rules
 
 /// The vertex that the value of x is read from: an odd vertex of a flagged edge goes to its even neighbour away from
 /// the edge's middle; the middle of level 1 to the edge's first end.
@@ -70,9 +66,7 @@ constexpr std::array<Vertex, 2> averaged(Vertex x, Level n, EdgeFlags flags) {
   return {on_edge(place.edge, place.at - 1, n), on_edge(place.edge, place.at + 1, n)};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Micro-triangles once vertices have moved
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Micro-triangles once vertices have moved
 
 /// The corners of a micro-triangle, each moved.
 constexpr Corners snapped(const MicroTriangle& t, Level n, EdgeFlags flags) {

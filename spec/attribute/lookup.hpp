@@ -11,9 +11,7 @@
 
 namespace mmverify::spec::attribute {
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The micro-triangle of a point
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The micro-triangle of a point
 
 /// The rule for a point on the edge between two micro-triangles.  A face's value depends on it, one between vertices
 /// not.
@@ -47,9 +45,7 @@ constexpr MicroTriangle holder(Ties ties, const Point<Q>& p, Level n) {
   return ties == Ties::vulkan ? vulkan_triangle(p, n) : figure_4_triangle(p, n);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Weights: the point's barycentrics on its micro-triangle, in the order of corners_of
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Weights: the point's barycentrics on its micro-triangle, in the order of corners_of
 
 template <class Q>
 using Weights = std::array<Q, 3>;

@@ -11,9 +11,7 @@
 
 namespace mmverify::spec::attribute {
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Faces: the mean of four children
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Faces: the mean of four children
 
 /// The rounding of a mean of codes.  The paper names none.
 enum class Rounding : std::uint32_t {
@@ -66,9 +64,7 @@ inline std::vector<std::uint8_t> face_mip(std::span<const std::uint8_t> codes, R
 /// Domain: m in 0..31.  Source: Color and Attribute Micromaps, 4.4: "roughly 33 %".
 constexpr std::uint64_t face_chain(Level m) { return (face_count(m) - 1) / 3; }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Vertices: a lower level
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Vertices: a lower level
 
 /// The place, in the map of level n >= m, of the value of vertex k of level m: the same place of the triangle is vertex
 /// (i 2^(n-m), j 2^(n-m)).  In the Bird order that is k itself, so that a map begins with all its mips; in the others
@@ -87,9 +83,7 @@ constexpr std::uint64_t vertex_chain(Level m) {
   return (face_chain(m) + 3 * (M - 1) + 2 * m) / 2;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Level of detail
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Level of detail
 
 /// The last level whose micro-triangles the cone does not outgrow: the greatest m in 0..n with 4^m A_c <= A_t, which is
 /// floor(1/2 log2(A_t / A_c)) clamped to 0..n; 0 if there is none.

@@ -84,9 +84,7 @@ constexpr MicroTriangle narrowed(const FaceOf<std::uint64_t>& t) {
   return {static_cast<std::uint32_t>(t.iu), static_cast<std::uint32_t>(t.iv), t.upper != 0};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Vertices
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Vertices
 
 /// Index of a vertex in rows counted from the w-corner, each from the edge w-u on:
 ///   r(r+1)/2 + j,  r = i+j
@@ -324,12 +322,9 @@ constexpr Vertex bird_vertex(std::uint64_t x, Level n) {
 /// The index of a vertex in an order.  Domain: a vertex of level n, n in 0..31.  Result in [0, V(n)).
 constexpr std::uint64_t vertex_index(VertexOrder order, const Vertex& at, Level n) {
   switch (order) {
-    case VertexOrder::w_minor:
-      return w_minor_index<std::uint64_t>(at.i, at.j);
-    case VertexOrder::u_major:
-      return u_major_index<std::uint64_t>(at.i, at.j, n);
-    case VertexOrder::bird:
-      break;
+    case VertexOrder::w_minor: return w_minor_index<std::uint64_t>(at.i, at.j);
+    case VertexOrder::u_major: return u_major_index<std::uint64_t>(at.i, at.j, n);
+    case VertexOrder::bird: break;
   }
   return bird_index(at.i, at.j, n);
 }
@@ -337,19 +332,14 @@ constexpr std::uint64_t vertex_index(VertexOrder order, const Vertex& at, Level 
 /// The vertex with an index in an order.  Domain: x in [0, V(n)), n in 0..16.
 constexpr Vertex vertex_at(VertexOrder order, std::uint64_t x, Level n) {
   switch (order) {
-    case VertexOrder::w_minor:
-      return w_minor_vertex(x);
-    case VertexOrder::u_major:
-      return u_major_vertex(x, n);
-    case VertexOrder::bird:
-      break;
+    case VertexOrder::w_minor: return w_minor_vertex(x);
+    case VertexOrder::u_major: return u_major_vertex(x, n);
+    case VertexOrder::bird: break;
   }
   return bird_vertex(x, n);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Faces
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Faces
 
 /// Index of a micro-triangle in rows counted from the w-corner: r^2 + 2 iv + upper, r = iu+iv+upper.
 /// Domain: a micro-triangle of a level in 0..31.  Source: Color and Attribute Micromaps, figure 4.
@@ -404,12 +394,9 @@ constexpr MicroTriangle u_major_triangle(std::uint64_t x, Level n) {
 /// The index of a micro-triangle in an order.  Domain: a micro-triangle of level n, n in 0..31.  Result in [0, 4^n).
 constexpr std::uint64_t face_index(FaceOrder order, const MicroTriangle& t, Level n) {
   switch (order) {
-    case FaceOrder::curve:
-      return curve_index(t, n);
-    case FaceOrder::rows:
-      return row_index<std::uint64_t>(t.iu, t.iv, t.upper);
-    case FaceOrder::u_major:
-      break;
+    case FaceOrder::curve: return curve_index(t, n);
+    case FaceOrder::rows: return row_index<std::uint64_t>(t.iu, t.iv, t.upper);
+    case FaceOrder::u_major: break;
   }
   return u_major_face_index<std::uint64_t>(t.iu, t.iv, t.upper, n);
 }
@@ -417,19 +404,14 @@ constexpr std::uint64_t face_index(FaceOrder order, const MicroTriangle& t, Leve
 /// The micro-triangle with an index in an order.  Domain: x in [0, 4^n), n in 0..16.
 constexpr MicroTriangle triangle_at(FaceOrder order, std::uint64_t x, Level n) {
   switch (order) {
-    case FaceOrder::curve:
-      return curve_triangle(x, n);
-    case FaceOrder::rows:
-      return row_triangle(x);
-    case FaceOrder::u_major:
-      break;
+    case FaceOrder::curve: return curve_triangle(x, n);
+    case FaceOrder::rows: return row_triangle(x);
+    case FaceOrder::u_major: break;
   }
   return u_major_triangle(x, n);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Faces and their vertices
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Faces and their vertices
 
 /// The corners of a micro-triangle: the base, and one step along u and along v from there, +1 or, in an upper one, -1:
 ///   lower (iu, iv) (iu+1, iv) (iu, iv+1);  upper (iu+1, iv+1) (iu, iv+1) (iu+1, iv)

@@ -20,9 +20,7 @@
 
 namespace mmverify::spec::bake {
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Cells
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Cells
 
 /// A point of the texture, in texels.
 template <class Q>
@@ -75,9 +73,7 @@ Q alpha(const TextureOf<Texel>& t, const TexturePoint<Q>& p) {
   return cell.alpha(cell.local(p));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Polygons
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Polygons
 
 /// A convex and closed polygon, its corners in order, either way round.  One corner is a point, two are a segment, and
 /// corners may repeat: nothing below needs an interior.
@@ -173,9 +169,7 @@ Polygon<Q> dilated(const Polygon<Q>& polygon, const Q& margin) {
   return dilated(polygon, margin, margin);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Extremes and states
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Extremes and states
 
 /// A range of alpha: the least and the greatest.
 template <class Q>

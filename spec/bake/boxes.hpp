@@ -6,7 +6,6 @@
 // for thin polygons across many repeats, whose squares are cut one by one.
 #pragma once
 
-#include <array>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -15,9 +14,7 @@
 
 namespace mmverify::spec::bake {
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Indices
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Indices
 
 /// The whole numbers first..last.
 struct Interval {
@@ -37,23 +34,16 @@ inline Interval distinct(Wrap wrap, const Interval& indices, std::uint32_t size)
     return Interval{indices.first, std::min(indices.last, indices.first + period - 1)};
   };
   switch (wrap) {
-    case Wrap::repeat:
-      return at_most(n);
-    case Wrap::mirrored_repeat:
-      return at_most(n == 1 ? 1 : 2 * n);
-    case Wrap::clamp_to_edge:
-      return between(0, n - 1);
-    case Wrap::mirror_once:
-      return between(-n, n - 1);
-    case Wrap::clamp_to_border:
-      break;
+    case Wrap::repeat: return at_most(n);
+    case Wrap::mirrored_repeat: return at_most(n == 1 ? 1 : 2 * n);
+    case Wrap::clamp_to_edge: return between(0, n - 1);
+    case Wrap::mirror_once: return between(-n, n - 1);
+    case Wrap::clamp_to_border: break;
   }
   return between(-1, n);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Texels of a box
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Texels of a box
 
 /// A box of squares: columns and rows.
 struct Box {
@@ -117,9 +107,7 @@ Range<Q> range(const TextureOf<Texel>& t, const BoxTexels<Texel>& texels) {
   return all;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Boxes of a polygon
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Boxes of a polygon
 
 /// The part of a polygon in a box.
 template <class Q>

@@ -16,9 +16,7 @@
 
 namespace mmverify::spec::bake {
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Alpha modes
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Alpha modes
 
 /// MASK: alpha >= cutoff is opaque, less is transparent.
 template <class Q>
@@ -143,9 +141,7 @@ State open_state(const TextureOf<Texel>& t, const Polygon<Q>& polygon, const Mod
   return all.value();
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Micro-triangles
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Micro-triangles
 
 /// Texture coordinates (u, v) of a base triangle's vertices; any three points, in any order.
 template <class Q>

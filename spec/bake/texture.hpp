@@ -20,9 +20,7 @@ Q fraction(std::int64_t m, std::int64_t n) {
   return Q(typename Q::int_type(m), typename Q::int_type(n));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Stored numbers
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Stored numbers
 
 /// A binary32 number by its bits: sign, 8 of exponent, 23 of fraction.
 struct Binary32 {
@@ -60,9 +58,7 @@ Q number(Binary32 x) {
   return e < 0 ? Q(s * odd, two_e) : Q(s * odd * two_e);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Texels
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Texels
 
 /// The wrap mode.  mirror_once is Vulkan's MIRROR_CLAMP_TO_EDGE.
 enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge, clamp_to_border, mirror_once };
@@ -93,18 +89,10 @@ inline std::optional<std::uint32_t> wrapped(Wrap wrap, std::int64_t i, std::uint
   const auto mod = [](std::int64_t k, std::int64_t m) { return (k % m + m) % m; };
   const auto mirror = [](std::int64_t k) { return k >= 0 ? k : -(1 + k); };
   switch (wrap) {
-    case Wrap::repeat:
-      i = mod(i, n);
-      break;
-    case Wrap::mirrored_repeat:
-      i = n - 1 - mirror(mod(i, 2 * n) - n);
-      break;
-    case Wrap::clamp_to_edge:
-      i = std::clamp<std::int64_t>(i, 0, n - 1);
-      break;
-    case Wrap::mirror_once:
-      i = std::clamp<std::int64_t>(mirror(i), 0, n - 1);
-      break;
+    case Wrap::repeat: i = mod(i, n); break;
+    case Wrap::mirrored_repeat: i = n - 1 - mirror(mod(i, 2 * n) - n); break;
+    case Wrap::clamp_to_edge: i = std::clamp<std::int64_t>(i, 0, n - 1); break;
+    case Wrap::mirror_once: i = std::clamp<std::int64_t>(mirror(i), 0, n - 1); break;
     case Wrap::clamp_to_border:
       if (i < 0 || i >= n) return std::nullopt;
       break;

@@ -28,9 +28,7 @@ inline constexpr Level tile_level = 3;
 constexpr Level child_level(Level m) { return m == tile_level ? 0 : m % 2 == 0 ? m - 1 : m - 2; }
 constexpr std::uint64_t children(Level m) { return micromap::micro_triangles(m - child_level(m)); }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Stored subtrees
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Stored subtrees
 
 /// A subtree: one state for all of it, or the number of a stored one, a tile at level 3, a node above.
 struct Part {
@@ -73,9 +71,7 @@ struct Dag {
   friend bool operator==(const Dag&, const Dag&) = default;
 };
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Adding a map
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Adding a map
 
 /// The part for a subtree with these children: their state if all have one, and it is the same; else stored(children),
 /// the one stored subtree with these children.
@@ -205,9 +201,7 @@ class BuilderBy {
 };
 using Builder = BuilderBy<Rules>;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Lookups
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Lookups
 
 /// One turn of a lookup, to the child of the next digit; false if the part has one state.
 template <class Store, class Part, class NextDigit>

@@ -63,14 +63,10 @@ inline std::uint64_t value_of(const Map& map, Format f, const std::vector<std::u
       for (std::size_t k = 0; k < packed.size(); ++k) value |= std::uint64_t{packed[k]} << 8 * k;
       return value;
     }
-    case Map::Kind::uniform:
-      return micromap::code(*map.root.one_state);
-    case Map::Kind::tile:
-      return map.root.number;
-    case Map::Kind::node:
-      return reference.at(map.root.number);
-    case Map::Kind::flat:
-      return map.flat_from;
+    case Map::Kind::uniform: return micromap::code(*map.root.one_state);
+    case Map::Kind::tile: return map.root.number;
+    case Map::Kind::node: return reference.at(map.root.number);
+    case Map::Kind::flat: return map.flat_from;
   }
   return 0;
 }
@@ -133,9 +129,7 @@ inline Bytes container(const Dag& dag) {
   return out.all;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Back from bytes
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Back from bytes
 
 /// The maps of a container's bytes, or nothing for a map if a place is outside the arrays, or if its record's kind does
 /// not exist at its level.

@@ -16,9 +16,7 @@
 
 namespace mmverify::spec::index {
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The Vulkan reference
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The Vulkan reference
 
 /// A micro-triangle by its grid square (iu, iv) and iw, a complement from which the curve's bits follow.
 template <class Word>
@@ -157,9 +155,7 @@ constexpr std::uint64_t reference_wide(const Point<Q>& p, Level n) {
   return curve(quantise<std::uint64_t>(p, n), std::uint64_t{side(n)} - 1);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The step algorithm
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The step algorithm
 
 /// The readings of Succinct Opacity Micromaps: Algorithm 4 as printed, or with one change from Appendix A or Algorithm 3.
 enum class Reading {
@@ -228,9 +224,7 @@ constexpr Index step(const Point<Q>& p, Level n) {
   return s.index;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// From the index back to the micro-triangle
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- From the index back to the micro-triangle
 
 /// A micro-vertex (i/N, j/N): i counts along u, j along v.
 struct Vertex {
@@ -252,14 +246,10 @@ constexpr std::array<At, 3> corners_turn(const std::array<At, 3>& P, std::uint32
   };
   const At P01 = mid(0, 1), P02 = mid(0, 2), P12 = mid(1, 2);
   switch (digit) {
-    case 0:
-      return {P[0], P01, P02};
-    case 1:
-      return {P02, P12, P01};
-    case 2:
-      return {P01, P[1], P12};
-    default:
-      return {P12, P02, P[2]};
+    case 0: return {P[0], P01, P02};
+    case 1: return {P02, P12, P01};
+    case 2: return {P01, P[1], P12};
+    default: return {P12, P02, P[2]};
   }
 }
 
@@ -274,9 +264,7 @@ constexpr Corners corners(std::uint32_t index, Level n) {
   return P;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Row order
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Row order
 
 /// The lesser of floor(q) and limit.
 template <class Word, Coordinate Q>

@@ -47,9 +47,7 @@ inline States down(std::span<const State> states) {
 /// Domain: T and O only; a map of level 1 or more, else std::invalid_argument.
 inline States down_two_state(std::span<const State> states) { return force2(down(states)); }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Further 1-bit modes
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Further 1-bit modes
 
 /// The two states that one bit tells apart.  The paper's formats have T/O; T/C keeps the states that let rays pass, O/C
 /// the ones that stop them.  C is unknown.

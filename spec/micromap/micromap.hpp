@@ -1,7 +1,6 @@
 // Micromaps: states, formats, the packing of states in bytes, force-2-state, and special indices for uniform triangles.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -15,9 +14,7 @@ namespace mmverify::spec::micromap {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// States
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- States
 
 /// The state of one micro-triangle, by its 4-state code.  Source: VkOpacityMicromapSpecialIndexKHR's order;
 /// Succinct Opacity Micromaps, 3.1.
@@ -58,9 +55,7 @@ inline std::optional<State> uniform(std::span<const State> states) {
   return states.front();
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Formats and packing
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Formats and packing
 
 /// Source: VkOpacityMicromapFormatKHR.
 enum class Format : std::uint16_t { two_state = 1, four_state = 2 };
@@ -110,9 +105,7 @@ inline States unpack(std::span<const std::uint8_t> bytes, Format f, std::uint64_
   return states;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Special indices
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Special indices
 
 /// The encoding of an index buffer's indices.  Vulkan and DirectX have the unsigned ones only, glTF all five.
 enum class Encoding : std::uint8_t { u8, u16, u32, i16, i32 };

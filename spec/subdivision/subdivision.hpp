@@ -50,14 +50,10 @@ constexpr Cut cut(Scheme scheme) {
       square{{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}},
       into_square{{{1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}}};
   switch (scheme) {
-    case Scheme::triangle_4:
-      return {"triangle-4", 2, 3, 4, 2, triangle, from_w_u_v, 0, 16};
-    case Scheme::triangle_9:
-      return {"triangle-9", 2, 3, 9, 3, triangle, from_w_u_v, 0, 10};
-    case Scheme::hilbert:
-      return {"hilbert", 2, 4, 4, 2, square, into_square, 0, 16};
-    case Scheme::morton:
-      return {"morton", 2, 4, 4, 2, square, into_square, 0, 16};
+    case Scheme::triangle_4: return {"triangle-4", 2, 3, 4, 2, triangle, from_w_u_v, 0, 16};
+    case Scheme::triangle_9: return {"triangle-9", 2, 3, 9, 3, triangle, from_w_u_v, 0, 10};
+    case Scheme::hilbert: return {"hilbert", 2, 4, 4, 2, square, into_square, 0, 16};
+    case Scheme::morton: return {"morton", 2, 4, 4, 2, square, into_square, 0, 16};
     case Scheme::tetrahedron:
       return {"tetrahedron",
               3,
@@ -68,8 +64,7 @@ constexpr Cut cut(Scheme scheme) {
               {{{1, 1, 1}, {-4, 1, 1}, {1, -4, 1}, {1, 1, -4}}},
               3,
               10};
-    default:
-      return {"bisection", 2, 3, 2, 2, {{{1, 0, 0}, {0, 0, 0}, {0, 1, 0}}}, from_w_u_v, 0, 31};
+    default: return {"bisection", 2, 3, 2, 2, {{{1, 0, 0}, {0, 0, 0}, {0, 1, 0}}}, from_w_u_v, 0, 31};
   }
 }
 
@@ -89,9 +84,7 @@ constexpr std::uint32_t side(Scheme scheme, Level n) {
   return N;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The children
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The children
 
 /// A child: the parent's corners whose mean each of its corners is, and its state.
 struct Child {
@@ -156,26 +149,19 @@ constexpr Child child(Scheme scheme, unsigned state, unsigned digit) {
                        *on_morton[] = {"00 01 02 03", "03 02 23 33", "01 11 12 02", "02 12 22 23"},
                        *by_newest[] = {"00 02 11", "11 02 22"};
   switch (scheme) {
-    case Scheme::triangle_4:
-      return child_of(in_4[digit], 2);
-    case Scheme::triangle_9:
-      return child_of(in_9[digit], 3);
-    case Scheme::hilbert:
-      return child_of(on_hilbert[digit], 2);
-    case Scheme::morton:
-      return child_of(on_morton[digit], 2);
+    case Scheme::triangle_4: return child_of(in_4[digit], 2);
+    case Scheme::triangle_9: return child_of(in_9[digit], 3);
+    case Scheme::hilbert: return child_of(on_hilbert[digit], 2);
+    case Scheme::morton: return child_of(on_morton[digit], 2);
     case Scheme::tetrahedron: {
       const Visit v = visit(state, digit);
       return child_of(bey_children[v.child], 2, tetrahedron_state(v.entry, v.exit));
     }
-    default:
-      return child_of(by_newest[digit], 2);
+    default: return child_of(by_newest[digit], 2);
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Cells
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Cells
 
 /// A cell, and the state in which its own children are listed.
 template <class Q>
@@ -224,9 +210,7 @@ constexpr Cell<Q> cell(Scheme scheme, Level n, std::uint64_t index, const Q& uni
   return at;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The cell of a point
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The cell of a point
 
 /// The determinant of the vectors a, b, c; in the plane of a and b, where c counts for nothing.
 template <class Q>
@@ -305,9 +289,7 @@ constexpr std::uint64_t index(Scheme scheme, Level n, const At<Q>& p, const Q& u
   return index;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Neighbours
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Neighbours
 
 /// The corners that two cells of one level have in common; the scheme's dimension of them make a facet.
 template <class Q>
@@ -321,16 +303,11 @@ constexpr unsigned shared(const Cut& c, const Corners<Q>& a, const Corners<Q>& b
 /// Whether the step from a child to the next one is over a point alone.
 constexpr bool breaks_after(Scheme scheme, unsigned digit) {
   switch (scheme) {
-    case Scheme::triangle_4:
-      return digit == 2;
-    case Scheme::triangle_9:
-      return digit == 2 || digit == 3;
-    case Scheme::tetrahedron:
-      return digit == 3;
-    case Scheme::morton:
-      return digit % 2 == 1;
-    default:
-      return false;
+    case Scheme::triangle_4: return digit == 2;
+    case Scheme::triangle_9: return digit == 2 || digit == 3;
+    case Scheme::tetrahedron: return digit == 3;
+    case Scheme::morton: return digit % 2 == 1;
+    default: return false;
   }
 }
 

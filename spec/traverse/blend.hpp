@@ -33,16 +33,11 @@ constexpr Code nearest(std::uint32_t product) { return (2 * product + 255) / 510
 /// Source: Color and Attribute Micromaps, 4.3; Vulkan, Blend Operations; Porter and Duff, over.
 constexpr Code blend(Operation o, Code p, Code v, Code alpha) {
   switch (o) {
-    case Operation::max:
-      return std::max(p, v);
-    case Operation::min:
-      return std::min(p, v);
-    case Operation::add:
-      return std::min<Code>(255, p + v);
-    case Operation::multiply:
-      return nearest(p * v);
-    case Operation::over:
-      break;
+    case Operation::max: return std::max(p, v);
+    case Operation::min: return std::min(p, v);
+    case Operation::add: return std::min<Code>(255, p + v);
+    case Operation::multiply: return nearest(p * v);
+    case Operation::over: break;
   }
   return std::min<Code>(255, v + nearest(p * (255 - alpha)));
 }

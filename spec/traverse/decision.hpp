@@ -10,9 +10,7 @@ namespace mmverify::spec::traverse {
 
 using micromap::State;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Inputs of a decision
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Inputs of a decision
 
 /// The API that traces, and how.  EXT is VK_EXT_opacity_micromap, KHR is VK_KHR_opacity_micromap.
 enum class Api : std::uint8_t { ext_pipeline, ext_query, khr_pipeline, khr_query, dxr_pipeline, dxr_query };
@@ -67,9 +65,7 @@ struct Combination {
 /// Whether the format has a code for the state: a 2-state map has T and O alone.
 constexpr bool exists(const Candidate& c) { return c.held != Held::two_state || !micromap::unknown(c.state); }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Combinations that no API defines
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Combinations that no API defines
 
 /// The reasons why a combination has no defined outcome.
 struct Undefined {
@@ -90,9 +86,7 @@ constexpr Undefined undefined(const Combination& c) {
           has_switch(c.api) && !c.enabled && c.candidate.held != Held::nothing};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The decision
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The decision
 
 enum class Outcome : std::uint8_t {
   ignored,     ///< dropped, no shader runs
@@ -118,14 +112,10 @@ constexpr bool two_state_override(const Combination& c) {
 /// The outcome of a state.  Source: Vulkan, Ray Opacity Micromap, its table.
 constexpr Outcome looked_up(State s, bool two_state) {
   switch (s) {
-    case State::T:
-      return Outcome::ignored;
-    case State::O:
-      return Outcome::opaque;
-    case State::UT:
-      return two_state ? Outcome::ignored : Outcome::non_opaque;
-    case State::UO:
-      break;
+    case State::T: return Outcome::ignored;
+    case State::O: return Outcome::opaque;
+    case State::UT: return two_state ? Outcome::ignored : Outcome::non_opaque;
+    case State::UO: break;
   }
   return two_state ? Outcome::opaque : Outcome::non_opaque;
 }

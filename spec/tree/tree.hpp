@@ -29,9 +29,7 @@ using micromap::Format;
 using micromap::State;
 using micromap::States;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Algorithm 1: the perfect tree
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Algorithm 1: the perfect tree
 
 /// Every node of every level: the state of a leaf, none for an internal node.  node[m] has 4^m entries; entries below a
 /// leaf are not part of the tree.
@@ -58,9 +56,7 @@ inline PerfectTree perfect_tree(std::span<const State> map, Level n) {
   return tree;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Algorithm 2: two sequences
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Algorithm 2: two sequences
 
 /// Two sequences: the nodes in pre-order, 1 internal and 0 leaf; the states of the leaves in the same order.
 struct Succinct {
@@ -106,9 +102,7 @@ inline Succinct succinct(const PerfectTree& perfect) {
 /// The sequences of a map: Algorithms 1 and 2.  Domain: 4^n states.
 inline Succinct encode(std::span<const State> map, Level n) { return succinct(perfect_tree(map, n)); }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Algorithm 3: one state
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Algorithm 3: one state
 
 /// A place in the two sequences.
 template <class Count>
@@ -176,9 +170,7 @@ StateAndBits at_point(const Succinct& s, const Point<Q>& p) {
   });
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Back to the map, and to bytes
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Back to the map, and to bytes
 
 /// The map of level n that encodes to s.  None if no map does: a tree that ends early or late, or goes below level n,
 /// more or fewer values than leaves, four sibling leaves of one state, a state that the format lacks.
@@ -231,9 +223,7 @@ inline std::optional<Succinct> from_bytes(std::span<const std::uint8_t> all, For
   return s;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Closed forms
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Closed forms
 
 /// The number of nodes of the tree of a map in which no four siblings are alike, which is the greatest: (4^(n+1) - 1) /
 /// 3, of which 4^n are leaves.  Domain: n in 0..30.  Source: Succinct Opacity Micromaps, 6.2.1 and figure 10.

@@ -77,9 +77,7 @@ using Map = std::array<State, 64 * Block::side * Block::side>;
 template <class Block>
 using BlockBytes = std::array<std::uint8_t, Block::bits / 8>;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Bits
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Bits
 
 /// Calls field(number of bits, a reference) for each field in the order of the bits.
 template <class Fields, class Each>
@@ -129,9 +127,7 @@ constexpr Block from_bytes(const BlockBytes<Block>& in) {
   return block;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Decoding (figure 11)
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Decoding (figure 11)
 
 /// The whole map: each vector is looked up, transformed and written.
 template <class Block>

@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "spec/rational.hpp"
 
@@ -36,9 +35,7 @@ constexpr Vector<side> uniform(State s) {
   return v;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Transforms (4.1, table 1)
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Transforms (4.1, table 1)
 
 /// A row of table 1: the base transforms that are applied, "right to left", the rotation first, Reflect LR last.  Its
 /// number is 4 LR + 2 TB + R90: the row's digits.
@@ -107,9 +104,7 @@ constexpr Transform composed(Transform then, Transform first) {
   throw std::logic_error("vq: the transforms are no group");
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Valid vectors (2, 4, 5.1)
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Valid vectors (2, 4, 5.1)
 
 /// Whether no 2x2 window, overlapping ones included, has both O and T: continuous alpha gives no others.
 template <std::size_t side>
@@ -127,9 +122,7 @@ constexpr bool valid(const Vector<side>& v) {
   return true;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Codes of vectors (figure 4, 5.1)
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Codes of vectors (figure 4, 5.1)
 // The order of the bits is ours, as the figures do not show it.  Every code word decodes; several may mean the same
 // vector, and encode gives the least.
 
@@ -177,13 +170,10 @@ enum class Code4 : std::uint8_t {
 
 constexpr std::uint32_t bits_of(Code4 how) {
   switch (how) {
-    case Code4::simple:
-      return 17;
+    case Code4::simple: return 17;
     case Code4::vertical:
-    case Code4::horizontal:
-      return 18;
-    case Code4::generic:
-      break;
+    case Code4::horizontal: return 18;
+    case Code4::generic: break;
   }
   return 20;
 }
@@ -232,9 +222,7 @@ constexpr std::optional<std::uint32_t> encode_vector(Code4 how, const Vector<4>&
   return code;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// From a hit to a region (3)
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- From a hit to a region (3)
 
 /// The triangle of the pair: the lower has the corners (0,0), (1,0), (0,1) of the map's unit square, the upper (1,1),
 /// (0,1), (1,0), each in the order of the barycentrics w, u, v.

@@ -1,7 +1,6 @@
 // The elements on which a library's entry points crashed or hung; they are not asked again.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <mutex>

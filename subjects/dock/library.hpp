@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "subjects/dock/clean_text.hpp"
 #include "subjects/dock/known_breaks.hpp"

@@ -29,9 +29,7 @@ inline std::vector<std::uint32_t> other_formats(Call call, std::uint32_t level, 
     case Call::attribute_vertex_place:
     case Call::attribute_face_index:
     case Call::attribute_face_place:
-    case Call::attribute_triplet_f32:
-      from_to(0, orders - 1);
-      break;
+    case Call::attribute_triplet_f32: from_to(0, orders - 1); break;
     case Call::attribute_triplet:
       second_orders();
       for (std::uint32_t order = 0; order < orders; ++order)
@@ -43,15 +41,9 @@ inline std::vector<std::uint32_t> other_formats(Call call, std::uint32_t level, 
     case Call::attribute_decimate:
       from_to(0, MMVERIFY_EDGE_W_U | MMVERIFY_EDGE_U_V | MMVERIFY_EDGE_V_W);
       break;
-    case Call::attribute_face_mip:
-      from_to(MMVERIFY_ROUND_HALF_UP, MMVERIFY_ROUND_HALVES_UP);
-      break;
-    case Call::traverse_blend:
-      from_to(MMVERIFY_BLEND_MAX, MMVERIFY_BLEND_OVER);
-      break;
-    case Call::micromap_through:
-      from_to(0, 2);
-      break;
+    case Call::attribute_face_mip: from_to(MMVERIFY_ROUND_HALF_UP, MMVERIFY_ROUND_HALVES_UP); break;
+    case Call::traverse_blend: from_to(MMVERIFY_BLEND_MAX, MMVERIFY_BLEND_OVER); break;
+    case Call::micromap_through: from_to(0, 2); break;
     case Call::array_emulate:
       if (level > 0) from_to(0, level - 1);
       break;
@@ -61,14 +53,9 @@ inline std::vector<std::uint32_t> other_formats(Call call, std::uint32_t level, 
     case Call::micromap_unpack:
     case Call::micromap_up:
     case Call::micromap_down:
-    case Call::dag_decode:
-      from_to(MMVERIFY_2_STATE, MMVERIFY_4_STATE);
-      break;
-    case Call::array_save:
-      from_to(1, 2);
-      break;
-    default:
-      break;
+    case Call::dag_decode: from_to(MMVERIFY_2_STATE, MMVERIFY_4_STATE); break;
+    case Call::array_save: from_to(1, 2); break;
+    default: break;
   }
   return others;
 }
@@ -90,11 +77,8 @@ inline std::vector<std::uint8_t> as_of_format(Call call, std::uint32_t level, st
       break;
     case Call::micromap_unpack:
     case Call::micromap_up:
-    case Call::micromap_down:
-      as.insert(as.end(), bytes.begin(), bytes.end());
-      break;
-    default:
-      break;
+    case Call::micromap_down: as.insert(as.end(), bytes.begin(), bytes.end()); break;
+    default: break;
   }
   return as;
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -85,9 +86,7 @@ void Worker::start() {
     if (const std::string change = file_->change(); !change.empty()) throw NoResources(change);
   const std::string why = message_;
   switch (report_.outcome) {
-    case Outcome::ready:
-      loaded_before_ = true;
-      return;
+    case Outcome::ready: loaded_before_ = true; return;
     case Outcome::not_here:
       if (!loaded_before_) throw NotHere(why);
       break;
@@ -96,8 +95,7 @@ void Worker::start() {
       break;
     case Outcome::starting:
       throw NoResources(fmt::format("cannot start mmverify-worker: it {}; too little memory?", why));
-    default:
-      break;
+    default: break;
   }
   const std::string what = fmt::format("{}: {}", library_, why);
   if (loaded_before_) throw SubjectBroken(what + ", though it was loaded before");
@@ -381,29 +379,18 @@ void Worker::pin_down(Call call, std::uint32_t level, std::uint32_t format, std:
 std::string Worker::misdeed() const {
   const std::string where = message_.empty() ? "" : " " + message_;
   switch (report_.outcome) {
-    case Outcome::threw:
-      return message_.empty() ? "threw an exception" : "threw an exception: " + message_;
-    case Outcome::changed_mode:
-      return "left the rounding or flush mode changed" + where;
-    case Outcome::unmasked_exceptions:
-      return "left floating-point exceptions unmasked" + where;
-    case Outcome::left_registers:
-      return "left values in the x87 or MMX registers" + where;
-    case Outcome::changed_signals:
-      return "left the signal mask changed" + where;
-    case Outcome::wrote_before:
-      return "wrote before the start of its output" + where;
-    case Outcome::wrote_behind:
-      return "wrote behind the end of its output" + where;
-    case Outcome::unwritten:
-      return "left its output unwritten";
-    case Outcome::non_deterministic:
-      return "non-deterministic, " + message_;
+    case Outcome::threw: return message_.empty() ? "threw an exception" : "threw an exception: " + message_;
+    case Outcome::changed_mode: return "left the rounding or flush mode changed" + where;
+    case Outcome::unmasked_exceptions: return "left floating-point exceptions unmasked" + where;
+    case Outcome::left_registers: return "left values in the x87 or MMX registers" + where;
+    case Outcome::changed_signals: return "left the signal mask changed" + where;
+    case Outcome::wrote_before: return "wrote before the start of its output" + where;
+    case Outcome::wrote_behind: return "wrote behind the end of its output" + where;
+    case Outcome::unwritten: return "left its output unwritten";
+    case Outcome::non_deterministic: return "non-deterministic, " + message_;
     case Outcome::changed_struct:
-    case Outcome::too_large:
-      return message_;
-    default:
-      break;
+    case Outcome::too_large: return message_;
+    default: break;
   }
   return {};
 }
@@ -450,13 +437,10 @@ void Worker::ask(Call call, std::uint32_t level, std::uint64_t count, std::uint3
   const std::uint64_t element = report_.element;
   const bool known = element < count;
   switch (report_.outcome) {
-    case Outcome::answered:
-      return;
+    case Outcome::answered: return;
     case Outcome::unwritten:
-    case Outcome::non_deterministic:
-      throw Misbehaved{found.what, known ? element : 0, known ? 1 : count};
-    default:
-      break;
+    case Outcome::non_deterministic: throw Misbehaved{found.what, known ? element : 0, known ? 1 : count};
+    default: break;
   }
   std::tie(found.first, found.count) = called_with(known ? element : 0, count);
   pin_down(call, level, format, count, found);

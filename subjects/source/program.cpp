@@ -49,16 +49,11 @@ const Form& form_of(Op op) { return forms[static_cast<std::size_t>(op)]; }
 
 bool is(char sort, Type t) {
   switch (sort) {
-    case 'w':
-      return !t.floating;
-    case 'f':
-      return t.floating;
-    case 'b':
-      return !t.floating && t.bits == 1;
-    case 'o':
-      return !t.floating && t.bits == 64;
-    default:
-      return true;
+    case 'w': return !t.floating;
+    case 'f': return t.floating;
+    case 'b': return !t.floating && t.bits == 1;
+    case 'o': return !t.floating && t.bits == 64;
+    default: return true;
   }
 }
 

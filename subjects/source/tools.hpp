@@ -1,7 +1,6 @@
 // The programs and folders that sources are compiled with.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <stdexcept>
-#include <vector>
 
 #include "bench/bake/bench.hpp"
 #include "bench/bake/obvious.hpp"

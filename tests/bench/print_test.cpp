@@ -47,9 +47,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 Value n(std::uint64_t number) { return number; }
 Value rows(std::vector<Row> all) { return all; }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Tables
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Tables
 
 TEST(BenchPrint, HeadingsUnitsAndNumbersAsTheyAreAskedFor) {
   EXPECT_EQ(printed({.columns = {{.heading = "map", .leads = true},
@@ -159,9 +157,7 @@ TEST(BenchPrint, WhatHasNoHeadingIsWrittenAlone) {
             "t\n");
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Pictures
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Pictures
 
 picture::Panel crowded() {
   picture::Panel panel{.x = {.logarithmic = true}, .y = {.logarithmic = true}};

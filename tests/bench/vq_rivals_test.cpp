@@ -246,9 +246,7 @@ TEST(BenchVqRivals, AnOThatComesFirstIsLostLast) {
   EXPECT_LT(first_o, even_o);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Brushes
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Brushes
 
 std::uint32_t area(const Brush& brush) {
   std::uint32_t count = 0;
@@ -325,9 +323,7 @@ TEST(BenchVqRivals, RefuseWhatIsNoMap) {
   EXPECT_THROW(Brushes{}.encode(Map(256), 18), std::invalid_argument);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Three states read as two
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Three states read as two
 
 TEST(BenchVqRivals, ReadingsOfC) {
   const Map map = map_of("OCTC OOCT CTOO CCOC");

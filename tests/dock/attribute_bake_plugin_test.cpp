@@ -36,8 +36,6 @@ TEST(AttributeBaker, above_the_level_that_it_declares_is_not_asked) {
   expect_said(judge("example", "attribute.bake_on_floats --levels 9"), 2, {"bakes up to level 8"});
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-
 // tests/subjects/wrong_attribute_bake.cpp says what each does.
 TEST(WrongAttributeBaker, is_refuted_and_replayed) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
@@ -68,8 +66,6 @@ TEST(MisbehavingAttributeBaker, is_broken_with_the_case) {
                       {"reads_past", "attribute.bake_vertex", "it wrote to its input or read past its end"},
                       {"overrun", "attribute.bake_vertex", "it touched memory outside its output"}});
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
 
 TEST(AttributeBaker, is_judged_inside_what_it_declares) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();

@@ -32,8 +32,6 @@ TEST(AttributeSubject, at_level_16_products_leave_32_bits_and_the_example_keeps_
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
 }
 
-// -----------------------------------------------------------------------------------------------------------------
-
 // tests/subjects/wrong_attribute.cpp says what each does, and at which level.
 TEST(WrongAttribute, is_refuted_and_replayed) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
@@ -73,8 +71,6 @@ TEST(MisbehavingAttribute, is_broken_with_the_case_and_the_run_goes_on) {
         "triplet "},
        {"attribute_weights_count_calls", "attribute.weights_on_floats", "non-deterministic, asked ", "0x1"}});
 }
-
-// -----------------------------------------------------------------------------------------------------------------
 
 TEST(AttributeSubject, indices_may_come_alone) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();

@@ -22,8 +22,6 @@ TEST(BakeSubject, the_example_in_c_is_conservative_and_not_tight) {
               {"refuted    bake.conservative", "broken"});
 }
 
-// -----------------------------------------------------------------------------------------------------------------
-
 TEST(WrongBake, is_refuted_and_replayed) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   expect_each_refuted(judge_bake, {{"bake_settles_all", "bake.conservative --levels 0",
@@ -51,8 +49,6 @@ TEST(MisbehavingBake, is_broken_with_the_case) {
        {"bake_changes_its_mind", "bake.conservative", "non-deterministic, taken, then refused"},
        {"bake_throws", "bake.conservative", "threw an exception: no such texture"}});
 }
-
-// -----------------------------------------------------------------------------------------------------------------
 
 // Whether the dock or the law sees it first hangs on how many questions a worker was asked before.
 TEST(BakeSubject, a_texture_known_by_its_first_row_is_caught) {
@@ -105,8 +101,6 @@ TEST(BakeSubject, what_it_declines_is_counted_and_never_proved) {
   expect_said(judge_bake("bake_declines_all", "bake.conservative --levels 0"), 2,
               {"n/a        bake.conservative"});
 }
-
-// -----------------------------------------------------------------------------------------------------------------
 
 // Clamp, cutoffs of binary32 above which alpha is opaque, coordinates in [0, 1].
 TEST(DeclaredBaker, is_asked_inside_what_it_declares_alone) {

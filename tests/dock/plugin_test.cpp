@@ -390,8 +390,6 @@ TEST(Subject, its_texts_are_words_in_a_line_and_in_json) {
   EXPECT_THAT(result.at("reason").get<std::string>(), HasSubstr("\\x9b0m\\xff"));
 }
 
-// -----------------------------------------------------------------------------------------------------------------
-
 // Python's complaint about a reader that stopped is discarded.
 const std::string python = std::string("python3 2>/dev/null ") + MMVERIFY_EXAMPLES + "/pipe/index.py";
 

@@ -1,6 +1,7 @@
 // [release alone, night] Shared libraries that are right wherever a law asks, and wrong by what lies around a question, judged by the built
 // program.
 #include <clocale>
+#include <cstdlib>
 #include <string>
 #include <thread>
 #include <utility>

@@ -1,4 +1,5 @@
 // [release alone, night] Shared libraries of maps and codes: right, wrong and misbehaving ones, judged by the built program.
+#include <cstdlib>
 #include <string>
 
 #include "tests/dock/plugin.hpp"
@@ -36,8 +37,6 @@ TEST(TreeSubject, the_example_in_c_refuses_what_is_malformed) {
 TEST(TreeSubject, the_example_in_c_passes_samples_of_higher_levels) {
   expect_said(judge_tree("tree_example", "tree.on_samples --levels 3..4"), 0, {"checked    tree.on_samples"});
 }
-
-// -----------------------------------------------------------------------------------------------------------------
 
 TEST(WrongTree, is_refuted_and_replayed) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
@@ -101,8 +100,6 @@ TEST(MisbehavingTree, is_broken_with_the_case_and_the_run_goes_on) {
         "at level 1 unpacking 2-state:0110"}});
 }
 
-// -----------------------------------------------------------------------------------------------------------------
-
 TEST(Several, a_map_kept_without_its_level_is_caught) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   expect_said(judge_tree("several_keeps_without_level", "micromap.force2 --levels 2"), 1,
@@ -143,8 +140,6 @@ TEST(TreeSubject, half_of_a_codec_of_its_own_is_exit_4) {
   expect_complaint(judge_tree("tree_foreign_encoder", "tree"), 4,
                    "nothing leads from the codes of tree_encode back to the map");
 }
-
-// -----------------------------------------------------------------------------------------------------------------
 
 const std::string one_law_a_topic = "index.in_range tree.round_trip micromap.packing --levels 0..1";
 

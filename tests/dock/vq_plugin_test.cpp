@@ -25,8 +25,6 @@ TEST(VqSubject, the_example_in_c_keeps_every_law_that_it_has_entry_points_for) {
       each_of("n/a        ", {"vq.vectors", "vq2.block_bits", "vq2.lossless_when_it_fits", "vq2.optimum"}));
 }
 
-// -----------------------------------------------------------------------------------------------------------------
-
 TEST(WrongVq, is_refuted_and_replayed) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();
   expect_each_refuted(
@@ -60,8 +58,6 @@ TEST(MisbehavingVq, is_broken_with_the_case_and_the_run_goes_on) {
        {"vq_encoder_throws", encodes, "threw an exception: no such map",
         "at level 4 encoding map:02000000"}});
 }
-
-// -----------------------------------------------------------------------------------------------------------------
 
 TEST(VqSubject, a_decoder_or_an_encoder_may_come_alone_and_one_format_too) {
   SKIP_A_REPEAT_UNDER_SANITIZERS();

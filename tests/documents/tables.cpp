@@ -31,9 +31,7 @@ namespace {
 
 using namespace mmverify::proofs;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Verdicts on each reading of the paper
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Verdicts on each reading of the paper
 
 std::string row(const Result& r) {
   const auto cell = [&](Kind kind) {
@@ -62,9 +60,7 @@ std::string readings() {
   return text;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The cost of one bit a state
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The cost of one bit a state
 
 /// -sum p log2 p, in bits.
 double entropy(const mmverify::impl::micromap::StateCounts& states, double all) {
@@ -100,9 +96,7 @@ std::string modes() {
   return text;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Decisions on a candidate hit
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Decisions on a candidate hit
 
 namespace flow = mmverify::spec::traverse;
 
@@ -184,9 +178,7 @@ std::string undefined_ones() {
   return text;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Findings in a file
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Findings in a file
 
 std::string issues() {
   std::string text = "| code | severity | says | who says so | remedy |\n|---|---|---|---|---|\n";
@@ -223,9 +215,7 @@ std::string vuids() {
   return text;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Files that mmverify vectors writes
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Files that mmverify vectors writes
 
 std::string vector_families() {
   std::string text =
@@ -253,9 +243,7 @@ std::string papers() {
   return mmverify::bench::papers::index(measured);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Into the documents
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Into the documents
 
 struct Table {
   const char *name, *document;  ///< an empty name: the whole document

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <random>
-#include <string>
 #include <vector>
 
 #include "scene/flip/flip.hpp"

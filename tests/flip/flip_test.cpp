@@ -42,9 +42,7 @@ Pixels random_pixels(std::uint32_t width, std::uint32_t height, unsigned seed) {
   return drawn(width, height, [&](auto, auto, auto) { return engine() & 255; });
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The formulas once more: long double, filters over the whole square, sRGB's and XYZ's numbers written down again
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The formulas once more: long double, filters over the whole square, sRGB's and XYZ's numbers written down again
 
 using Real = long double;
 using Triple = std::array<Real, 3>;
@@ -187,8 +185,6 @@ Pixels formula(bool changed) {
     return (x * x + 3 * y * y + 5 * x * y + 50 * c + (changed ? (x / 8 + y / 8) % 2 * 16 : 0)) % 256;
   });
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
 
 TEST(Flip, the_default_is_a_screen_of_3840_pixels_as_wide_as_it_is_far) {
   EXPECT_DOUBLE_EQ(pixels_per_degree(0.7, 3840, 0.7), default_pixels_per_degree);

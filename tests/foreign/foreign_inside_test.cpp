@@ -9,7 +9,6 @@
 #include <span>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "proofs/engine/runner.hpp"
 #include "proofs/index/options.hpp"

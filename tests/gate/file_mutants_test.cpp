@@ -2,14 +2,12 @@
 // changes a verdict, a count or a digest without a word.
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
-#include <vector>
 
 #include "delivery/gate/compare.hpp"
 #include "delivery/gate/runs.hpp"
@@ -49,17 +47,10 @@ class Vandal {
   std::string with_other_bytes(std::string text) {
     const std::size_t at = below(text.size());
     switch (below(4)) {
-      case 0:
-        text[at] = static_cast<char>(text[at] ^ (1 << below(7)));
-        break;
-      case 1:
-        text.erase(at, 1 + below(40));
-        break;
-      case 2:
-        text.insert(at, text.substr(below(text.size()), 1 + below(40)));
-        break;
-      default:
-        text.resize(at);
+      case 0: text[at] = static_cast<char>(text[at] ^ (1 << below(7))); break;
+      case 1: text.erase(at, 1 + below(40)); break;
+      case 2: text.insert(at, text.substr(below(text.size()), 1 + below(40))); break;
+      default: text.resize(at);
     }
     return text;
   }

@@ -120,9 +120,7 @@ TEST(Schema, BothSchemasSayOnlyWhatIsChecked) {
   EXPECT_FALSE(schema_named("mmverify.result/2"));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Rules
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Rules
 
 TEST(SchemaRules, EachFieldOfBothSchemasHasOne) {
   EXPECT_NO_THROW(Rules(*schema_named("mmverify.result/1"), Tree::object()));

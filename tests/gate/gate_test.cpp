@@ -195,9 +195,7 @@ TEST(Gate, OfSeveralRunsTheBestSpeedCounts) {
   EXPECT_THROW(best(run("1", "2", "2"), other_seed), NoResult);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Rules and files
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Rules and files
 
 // The gate's purpose: each kind of figure has a direction, place by place.
 TEST(Gate, TheFiguresThatMatterPointTheRightWay) {
@@ -287,6 +285,29 @@ TEST(Gate, WhatIsNoBaseline) {
   EXPECT_THAT(baseline("{}", R"({"g": 1})"), HasSubstr("g: no object"));
   for (const char* figures : {R"({"g": {"f": [1]}})", R"({"g": {"f": {}}})"})
     EXPECT_THAT(baseline("{}", figures), HasSubstr("a figure is a text, a number, true, false or null"));
+  EXPECT_THAT(baseline("{}", R"({"g": {"also": [1], "f": 1}})"),
+              HasSubstr("g: also: a group's name is a text"));
+  EXPECT_THAT(baseline("{}", R"({"g": {"also": "h", "f": 1}})"), HasSubstr("g: also: no list"));
+  EXPECT_THAT(baseline("{}", R"({"g": {"also": ["g"], "f": 1}})"), HasSubstr("g: two groups of this name"));
+}
+
+// Equal figures of a law share a line, up to its longest; other laws and other figures have lines of their own.
+TEST(Gate, EqualGroupsOfALawAreOneLine) {
+  const std::string far = "t.a " + std::string(800, 'x');
+  Baseline baseline{"s", "", {}, {}};
+  for (const char* group : {"t.a one", "t.a two", far.c_str(), "t.b one"})
+    baseline.groups[group]["f"] = value("1");
+  baseline.groups["t.a three"]["f"] = value("2");
+  EXPECT_THAT(to_json(baseline), HasSubstr(R"({
+  "t.a one": {"also": ["t.a two"], "f": 1},
+  "t.a three": {"f": 2},
+  ")" + far + R"(": {"f": 1},
+  "t.b one": {"f": 1}
+ })"));
+  const Baseline back = baseline_of(Json::parse(to_json(baseline)));
+  EXPECT_EQ(back.groups.size(), 5u);
+  for (const auto& [group, figures] : back.groups)
+    EXPECT_EQ(figures.at("f").text, baseline.groups.at(group).at("f").text) << group;
 }
 
 /// A result of two kinds of cells, as one that passed or as one that was refuted.

@@ -1,7 +1,6 @@
 // [memory] impl/array: arrays worked out by hand, errors, and files beside the bytes that docs/ARRAYS.md has.
 #include <gtest/gtest.h>
 
-#include <stdexcept>
 #include <string>
 
 #include "impl/array/build.hpp"

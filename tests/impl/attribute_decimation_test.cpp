@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "impl/attribute/decimation.hpp"
 #include "spec/attribute/decimation.hpp"

@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <random>
-#include <string>
 #include <thread>
 
 #include "impl/bake/mesh.hpp"

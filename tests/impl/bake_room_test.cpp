@@ -47,9 +47,7 @@ struct Job {
   std::uint32_t level;
 };
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The specification's side
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The specification's side
 
 spec::Binary32 bits(float x) { return {std::bit_cast<std::uint32_t>(x)}; }
 
@@ -137,9 +135,7 @@ void expect_varied(const Seen& seen) {
   EXPECT_LT(seen.exact, seen.leaves);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Random
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Random
 
 float up(float x) { return std::nextafter(x, std::numeric_limits<float>::infinity()); }
 float down(float x) { return std::nextafter(x, -std::numeric_limits<float>::infinity()); }

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 
 #include <array>
-#include <cstring>
 #include <random>
 
 #include "impl/mmverify.h"

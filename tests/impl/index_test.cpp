@@ -10,7 +10,6 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #if defined(__SSE2__)
@@ -101,9 +100,7 @@ class Columns {
   std::array<std::vector<std::uint32_t>, 6> columns_;
 };
 
-// -----------------------------------------------------------------------------------------------------------
-// Points
-// -----------------------------------------------------------------------------------------------------------
+// ---- Points
 
 struct Points {
   std::vector<float> u, v;
@@ -278,9 +275,7 @@ TEST(ImplIndex, RefusesSpansOfDifferentLengths) {
   EXPECT_THROW(fast::w_minor_corners(index, columns.spans()), std::invalid_argument);
 }
 
-// -----------------------------------------------------------------------------------------------------------
-// Triangles
-// -----------------------------------------------------------------------------------------------------------
+// ---- Triangles
 
 TEST(ImplIndex, CornerBatchesEqualTheScalar) {
   on_every_target([] {

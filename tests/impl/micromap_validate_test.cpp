@@ -377,9 +377,7 @@ TEST(MicromapValidate, AStrideOfZeroIsOneIndexForAll) {
   EXPECT_EQ(s.found(), (Found{{Rule::index_range, triangle, 0, 200, 2}}));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Numbers that no sane file has
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Numbers that no sane file has
 
 TEST(MicromapValidate, AbsurdNumbersAreJudgedAtOnce) {
   for (const std::uint64_t count : {std::uint64_t{0}, std::uint64_t{1} << 32, std::uint64_t{1} << 63, huge})
@@ -407,9 +405,7 @@ TEST(MicromapValidate, EmptyBuffersAreNotRead) {
   EXPECT_EQ(s.found(), (Found{{Rule::records_size, record, 0, 0, 2}, {Rule::index_size, triangle, 0, 0, 4}}));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The table
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The table
 
 TEST(MicromapValidate, BothHaveTheSameRules) {
   static_assert(fast::rule_count == rule_count);

@@ -213,12 +213,9 @@ class Nodes {
     }
     for (PlanePoint* const p : {&b, &c}) *p = {on_grid(p->x), on_grid(p->y)};
     switch (random() % 3) {
-      case 0:
-        return {b, c};
-      case 1:
-        return {c, b};
-      default:
-        return {minus(c, b), minus({}, b)};
+      case 0: return {b, c};
+      case 1: return {c, b};
+      default: return {minus(c, b), minus({}, b)};
     }
   }
   /// The lines of a base triangle that is this node, scaled by a power of two.

@@ -1,7 +1,6 @@
 // [sanitized, memory] impl/tree where it is given what is no tree: refused, never read beyond.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <random>

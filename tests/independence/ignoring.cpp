@@ -9,10 +9,10 @@
 #include <array>
 #include <atomic>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <mutex>
 #include <optional>
-#include <string_view>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -111,15 +111,12 @@ void ignore(Regions& all) {
     note_value(t);
     constexpr std::array<std::uint8_t, 8> zeros{}, ones{255, 255, 255, 255, 255, 255, 255, 255};
     switch (i.way) {
-      case Way::zero:
-        return put(t, zeros.data());
-      case Way::ones:
-        return put(t, ones.data());
+      case Way::zero: return put(t, zeros.data());
+      case Way::ones: return put(t, ones.data());
       case Way::like:
         if (const Target n = neighbour(t, all, k); n.at != nullptr) put(t, n.at);
         return;
-      case Way::rest:
-        return as_at_first(t, all);
+      case Way::rest: return as_at_first(t, all);
     }
   }
 }

@@ -3,10 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "subjects/dock/entry_points.hpp"
@@ -34,31 +31,21 @@ inline std::size_t blob_bytes(dock::Call entry, const std::vector<std::uint32_t>
   switch (entry) {
     case Call::tree_encode:
     case Call::micromap_up:
-    case Call::micromap_down:
-      return map_bytes(numbers[0], numbers[1]);
+    case Call::micromap_down: return map_bytes(numbers[0], numbers[1]);
     case Call::micromap_force2:
     case Call::micromap_through:
     case Call::micromap_substitute:
-    case Call::array_emulate:
-      return map_bytes(numbers[0], MMVERIFY_4_STATE);
-    case Call::micromap_widen:
-      return map_bytes(numbers[0], MMVERIFY_2_STATE);
-    case Call::micromap_unpack:
-      return (sizes[0] * numbers[0] + 7) / 8;
+    case Call::array_emulate: return map_bytes(numbers[0], MMVERIFY_4_STATE);
+    case Call::micromap_widen: return map_bytes(numbers[0], MMVERIFY_2_STATE);
+    case Call::micromap_unpack: return (sizes[0] * numbers[0] + 7) / 8;
     case Call::vq2_decode:
-    case Call::vq2_region:
-      return 32;
+    case Call::vq2_region: return 32;
     case Call::vq4_decode:
-    case Call::vq4_region:
-      return 64;
-    case Call::vq2_encode:
-      return 256;
-    case Call::vq4_encode:
-      return 1024;
-    case Call::attribute_face_mip:
-      return 16;
-    default:
-      return sizes[0];
+    case Call::vq4_region: return 64;
+    case Call::vq2_encode: return 256;
+    case Call::vq4_encode: return 1024;
+    case Call::attribute_face_mip: return 16;
+    default: return sizes[0];
   }
 }
 
@@ -69,34 +56,22 @@ inline std::size_t answer_bytes(dock::Call entry, const std::vector<std::uint32_
   using dock::Call;
   const std::size_t level = numbers.empty() ? 0 : numbers[0];
   switch (entry) {
-    case Call::micromap_pack:
-      return (sizes[0] * numbers[0] + 7) / 8;
-    case Call::micromap_unpack:
-      return sizes[0];
-    case Call::micromap_force2:
-      return map_bytes(numbers[0], MMVERIFY_2_STATE);
+    case Call::micromap_pack: return (sizes[0] * numbers[0] + 7) / 8;
+    case Call::micromap_unpack: return sizes[0];
+    case Call::micromap_force2: return map_bytes(numbers[0], MMVERIFY_2_STATE);
     case Call::micromap_widen:
     case Call::micromap_through:
-    case Call::micromap_substitute:
-      return map_bytes(numbers[0], MMVERIFY_4_STATE);
-    case Call::micromap_up:
-      return map_bytes(numbers[0] + 1, numbers[1]);
-    case Call::micromap_down:
-      return map_bytes(numbers[0] - 1, numbers[1]);
-    case Call::vq2_decode:
-      return 256;
-    case Call::vq4_decode:
-      return 1024;
-    case Call::vq2_encode:
-      return 32;
-    case Call::vq4_encode:
-      return 64;
-    case Call::attribute_bake_faces:
-      return std::size_t{4} << 2 * level;
+    case Call::micromap_substitute: return map_bytes(numbers[0], MMVERIFY_4_STATE);
+    case Call::micromap_up: return map_bytes(numbers[0] + 1, numbers[1]);
+    case Call::micromap_down: return map_bytes(numbers[0] - 1, numbers[1]);
+    case Call::vq2_decode: return 256;
+    case Call::vq4_decode: return 1024;
+    case Call::vq2_encode: return 32;
+    case Call::vq4_encode: return 64;
+    case Call::attribute_bake_faces: return std::size_t{4} << 2 * level;
     case Call::attribute_bake_vertices:
       return 2 * ((std::size_t{1} << level) + 1) * ((std::size_t{1} << level) + 2);
-    case Call::traverse_blend_hits:
-      return 4;
+    case Call::traverse_blend_hits: return 4;
     default:  // tree_decode, bake
       return map_bytes(numbers[0], numbers[1]);
   }

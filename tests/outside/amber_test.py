@@ -10,10 +10,11 @@ import pathlib
 import re
 import shutil
 import struct
-import subprocess
 import sys
 import tempfile
 from fractions import Fraction
+
+from needs import failures, need, run
 
 KINDS = ["interior", "edge", "vertex", "outside"]
 BEGIN, END = "// ---- your function begins ----\n", "// ---- your function ends ----\n"
@@ -45,17 +46,6 @@ int main() {
   }
 }
 """
-failures = []
-
-
-def need(holds, what):
-    if not holds:
-        failures.append(what)
-        print(f"FAILED: {what}")
-
-
-def run(*command, **more):
-    return subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False, **more)
 
 
 def read_script(text):

@@ -7,16 +7,8 @@ set -euo pipefail
 
 (($# == 3)) || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
 program=$(readlink -f -- "$1") package=$(readlink -m -- "$2") home=$(readlink -m -- "$3")
-root=$(readlink -f -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../..")
-skip() {
-  printf 'skipped: %s\n' "$*"
-  exit 77
-}
-
-code=0
-why=$("$root/display/report/packages" "$home" --test) || code=$?
-((code != 77)) || skip "$why"
-((code == 0)) || exit 1
+source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/pages.sh"
+packages_in "$home"
 export NODE_PATH=$home/node_modules
 
 node "$root/display/report/types.mjs" "$home/node_modules/mmverify"
@@ -24,7 +16,6 @@ node "$root/display/report/types.mjs" "$home/node_modules/mmverify"
 node "$root/display/report/test.mjs" unit "$root/display/page"
 
 [[ -f $package/mmverify.wasm ]] || skip "$package has no mmverify.wasm: emscripten makes it, ./run page builds it"
-chromium=${CHROMIUM:-$(command -v chromium || true)}
-[[ -n $chromium ]] || skip "no chromium to open the page in: ./run page-test installs it"
+find_chromium page-test
 node "$root/display/page/build.mjs" "$package" "$home/mmverify.html"
 MMVERIFY_PAGE=$home/mmverify.html MMVERIFY_PROGRAM=$program CHROMIUM=$chromium node "$root/display/report/test.mjs" page "$root/display/page"

@@ -5,16 +5,9 @@ set -euo pipefail
 
 (($# == 2)) || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
 program=$(readlink -f -- "$1") home=$(readlink -m -- "$2")
-report=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../../display/report
-skip() {
-  printf 'skipped: %s\n' "$*"
-  exit 77
-}
-
-code=0
-why=$("$report/packages" "$home" --test) || code=$?
-((code != 77)) || skip "$why"
-((code == 0)) || exit 1
+source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/pages.sh"
+report=$root/display/report
+packages_in "$home"
 export NODE_PATH=$home/node_modules
 said=$("$program" report /dev/null -o /dev/null 2>&1 || true)
 [[ $said != *'built without its page'* ]] || skip "$said"
@@ -23,6 +16,5 @@ node "$report/types.mjs" "$home/node_modules/mmverify"
 "$home/node_modules/.bin/tsc" --project "$report" --typeRoots "$home/node_modules/@types" --paths null --baseUrl "$home/node_modules"
 node "$report/test.mjs" unit
 
-chromium=${CHROMIUM:-$(command -v chromium || true)}
-[[ -n $chromium ]] || skip "no chromium to open the page in: ./run report-test installs it"
+find_chromium report-test
 MMVERIFY_PROGRAM=$program CHROMIUM=$chromium node "$report/test.mjs" page

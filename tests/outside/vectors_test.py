@@ -16,21 +16,12 @@ import subprocess
 import sys
 import tempfile
 
+from needs import failures, need, run
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 READERS = ROOT / "examples" / "vectors"
 STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
 WIDE = {"optional", "wide", "set", "bytes", "digits", "words", "binary32s"}
-failures = []
-
-
-def need(holds, what):
-    if not holds:
-        failures.append(what)
-        print(f"FAILED: {what}")
-
-
-def run(*command, **more):
-    return subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False, **more)
 
 
 def sha256(data):

@@ -7,16 +7,8 @@ set -euo pipefail
 
 (($# == 3)) || { sed -n 's/^# usage: /usage: /p' "$0" >&2; exit 2; }
 program=$(readlink -f -- "$1") package=$(readlink -m -- "$2") home=$(readlink -m -- "$3")
-root=$(readlink -f -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../..")
-skip() {
-  printf 'skipped: %s\n' "$*"
-  exit 77
-}
-
-code=0
-why=$("$root/display/report/packages" "$home/page" --test) || code=$?
-((code != 77)) || skip "$why"
-((code == 0)) || exit 1
+source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/pages.sh"
+packages_in "$home/page"
 "$root/scripts/npm-packages" "$root/display/viewer" "$home/three" "three.js"
 tools=$home/page/node_modules three=$home/three/node_modules
 export NODE_PATH=$tools:$three
@@ -33,7 +25,6 @@ JSON
 "$tools/.bin/tsc" --project "$home/tsconfig.json"
 
 [[ -f $package/mmverify.wasm ]] || skip "$package has no mmverify.wasm: emscripten makes it, ./run viewer builds it"
-chromium=${CHROMIUM:-$(command -v chromium || true)}
-[[ -n $chromium ]] || skip "no chromium to open the page in: ./run page-test installs it"
+find_chromium page-test
 node "$root/display/page/build.mjs" "$package" "$home/viewer.html" "$root/display/viewer"
 MMVERIFY_PAGE=$home/viewer.html MMVERIFY_PROGRAM=$program CHROMIUM=$chromium node "$root/display/report/test.mjs" page "$root/display/viewer"

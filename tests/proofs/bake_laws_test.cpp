@@ -180,9 +180,7 @@ TEST(BakeSamples, AreOfTheirKinds) {
   EXPECT_GT(beside, 60u);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Strata
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Strata
 
 TEST(BakeStrata, HaveEveryPairOfValues) {
   const std::vector<Row>& rows = design();
@@ -395,9 +393,7 @@ TEST(BakeNumbers, NarrowOnesTakeNoWholeNumberBeyondTheirs) {
     EXPECT_THROW(Whole64{beyond}, std::overflow_error) << beyond;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Counterexamples
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Counterexamples
 
 using spec_place = TexturePoint;
 
@@ -455,9 +451,7 @@ TEST(BakeLaws, BakersThatSampleAreRefutedWithAPicture) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Cases that are declined
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Cases that are declined
 
 BakeSubject declining(bool (*declined)(const Case&)) {
   Functions parts = built_in("bake")->functions;

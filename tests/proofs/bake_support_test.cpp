@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
 #include <set>
 #include <string>
 
@@ -163,9 +162,7 @@ TEST(BakeSupport, FamiliesAreFittedWhole) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Rules
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Rules
 
 Case uniform(std::uint32_t byte) {
   Case one;

@@ -29,9 +29,7 @@ using namespace mmverify::proofs;
 using testing::ElementsAre;
 using LawRun = Run;  // inside a test, Run is a member function of GoogleTest's
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Random
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Random
 
 TEST(Shuffled, IsAPermutationForEachKey) {
   for (const unsigned bits : {2u, 12u, 16u})
@@ -62,9 +60,7 @@ TEST(Random, HalfOfItsCodesAreCorners) {
   EXPECT_THAT(count, testing::Each(testing::Gt(20)));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Tally
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Tally
 
 Counterexample named(const Simplicity& simplicity, const std::string& at) {
   return {simplicity, 3, at, {}, "1", "2"};
@@ -154,9 +150,7 @@ TEST(Tally, DigestSeesAChangedAnswerAndTwoThatChangePlaces) {
   EXPECT_NE(digest({0, 0, 0}), Tally().digest());
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// sweep
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- sweep
 
 /// Clears an interrupt that a test before it in this process left behind.
 class Engine : public testing::Test {
@@ -223,9 +217,7 @@ TEST_F(Sweep, SameTallyForAnyNumberOfThreads) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The runner, on a law of its own
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The runner, on a law of its own
 
 class Named : public Subject {
  public:
@@ -486,9 +478,7 @@ TEST_F(Runner, ALackOfResourcesEndsJobsSideBySide) {
   EXPECT_EQ(report.results[0].reason, "no memory");
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Interrupts
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Interrupts
 
 /// Counts its cases; in level 1 raises the signal at case 200 or beyond, where every other chunk waits for
 /// it.
@@ -586,9 +576,7 @@ TEST(InterruptDeathTest, TwoSignalsAtOnceAreOneWish) {
       testing::ExitedWithCode(0), "");
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Verdicts
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Verdicts
 
 TEST(Verdict, NamesAreThoseOfTheResultFormat) {
   EXPECT_EQ(to_string(Verdict::proved), "proved");

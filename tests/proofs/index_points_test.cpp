@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <limits>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "proofs/engine/law.hpp"
@@ -32,9 +31,7 @@ Rational power(int e) {
   return e >= 0 ? Rational(Integer(Integer(1) << e)) : ratio(1, Integer(1) << static_cast<unsigned>(-e));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Random
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Random
 
 TEST(Random, TheSameNumbersForTheSameSeedStreamAndSample) {
   const auto first_four = [](std::uint64_t seed, std::uint64_t stream, std::uint64_t sample) {
@@ -67,9 +64,7 @@ TEST(Random, BelowAndBetweenReachEveryValueAndNoOther) {
   for (const int times : between) EXPECT_NEAR(times, 2'000, 400);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Printing and reading
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Printing and reading
 
 // 4u and 4v: 3/2 and 1, one line; 8u and 8v: 3 and 2, three lines; 2u, 2v: 3/4, 1/2, sum 5/4, none.
 TEST(CaseText, ByHand) {
@@ -186,9 +181,7 @@ TEST(ParsePoint, RefusesPointsOutsideTheTriangle) {
   EXPECT_THROW(parse_point("u=1,v=0x1.8p-11"), BadCase);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Rounding and ordering
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Rounding and ordering
 
 TEST(Nearest, RoundsHalfwayCasesToEvenAndAllOthersToTheNearest) {
   const Rational odd = power(53) + Rational(1), even = power(53) + Rational(3);
@@ -262,9 +255,7 @@ TEST(Simplicity, IsTheSameOrderForGridPointsAndRationals) {
       ASSERT_EQ(simplicity(a) < simplicity(b), simplicity(rational(a)) < simplicity(rational(b)));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Stiff floats
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Stiff floats
 
 constexpr std::uint64_t samples = 20'000;
 
@@ -380,9 +371,7 @@ TEST(StiffDoubles, LieInTheTriangleUpToOneUlpAndAreNoFloats) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Floats in fixed point
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Floats in fixed point
 
 /// raw / 2^F, from the two halves of the raw number where Boost has no conversion.
 Rational value(const Fixed64ForFloats& q) { return ratio(q.raw(), Integer(1) << 43); }

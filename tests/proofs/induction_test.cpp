@@ -1,7 +1,6 @@
 // [release, night, long] The laws that a prover settles for all levels: the statements, the provers that agree, and that they can fail.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cctype>
 #include <csignal>
 #include <cstdio>

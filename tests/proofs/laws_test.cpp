@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "proofs/registry/topics.hpp"
 #include "tests/proofs/every_law.hpp"

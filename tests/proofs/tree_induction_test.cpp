@@ -124,9 +124,7 @@ TEST(TreeLaw, IsAboutTheSpecification) {
     EXPECT_EQ(run_level(law(), *find_subject(name), 0, LawRun{}).verdict, Verdict::not_applicable) << name;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The statements' own definitions, on a tree worked by hand
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The statements' own definitions, on a tree worked by hand
 
 // The root's children are T, a node of T O UT UO, UO and O; its map of level 2 is written beside it.
 const mmverify::spec::micromap::States map_by_hand = [] {

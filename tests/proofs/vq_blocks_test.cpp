@@ -30,9 +30,7 @@ struct VqBlocks : testing::Test {};
 using Formats = testing::Types<Vq2, Vq4>;
 TYPED_TEST_SUITE(VqBlocks, Formats);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// region_is_map
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- region_is_map
 
 TYPED_TEST(VqBlocks, EachEntryHoldsEachChosenWordUnderEachTransformOfEachQuadrant) {
   const auto& words = chosen_words<TypeParam>();
@@ -127,9 +125,7 @@ TYPED_TEST(VqBlocks, NoIndexFieldCanBeReadForAnother) {
           }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// no_other_bit
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- no_other_bit
 
 template <class Format>
 auto& code_of(Format& fields, std::size_t q, std::uint32_t index) {
@@ -227,9 +223,7 @@ TYPED_TEST(VqBlocks, EachOtherBitIsSetAndClearBesideAllThatARegionIsMadeOf) {
     }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// field_values, every_code_word
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- field_values, every_code_word
 
 TYPED_TEST(VqBlocks, TwoFieldsHaveEveryPairOfValues) {
   constexpr std::size_t fields = fields_of<TypeParam>;

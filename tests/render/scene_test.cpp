@@ -288,12 +288,10 @@ Shot shot(unsigned level, double distance) {
     all.exact = all.exact && (!met.hit() || met.t == 1);
     const auto agrees = [&](std::uint32_t index) {
       switch (proofs::traverse::ray_outcome(proofs::traverse::ray_state(index))) {
-        case spec::traverse::Outcome::ignored:
-          return counts.ignored == 1 && !met.hit();
+        case spec::traverse::Outcome::ignored: return counts.ignored == 1 && !met.hit();
         case spec::traverse::Outcome::opaque:
           return counts.opaque == 1 && met.hit() && std::abs(met.t - 1) < 1e-6F;
-        case spec::traverse::Outcome::non_opaque:
-          return counts.shader == 1 && !met.hit();
+        case spec::traverse::Outcome::non_opaque: return counts.shader == 1 && !met.hit();
       }
       return false;
     };

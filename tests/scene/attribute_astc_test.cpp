@@ -33,9 +33,7 @@ using mmverify::tests::Folder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Bytes at an error
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Bytes at an error
 
 TEST(BytesAtEqualError, LieOnALineOfLogarithms) {
   const std::vector<BytesAndError> sizes{{800, 1}, {200, 4}, {100, 64}};
@@ -76,9 +74,7 @@ TEST(BytesAtEqualError, AreRefusedOfWhatIsNoListOfSizes) {
   EXPECT_THROW(bytes_at_error(Sizes{{2, 1}}, std::nan("")), std::invalid_argument);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Coders
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Coders
 
 constexpr AttributeSet base_color = set_of(Attribute::base_color);
 
@@ -228,9 +224,7 @@ TEST(CompressedTexture, IsRefusedWhereTheCoderTellsOfOtherSizes) {
   EXPECT_THROW(compressed(flat, telling({{{2, 2}, 64, rgb}, {{2, 2}, 64, rgb}})), std::invalid_argument);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Lower resolutions
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Lower resolutions
 
 TEST(ReducedTexture, IsTheMeanOfBlocksAndOfWhatIsLeftAtBorders) {
   const CodeMeaning codes(base_color, Averaging::codes);
@@ -261,9 +255,7 @@ TEST(ReducedTexture, IsSampledBilinearlyAndClamped) {
   EXPECT_EQ(high, wide);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// astcenc
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- astcenc
 
 #define SKIP_WITHOUT_ASTCENC()                                                     \
   try {                                                                            \

@@ -56,8 +56,6 @@ std::uint32_t checker(std::uint32_t x, std::uint32_t y) { return (x + y) % 2 * 2
 
 using testing::ElementsAre;
 
-// ---------------------------------------------------------------------------------------------------------------------
-
 TEST(PlannedMaps, OfAConstantHalfAreOneValue) {
   // Texels 0..7 are 100.  Two triangles lie on them, left of the middle of texel 7; the third on the checkerboard.
   const AttributeScene scene =
@@ -103,8 +101,6 @@ TEST(PlannedMaps, OfACheckerboardNeedTheLevelWhoseVerticesAreItsTexels) {
   // And none below the first has it.
   EXPECT_THAT(by_level(planned(scene, 0, 4, 5), &PlannedLevel::planned), ElementsAre(1, 0));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
 
 /// Two triangles of 8 x 8 texels with a diagonal between: one shows a checkerboard and needs level 4, the other a ramp,
 /// 10 a texel, which level 0 keeps to within 5.  The checkerboard ends `margin` texels before the diagonal.
@@ -165,8 +161,6 @@ TEST(PlannedMaps, OfTrianglesWithoutCommonVerticesAreNotGraded) {
   primitive.uses[0].uvs.push_back({1, 0});
   EXPECT_THAT(by_level(planned(scene, 5), &PlannedLevel::planned), ElementsAre(1, 0, 0, 0, 1, 0));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
 
 ColourImage noise() {
   std::mt19937 engine(5);

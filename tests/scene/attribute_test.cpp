@@ -60,8 +60,6 @@ ColourImage random_image(std::uint32_t width, std::uint32_t height) {
   return drawn(width, height, [&](auto, auto, auto) { return engine() & 255; });
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-
 TEST(AttributeFootprint, IsThePapersFigure1) {
   // Table 2, the Shoe's maps of vertices at most: 14,669, 21,647 and 22,310; three textures of 2048^2, 4 bytes each.
   const std::uint64_t maps = 14669 + 21647 + 22310, textures = std::uint64_t{3} * 2048 * 2048 * 4;
@@ -91,8 +89,6 @@ TEST(AttributeFootprint, OfVerticesIsSmallerThanOfFacesFromLevel2On) {
     EXPECT_EQ(vertices < values_of_map(MapKind::faces, level), level >= 2);
   }
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
 
 TEST(AttributeMaps, AFaceIsTheMeanOfWhatLiesUnderIt) {
   const ColourImage half = drawn(2, 1, [](auto x, auto, auto) { return 255 * x; });
@@ -166,8 +162,6 @@ TEST(AttributeMaps, AreRefusedWhereTheyCannotBe) {
   EXPECT_THROW(baker.bake({{{0, 0}, {NAN, 0}, {0, 1}}}, MapKind::faces, 1, map), std::invalid_argument);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-
 TEST(AttributeReading, OfVerticesReproducesALinearFunction) {
   constexpr unsigned level = 2;
   const CodeMeaning codes(base_color, Averaging::codes);
@@ -195,8 +189,6 @@ TEST(AttributeReading, OfTheNearestVertexIsOneOfTheThree) {
   EXPECT_EQ(at(1, 0), 2);
   EXPECT_EQ(at(0, 1), 3);
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
 
 using Maps = std::vector<std::vector<MapValue>>;
 
@@ -302,8 +294,6 @@ TEST(SameUvs, AreThoseOfEachCornerAndOfTheTexture) {
   const std::vector<std::size_t> first = first_of_same_uvs(all);
   for (std::size_t k = 0; k < all.size(); ++k) EXPECT_EQ(first[k], k % others) << k;
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
 
 const MapsAtLevel& at(const AttributeFigures& figures, unsigned level, MapKind kind) {
   for (const MapsAtLevel& one : figures.sets.at(0).levels)

@@ -83,8 +83,6 @@ TEST(TextureSample, IsBilinearInEachWrap) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-
 /// Half of a texture, its other half as three times as small a triangle, and a triangle without area.
 AttributeScene three_triangles() {
   AttributeScene scene;
@@ -152,8 +150,6 @@ TEST(SurfacePoints, AlongSurfacesAreTheSamePointsInOrder) {
     return a.triangle < b.triangle;
   }));
 }
-
-// ---------------------------------------------------------------------------------------------------------------------
 
 TEST(SetMaps, AreKeptForWhoeverAsks) {
   const AttributeScene scene = three_triangles();

@@ -1,7 +1,6 @@
 // [release] The trials of a search for a cause: which change wins, and which is doubted.
 #include <gtest/gtest.h>
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
 
 #include "impl/common/crc32c.hpp"
@@ -478,9 +477,7 @@ TEST(SceneIssues, FilesOfNoKind) {
   EXPECT_EQ(MadeFile{as_bytes(" \n{")}.judged().kind, FileKind::gltf);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The drafts
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The drafts
 
 /// Compares each draft's finding about one file: a code, or nothing.
 void expect_by_draft(const std::function<void(micromap_file::Subject&)>& change, const std::string& older,

@@ -124,9 +124,7 @@ std::string uastc(std::uint32_t width, std::uint32_t height, const std::string& 
   return ktx2(width, height, 0, blocks, {.model = 166, .transfer = transfer, .channel = 3});
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Texels as they are, and the blocks of a DDS
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Texels as they are, and the blocks of a DDS
 
 TEST(SceneKtx2, PlainTexels) {
   using Rgba = std::vector<std::uint8_t>;
@@ -187,9 +185,7 @@ TEST(SceneKtx2, PremultipliedAlphaStays) {
               HasSubstr("where alpha multiplies them"));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// UASTC
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- UASTC
 
 struct UastcCase {
   unsigned code, bits, patterns;
@@ -295,9 +291,7 @@ TEST(SceneKtx2, InvalidUastcBlocksAreTheErrorColour) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// ETC1S
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- ETC1S
 
 // The files and the digests are the output of scripts/ktx2/pictures.mjs: Basis Universal (npm ktx2-encoder 0.6.0)
 // encoded them, and its decoder made the texels.
@@ -376,9 +370,7 @@ TEST(SceneKtx2, BadPrefixCodesAreNamed) {
               HasSubstr("2 symbols has lengths for 3"));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Zstandard
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Zstandard
 
 #ifdef MMVERIFY_HAS_ZSTD
 
@@ -433,9 +425,7 @@ TEST(SceneKtx2, ZstandardIsNamed) {
 
 #endif
 
-// ---------------------------------------------------------------------------------------------------------------------
-// ZLIB
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- ZLIB
 
 /// A ZLIB of one stored block.  Source: RFC 1950, 2.2 and 8.2; RFC 1951, 3.2.4.
 std::string zlib(const std::string& bytes) {
@@ -478,9 +468,7 @@ TEST(SceneKtx2, ZlibIsUndone) {
       HasSubstr("which cannot be in"));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Words and floats
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Words and floats
 
 TEST(SceneKtx2, WordsAndFloatsAreAsTheyAre) {
   const std::vector<std::uint16_t> words{1, 2, 3, 0xabcd, 5, 6, 7, 65535};
@@ -505,9 +493,7 @@ TEST(SceneKtx2, WordsAndFloatsAreAsTheyAre) {
               HasSubstr("damaged KTX2: the alpha of texel 0 is not finite"));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Refused files
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Refused files
 
 TEST(SceneKtx2, WhatIsNotReadIsNamed) {
   const std::string good = ktx2(2, 1, rgba8, "\1\2\3\4\5\6\7\x08");
@@ -639,9 +625,7 @@ TEST(SceneKtx2, ChangedBytesAreReadOrRefused) {
   EXPECT_GT(refused, 100u);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// glTF, and pictures of another decoder
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- glTF, and pictures of another decoder
 
 TEST(SceneKtx2, TheTextureOfAGltfIsJudged) {
   GltfFile file = with_image(small_png());

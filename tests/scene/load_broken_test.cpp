@@ -1,8 +1,5 @@
 // scene/: what is said of a glTF file that cannot be read.
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <set>
 
 #include "tests/scene/loaded_scene.hpp"
 

@@ -1,11 +1,6 @@
 // [sanitized] scene/: what is read of a glTF file.
 #include <stb/stb_image_write.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <set>
-
 #include "tests/complaint.hpp"
 #include "tests/scene/loaded_scene.hpp"
 

@@ -1,5 +1,4 @@
 // [release] Triangles whose UVs an animation moves: the range is read, and the maps hold wherever it moves them.
-#include <array>
 #include <cmath>
 #include <functional>
 

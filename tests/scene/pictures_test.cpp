@@ -43,9 +43,7 @@ std::string complaint_of_picture(const std::string& bytes) {
   return complaint_of<BadScene>([&] { alpha_of(bytes); });
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// DDS
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- DDS
 
 /// A DDS of one level: `pixel_format` from its size on, or a code of four letters.
 std::string dds(std::uint32_t width, std::uint32_t height, const std::string& code, const std::string& data,
@@ -195,9 +193,7 @@ TEST(ScenePictures, DdsThatIsRefused) {
   EXPECT_THAT(complaint_of_picture(cube), HasSubstr("a cube or a volume"));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// TGA
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- TGA
 
 std::string tga(char type, std::uint8_t width, std::uint8_t height, char bits, const std::string& data) {
   std::string header(18, '\0');
@@ -236,9 +232,7 @@ TEST(ScenePictures, WhatIsNoTarga) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// WebP and AVIF
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- WebP and AVIF
 
 #ifdef MMVERIFY_HAS_WEBP
 
@@ -418,9 +412,7 @@ TEST(ScenePictures, KindsThatAreNamed) {
 #endif
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The image of a texture that has several
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The image of a texture that has several
 
 /// The square with a second image, of an extension; the first is its fallback.
 GltfFile with_alternative(const char* name, const std::string& bytes) {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <map>
 #include <random>
 #include <set>
 #include <stdexcept>

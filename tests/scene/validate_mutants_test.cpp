@@ -68,9 +68,7 @@ class SceneValidateMutants : public testing::Test {
   std::size_t mutants_ = 0, forbidden_ = 0;
 };
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The specification's verdict on bytes
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The specification's verdict on bytes
 
 /// An array and its geometries, for the specification's validator.
 bool clean(spec::micromap::Input array, const std::vector<spec::micromap::Input>& geometries) {
@@ -155,9 +153,7 @@ bool clean(micromap_file::Subject& s) {
   return clean(array, {first, second});
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// glTF
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- glTF
 
 /// The rules that the newest draft alone forbids, or only advises against.
 bool of_all_drafts(const std::string& rule) {
@@ -211,9 +207,7 @@ TEST_F(SceneValidateMutants, GltfCutAndSpoilt) {
   EXPECT_EQ(mutants_, 500u);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Sidecars
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Sidecars
 
 TEST_F(SceneValidateMutants, SidecarsWithOtherBytes) {
   constexpr std::pair<const char*, spec::micromap::Sets> apis[] = {{"ext", spec::micromap::EXT},
@@ -312,9 +306,7 @@ TEST_F(SceneValidateMutants, SidecarsCutAndSpoilt) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Containers
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Containers
 
 // A checksum finds every change within four bytes; a header says how long its file is.
 TEST_F(SceneValidateMutants, SealedContainers) {

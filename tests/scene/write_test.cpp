@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include "scene/read/bad_scene.hpp"
 #include "scene/read/load.hpp"
 #include "scene/validate/micromaps.hpp"

@@ -36,18 +36,12 @@ class Opened {
 /// Any bits up to those of 1; on a line of level 10; just below 1; subnormal; 0 or -0; any multiple of 2^-24.
 inline float some_float(proofs::Random& random) {
   switch (random.below(6)) {
-    case 0:
-      return std::bit_cast<float>(static_cast<std::uint32_t>(random.below(0x3f800001)));
-    case 1:
-      return static_cast<float>(random.below(1025)) / 1024;
-    case 2:
-      return std::bit_cast<float>(static_cast<std::uint32_t>(0x3f800000 - random.below(4)));
-    case 3:
-      return std::bit_cast<float>(static_cast<std::uint32_t>(random.below(1 << 24)));
-    case 4:
-      return random.below(2) == 0 ? 0.0f : -0.0f;
-    default:
-      return static_cast<float>(random.below(1 << 24)) / (1 << 24);
+    case 0: return std::bit_cast<float>(static_cast<std::uint32_t>(random.below(0x3f800001)));
+    case 1: return static_cast<float>(random.below(1025)) / 1024;
+    case 2: return std::bit_cast<float>(static_cast<std::uint32_t>(0x3f800000 - random.below(4)));
+    case 3: return std::bit_cast<float>(static_cast<std::uint32_t>(random.below(1 << 24)));
+    case 4: return random.below(2) == 0 ? 0.0f : -0.0f;
+    default: return static_cast<float>(random.below(1 << 24)) / (1 << 24);
   }
 }
 

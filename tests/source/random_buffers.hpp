@@ -54,77 +54,50 @@ static uint64_t some(uint64_t n, uint64_t v) {
 
   std::string condition() override {
     switch (random_.below(5)) {
-      case 0:
-        return fmt::format("({}) < ({})", word(), word());
-      case 1:
-        return fmt::format("(int64_t)({}) < (int64_t)({})", word(), word());
-      case 2:
-        return fmt::format("({}) & 1", word());
-      case 3:
-        return fmt::format("memcmp(s.bytes, other, ({}) & 15) > 0", word());
-      default:
-        return fmt::format("(int8_t)({}) <= s.small", word());
+      case 0: return fmt::format("({}) < ({})", word(), word());
+      case 1: return fmt::format("(int64_t)({}) < (int64_t)({})", word(), word());
+      case 2: return fmt::format("({}) & 1", word());
+      case 3: return fmt::format("memcmp(s.bytes, other, ({}) & 15) > 0", word());
+      default: return fmt::format("(int8_t)({}) <= s.small", word());
     }
   }
   std::string number() override { return word(); }
   std::string word() override {
     switch (random_.below(16)) {
-      case 0:
-        return fmt::format("({} + {})", a(), x());
-      case 1:
-        return fmt::format("({} - {})", x(), a());
-      case 2:
-        return fmt::format("({} & 0xffff) * ({} & 0xff)", a(), x());
-      case 3:
-        return fmt::format("({} >> ({} & 63))", a(), x());
-      case 4:
-        return fmt::format("({} << ({} & 7))", x(), a());
-      case 5:
-        return fmt::format("(uint64_t)((int64_t){} >> ({} & 31))", a(), a());
-      case 6:
-        return fmt::format("(uint64_t)s.bytes[{} & 15]", a());
-      case 7:
-        return fmt::format("(uint64_t)s.halves[{} & 3]", x());
-      case 8:
-        return fmt::format("s.longs[{} & 3] + s.words[{} & 3]", a(), x());
-      case 9:
-        return fmt::format("(uint64_t)table[{} & 1][{} & 7]", x(), a());
+      case 0: return fmt::format("({} + {})", a(), x());
+      case 1: return fmt::format("({} - {})", x(), a());
+      case 2: return fmt::format("({} & 0xffff) * ({} & 0xff)", a(), x());
+      case 3: return fmt::format("({} >> ({} & 63))", a(), x());
+      case 4: return fmt::format("({} << ({} & 7))", x(), a());
+      case 5: return fmt::format("(uint64_t)((int64_t){} >> ({} & 31))", a(), a());
+      case 6: return fmt::format("(uint64_t)s.bytes[{} & 15]", a());
+      case 7: return fmt::format("(uint64_t)s.halves[{} & 3]", x());
+      case 8: return fmt::format("s.longs[{} & 3] + s.words[{} & 3]", a(), x());
+      case 9: return fmt::format("(uint64_t)table[{} & 1][{} & 7]", x(), a());
       case 10:
         return fmt::format("(({} & 255) {} (({} & 15) | 1))", a(), random_.below(2) == 0 ? "/" : "%", x());
       case 11:
         return fmt::format("(uint64_t)((int64_t)(int8_t){} {} ((int64_t)({} & 7) + 1))", a(),
                            random_.below(2) == 0 ? "/" : "%", x());
-      case 12:
-        return fmt::format("(uint64_t)__builtin_popcountll({})", a());
-      case 13:
-        return fmt::format("(uint64_t)__builtin_ctz((uint32_t){} | 16u)", x());
-      case 14:
-        return fmt::format("(uint64_t){}u", random_.below(300));
-      default:
-        return fmt::format("(({} ^ {}) | {})", a(), x(), a());
+      case 12: return fmt::format("(uint64_t)__builtin_popcountll({})", a());
+      case 13: return fmt::format("(uint64_t)__builtin_ctz((uint32_t){} | 16u)", x());
+      case 14: return fmt::format("(uint64_t){}u", random_.below(300));
+      default: return fmt::format("(({} ^ {}) | {})", a(), x(), a());
     }
   }
   bool has_further() const override { return true; }
   std::string further() override {
     switch (random_.below(13)) {
-      case 0:
-        return fmt::format("s.bytes[{} & 15] = (uint8_t)({});\n", a(), word());
-      case 1:
-        return fmt::format("s.words[{} & 3] = (uint32_t)({});\n", x(), word());
-      case 2:
-        return fmt::format("memcpy(other + ({} & 3), s.bytes, {} & 7);\n", a(), x());
-      case 3:
-        return fmt::format("memmove(s.bytes + ({} & 3), s.bytes + ({} & 3), {} & 7);\n", a(), x(), a());
-      case 4:
-        return fmt::format("memset(other, (int)({} & 255), {} & 15);\n", word(), x());
+      case 0: return fmt::format("s.bytes[{} & 15] = (uint8_t)({});\n", a(), word());
+      case 1: return fmt::format("s.words[{} & 3] = (uint32_t)({});\n", x(), word());
+      case 2: return fmt::format("memcpy(other + ({} & 3), s.bytes, {} & 7);\n", a(), x());
+      case 3: return fmt::format("memmove(s.bytes + ({} & 3), s.bytes + ({} & 3), {} & 7);\n", a(), x(), a());
+      case 4: return fmt::format("memset(other, (int)({} & 255), {} & 15);\n", word(), x());
       case 5:
         return fmt::format("{{ uint8_t* p = {} ? s.bytes : other; p[{} & 7] ^= 5; }}\n", condition(), a());
-      case 6:
-        return fmt::format("{} = deep((unsigned)({} & 3), {});\n", a(), x(), a());
-      case 7:
-        return fmt::format("walk(s.bytes, other, (unsigned)({} & 7));\n", a());
-      case 8:
-        return fmt::format("if ({}) {} = some({}, {});\n", condition(), x(), a(), x());
+      case 6: return fmt::format("{} = deep((unsigned)({} & 3), {});\n", a(), x(), a());
+      case 7: return fmt::format("walk(s.bytes, other, (unsigned)({} & 7));\n", a());
+      case 8: return fmt::format("if ({}) {} = some({}, {});\n", condition(), x(), a(), x());
       case 9:
         return fmt::format(
             "for (unsigned k = 0; k < ({} & 7); ++k) {{ if (k == ({} & 7)) break; {} += k + s.bytes[k]; }}\n",
@@ -132,10 +105,8 @@ static uint64_t some(uint64_t n, uint64_t v) {
       case 10:
         return fmt::format("{{ struct all t = s; t.small = (int8_t){}; if ({}) s = t; }}\n", a(),
                            condition());
-      case 11:
-        return fmt::format("{} += by_value(s) * 5 + s.bytes[1];\n", x());
-      default:
-        return fmt::format("memcpy(&{}, s.bytes + ({} & 7), 8);\n", x(), a());
+      case 11: return fmt::format("{} += by_value(s) * 5 + s.bytes[1];\n", x());
+      default: return fmt::format("memcpy(&{}, s.bytes + ({} & 7), 8);\n", x(), a());
     }
   }
 };

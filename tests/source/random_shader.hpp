@@ -83,46 +83,31 @@ struct Pair { float a; uint b; };
 
   std::string condition() final {
     switch (random_.below(5)) {
-      case 0:
-        return fmt::format("{} {} {}", x(), one_of({"<", "<=", ">", ">=", "==", "!="}), x());
-      case 1:
-        return fmt::format("{} < {}", x(), one_of({"0.5f", "0.25f", "0.0f", "-1.0f"}));
-      case 2:
-        return fmt::format("{} {} {}", a(), one_of({"<", "<=", ">", ">=", "==", "!="}), a());
-      case 3:
-        return fmt::format("({} < {} && {} {} {})", x(), x(), a(), one_of({"<", ">"}), a());
-      default:
-        return fmt::format("(({} & 1u) != 0u || !({} >= {}))", a(), x(), x());
+      case 0: return fmt::format("{} {} {}", x(), one_of({"<", "<=", ">", ">=", "==", "!="}), x());
+      case 1: return fmt::format("{} < {}", x(), one_of({"0.5f", "0.25f", "0.0f", "-1.0f"}));
+      case 2: return fmt::format("{} {} {}", a(), one_of({"<", "<=", ">", ">=", "==", "!="}), a());
+      case 3: return fmt::format("({} < {} && {} {} {})", x(), x(), a(), one_of({"<", ">"}), a());
+      default: return fmt::format("(({} & 1u) != 0u || !({} >= {}))", a(), x(), x());
     }
   }
 
   std::string number() final {
     switch (random_.below(14)) {
-      case 0:
-        return fmt::format("{} {} {}", x(), one_of({"+", "-", "*"}), x());
+      case 0: return fmt::format("{} {} {}", x(), one_of({"+", "-", "*"}), x());
       case 1:
         return fmt::format("{} * {}", x(),
                            one_of({"512.0f", "3.0f", "0.1f", "-15.9375f", "1e-30f", "1e30f"}));
-      case 2:
-        return fmt::format("1.0f - {}", x());
-      case 3:
-        return fmt::format("{}({})", one_of({"abs", "floor", "ceil", "trunc", "roundEven"}), x());
-      case 4:
-        return fmt::format("-{}", x());
-      case 5:
-        return fmt::format("{} ? {} : {}", condition(), x(), x());
-      case 6:
-        return fmt::format("float_of({})", a());
-      case 7:
-        return fmt::format("HALVE({})", x());
-      case 8:
-        return fmt::format("uintBitsToFloat({} & 0xbfffffffu)", a());
-      case 9:
-        return fmt::format("{}({}, {})", one_of({"min", "max", "step"}), x(), x());
+      case 2: return fmt::format("1.0f - {}", x());
+      case 3: return fmt::format("{}({})", one_of({"abs", "floor", "ceil", "trunc", "roundEven"}), x());
+      case 4: return fmt::format("-{}", x());
+      case 5: return fmt::format("{} ? {} : {}", condition(), x(), x());
+      case 6: return fmt::format("float_of({})", a());
+      case 7: return fmt::format("HALVE({})", x());
+      case 8: return fmt::format("uintBitsToFloat({} & 0xbfffffffu)", a());
+      case 9: return fmt::format("{}({}, {})", one_of({"min", "max", "step"}), x(), x());
       case 10:
         return fmt::format("clamp({}, {}, {})", x(), one_of({"0.0f", "-0.25f"}), one_of({"0.5f", "1.0f"}));
-      case 11:
-        return fmt::format("OF_THREE({}, {}, {}).{}", x(), x(), x(), one_of({"x", "y", "z"}));
+      case 11: return fmt::format("OF_THREE({}, {}, {}).{}", x(), x(), x(), one_of({"x", "y", "z"}));
       case 12:
         return fmt::format("(OF_THREE({}, {}, {}).{} * OF_TWO({}, {})).{}", x(), x(), x(),
                            one_of({"yx", "zy", "xz", "yz"}), x(), x(), one_of({"x", "y"}));
@@ -134,35 +119,22 @@ struct Pair { float a; uint b; };
 
   std::string word() final {
     switch (random_.below(15)) {
-      case 0:
-        return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}), a());
+      case 0: return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}), a());
       case 1:
         return fmt::format("{} {} {}", a(), one_of({"+", "*", "&", "^"}),
                            one_of({"1u", "0x55555555u", "77u", "0x80000000u"}));
-      case 2:
-        return fmt::format("{} {} ({} & 31u)", a(), one_of({"<<", ">>"}), a());
-      case 3:
-        return fmt::format("~{}", a());
-      case 4:
-        return fmt::format("{} ? {} : {}", condition(), a(), a());
-      case 5:
-        return fmt::format("whole({})", x());
-      case 6:
-        return fmt::format("bits({})", x());
-      case 7:
-        return fmt::format("{}({}, {})", one_of({"min", "max"}), a(), a());
-      case 8:
-        return fmt::format("clamp({}, 5u, 0x7fffffffu)", a());
-      case 9:
-        return fmt::format("table[{} % 7u]", a());
-      case 10:
-        return fmt::format("{} {} ({} | 1u)", a(), one_of({"/", "%"}), a());
-      case 11:
-        return fmt::format("word_of({}({}))", one_of({"bitCount", "findMSB", "findLSB"}), a());
-      case 12:
-        return fmt::format("bitfieldReverse({})", a());
-      case 13:
-        return fmt::format("bitfieldExtract({}, {}, {})", a(), random_.below(17), random_.below(16));
+      case 2: return fmt::format("{} {} ({} & 31u)", a(), one_of({"<<", ">>"}), a());
+      case 3: return fmt::format("~{}", a());
+      case 4: return fmt::format("{} ? {} : {}", condition(), a(), a());
+      case 5: return fmt::format("whole({})", x());
+      case 6: return fmt::format("bits({})", x());
+      case 7: return fmt::format("{}({}, {})", one_of({"min", "max"}), a(), a());
+      case 8: return fmt::format("clamp({}, 5u, 0x7fffffffu)", a());
+      case 9: return fmt::format("table[{} % 7u]", a());
+      case 10: return fmt::format("{} {} ({} | 1u)", a(), one_of({"/", "%"}), a());
+      case 11: return fmt::format("word_of({}({}))", one_of({"bitCount", "findMSB", "findLSB"}), a());
+      case 12: return fmt::format("bitfieldReverse({})", a());
+      case 13: return fmt::format("bitfieldExtract({}, {}, {})", a(), random_.below(17), random_.below(16));
       default:
         return fmt::format("bitfieldInsert({}, {}, {}, {})", a(), a(), random_.below(17), random_.below(16));
     }

@@ -84,60 +84,38 @@ uint32_t word_up_to(float) __asm__("llvm.fptoui.sat.i32.f32");
 
   std::string condition() final {
     switch (random_.below(6)) {
-      case 0:
-        return fmt::format("{} {} {}", x(), one_of({"<", "<=", ">", ">=", "==", "!="}), x());
-      case 1:
-        return fmt::format("{} < {}", x(), one_of({"0.5f", "0.25f", "0x1p-20f", "0.0f", "-1.0f"}));
-      case 2:
-        return fmt::format("{} {} {}", a(), one_of({"<", "<=", ">", "==", "!="}), a());
-      case 3:
-        return fmt::format("(int32_t){} {} (int32_t){}", a(), one_of({"<", "<=", ">", ">="}), a());
-      case 4:
-        return fmt::format("({} & 1)", a());
-      default:
-        return fmt::format("!({} >= {})", x(), x());
+      case 0: return fmt::format("{} {} {}", x(), one_of({"<", "<=", ">", ">=", "==", "!="}), x());
+      case 1: return fmt::format("{} < {}", x(), one_of({"0.5f", "0.25f", "0x1p-20f", "0.0f", "-1.0f"}));
+      case 2: return fmt::format("{} {} {}", a(), one_of({"<", "<=", ">", "==", "!="}), a());
+      case 3: return fmt::format("(int32_t){} {} (int32_t){}", a(), one_of({"<", "<=", ">", ">="}), a());
+      case 4: return fmt::format("({} & 1)", a());
+      default: return fmt::format("!({} >= {})", x(), x());
     }
   }
 
   std::string number() final {
     switch (random_.below(18)) {
-      case 0:
-        return fmt::format("{} + {}", x(), x());
-      case 1:
-        return fmt::format("{} - {}", x(), x());
-      case 2:
-        return fmt::format("{} * {}", x(), x());
+      case 0: return fmt::format("{} + {}", x(), x());
+      case 1: return fmt::format("{} - {}", x(), x());
+      case 2: return fmt::format("{} * {}", x(), x());
       case 3:
         return fmt::format("{} * {}", x(),
                            one_of({"512.0f", "3.0f", "0.1f", "-0x1.fffffep3f", "0x1p-130f", "1e30f"}));
-      case 4:
-        return fmt::format("1.0f - {}", x());
+      case 4: return fmt::format("1.0f - {}", x());
       case 5:
         return fmt::format("{}({})", one_of({"fabsf", "floorf", "ceilf", "truncf", "rintf", "roundf"}), x());
-      case 6:
-        return fmt::format("-{}", x());
-      case 7:
-        return fmt::format("{} ? {} : {}", condition(), x(), x());
-      case 8:
-        return fmt::format("(float){}", a());
-      case 9:
-        return fmt::format("(float)(int32_t){}", a());
-      case 10:
-        return fmt::format("fmaf({}, {}, {})", x(), x(), x());
-      case 11:
-        return fmt::format("(float)((double){} * (double){} + (double){})", x(), x(), x());
-      case 12:
-        return fmt::format("{} / {}", x(), one_of({"8.0f", "0x1p-3f", "-2.0f"}));
-      case 13:
-        return fmt::format("of_bits({} & 0xbfffffffu)", a());
-      case 14:
-        return fmt::format("copysignf({}, {})", x(), x());
-      case 15:
-        return fmt::format("floats[{} % 5]", a());
-      case 16:
-        return fmt::format("{}({}, {})", one_of({"fminf", "fmaxf"}), x(), x());
-      default:
-        return fmt::format("{} - (float)(int32_t)({} * 4.0f)", x(), one_of({"u", "v"}));
+      case 6: return fmt::format("-{}", x());
+      case 7: return fmt::format("{} ? {} : {}", condition(), x(), x());
+      case 8: return fmt::format("(float){}", a());
+      case 9: return fmt::format("(float)(int32_t){}", a());
+      case 10: return fmt::format("fmaf({}, {}, {})", x(), x(), x());
+      case 11: return fmt::format("(float)((double){} * (double){} + (double){})", x(), x(), x());
+      case 12: return fmt::format("{} / {}", x(), one_of({"8.0f", "0x1p-3f", "-2.0f"}));
+      case 13: return fmt::format("of_bits({} & 0xbfffffffu)", a());
+      case 14: return fmt::format("copysignf({}, {})", x(), x());
+      case 15: return fmt::format("floats[{} % 5]", a());
+      case 16: return fmt::format("{}({}, {})", one_of({"fminf", "fmaxf"}), x(), x());
+      default: return fmt::format("{} - (float)(int32_t)({} * 4.0f)", x(), one_of({"u", "v"}));
     }
   }
 
@@ -149,31 +127,22 @@ uint32_t word_up_to(float) __asm__("llvm.fptoui.sat.i32.f32");
   /// Calls of the functions above, and of two that compilers know.
   std::string word_of_call(std::uint64_t kind) {
     switch (kind) {
-      case 22:
-        return fmt::format("of_pair(paired({}, {}))", a(), a());
-      case 23:
-        return fmt::format("paired({}, {}).{}", a(), a(), one_of({"x", "y"}));
+      case 22: return fmt::format("of_pair(paired({}, {}))", a(), a());
+      case 23: return fmt::format("paired({}, {}).{}", a(), a(), one_of({"x", "y"}));
       case 24: {
         const std::string with = condition();
         return fmt::format("of_mixed(mixed_of({}, {}), {})", a(), with, with);
       }
-      case 25:
-        return fmt::format("of_large(large_of({}, {}))", a(), x());
-      case 26:
-        return fmt::format("second({}, {})", a(), a());
-      case 27:
-        return fmt::format("lower({})", x());
-      case 28:
-        return fmt::format("{}({})", one_of({"put_together", "turned"}), a());
-      case 29:
-        return fmt::format("(uint32_t){}({})", one_of({"narrow_i8", "narrow_u16", "narrow_i16"}), a());
-      case 30:
-        return fmt::format("{}({}, {})", one_of({"add_up_to", "less_down_to"}), a(), a());
+      case 25: return fmt::format("of_large(large_of({}, {}))", a(), x());
+      case 26: return fmt::format("second({}, {})", a(), a());
+      case 27: return fmt::format("lower({})", x());
+      case 28: return fmt::format("{}({})", one_of({"put_together", "turned"}), a());
+      case 29: return fmt::format("(uint32_t){}({})", one_of({"narrow_i8", "narrow_u16", "narrow_i16"}), a());
+      case 30: return fmt::format("{}({}, {})", one_of({"add_up_to", "less_down_to"}), a(), a());
       case 31:
         return fmt::format("(uint32_t){}((int32_t){}, (int32_t){})",
                            one_of({"signed_up_to", "signed_down_to"}), a(), a());
-      case 32:
-        return fmt::format("__builtin_elementwise_{}({}, {})", one_of({"min", "max"}), a(), a());
+      case 32: return fmt::format("__builtin_elementwise_{}({}, {})", one_of({"min", "max"}), a(), a());
       case 33:
         return fmt::format("(uint32_t)__builtin_elementwise_{}((int32_t){}, (int32_t){})",
                            one_of({"min", "max"}), a(), a());
@@ -186,19 +155,14 @@ uint32_t word_up_to(float) __asm__("llvm.fptoui.sat.i32.f32");
 
   std::string word_of_operator(std::uint64_t kind) {
     switch (kind) {
-      case 0:
-        return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}), a());
+      case 0: return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}), a());
       case 1:
         return fmt::format("{} {} {}", a(), one_of({"+", "-", "*", "&", "|", "^"}),
                            one_of({"1u", "0x55555555u", "77u", "0x80000000u"}));
-      case 2:
-        return fmt::format("{} {} ({} & 31)", a(), one_of({"<<", ">>"}), a());
-      case 3:
-        return fmt::format("{} {} {}", a(), one_of({"<<", ">>"}), one_of({"1", "4", "8", "17", "31"}));
-      case 4:
-        return fmt::format("(uint32_t)((int32_t){} >> ({} & 31))", a(), a());
-      case 5:
-        return fmt::format("{} ? {} : {}", condition(), a(), a());
+      case 2: return fmt::format("{} {} ({} & 31)", a(), one_of({"<<", ">>"}), a());
+      case 3: return fmt::format("{} {} {}", a(), one_of({"<<", ">>"}), one_of({"1", "4", "8", "17", "31"}));
+      case 4: return fmt::format("(uint32_t)((int32_t){} >> ({} & 31))", a(), a());
+      case 5: return fmt::format("{} ? {} : {}", condition(), a(), a());
       case 6: {
         const std::string y = x();
         return fmt::format("{0} >= 0 && {0} < 4294967040.0f ? (uint32_t){0} : 7", y);
@@ -207,16 +171,11 @@ uint32_t word_up_to(float) __asm__("llvm.fptoui.sat.i32.f32");
         const std::string y = x();
         return fmt::format("fabsf({0}) < 2147483000.0f ? (uint32_t)(int32_t){0} : 9", y);
       }
-      case 8:
-        return fmt::format("(uint32_t)({} * 100.0f)", one_of({"u", "v"}));
-      case 9:
-        return fmt::format("words[{} % 11]", a());
-      case 10:
-        return fmt::format("(uint32_t)bytes[{} & 1][{} & 3]", a(), a());
-      case 11:
-        return fmt::format("(uint32_t)__builtin_clz({} | 1)", a());
-      case 12:
-        return fmt::format("(uint32_t)__builtin_ctz({} | 0x80000000u)", a());
+      case 8: return fmt::format("(uint32_t)({} * 100.0f)", one_of({"u", "v"}));
+      case 9: return fmt::format("words[{} % 11]", a());
+      case 10: return fmt::format("(uint32_t)bytes[{} & 1][{} & 3]", a(), a());
+      case 11: return fmt::format("(uint32_t)__builtin_clz({} | 1)", a());
+      case 12: return fmt::format("(uint32_t)__builtin_ctz({} | 0x80000000u)", a());
       case 13:
         return fmt::format(
             "{}({})", one_of({"__builtin_bswap32", "__builtin_bitreverse32", "(uint32_t)__builtin_popcount"}),
@@ -225,21 +184,15 @@ uint32_t word_up_to(float) __asm__("llvm.fptoui.sat.i32.f32");
         const std::string b = a(), k = a();
         return fmt::format("({0} << ({1} & 31)) | ({0} >> (-{1} & 31))", b, k);
       }
-      case 15:
-        return fmt::format("(uint32_t)(((uint64_t){} * {}) >> 32)", a(), a());
-      case 16:
-        return fmt::format("(uint32_t)({})(uint8_t){}", one_of({"int8_t", "uint8_t"}), a());
-      case 17:
-        return fmt::format("(uint32_t)(int32_t)(int16_t){}", a());
-      case 18:
-        return fmt::format("{} {} ({} | 1)", a(), one_of({"/", "%"}), a());
+      case 15: return fmt::format("(uint32_t)(((uint64_t){} * {}) >> 32)", a(), a());
+      case 16: return fmt::format("(uint32_t)({})(uint8_t){}", one_of({"int8_t", "uint8_t"}), a());
+      case 17: return fmt::format("(uint32_t)(int32_t)(int16_t){}", a());
+      case 18: return fmt::format("{} {} ({} | 1)", a(), one_of({"/", "%"}), a());
       case 19:
         return fmt::format("(uint32_t)((int32_t){} {} (int32_t)(({} & 0xffff) | 1))", a(), one_of({"/", "%"}),
                            a());
-      case 20:
-        return fmt::format("bits({})", x());
-      default:
-        return fmt::format("({}) + ({}) * 2u", condition(), condition());
+      case 20: return fmt::format("bits({})", x());
+      default: return fmt::format("({}) + ({}) * 2u", condition(), condition());
     }
   }
 

@@ -5,7 +5,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <optional>
 
 #include "subjects/program/folder.hpp"
 #include "subjects/program/program.hpp"

@@ -88,12 +88,8 @@ class Fuzzed {
         const Exponents of_u = around(u, random), of_v = around(v, random);
         const std::uint32_t got = (*run_)(k, u, v);
         switch (compared(source::encode(program, of_u, of_v, "u", "v", mistake), u, v, got)) {
-          case Outcome::same:
-            ++all.same;
-            break;
-          case Outcome::undefined:
-            ++all.undefined;
-            break;
+          case Outcome::same: ++all.same; break;
+          case Outcome::undefined: ++all.undefined; break;
           case Outcome::differs:
             ++all.differs;
             if (all.first.empty())

@@ -3,8 +3,6 @@
 
 #include <functional>
 #include <map>
-#include <set>
-#include <tuple>
 
 #include "spec/attribute/decimation.hpp"
 #include "spec/fixed.hpp"

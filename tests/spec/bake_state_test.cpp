@@ -1,7 +1,6 @@
 // [release] spec/bake/texture.hpp, spec/bake/state.hpp and nearest filtering: by hand, and against points.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <random>
 #include <stdexcept>
 #include <vector>

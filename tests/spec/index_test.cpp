@@ -31,9 +31,7 @@ Point<Rational> at(std::int64_t u, std::int64_t v, std::int64_t over) {
 }
 constexpr Fixed64 fixed(std::int64_t k, unsigned bits) { return Fixed64::dyadic(k, bits); }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Numbers
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Numbers
 
 static_assert(Number<Rational> && Number<Fixed64> && Number<Fixed128> && Number<Fixed256>);
 static_assert(Number<float> && Number<double> && Number<Binary16>);
@@ -102,9 +100,7 @@ TEST(Rational, WholeIsTheFloor) {
   EXPECT_EQ(whole(Rational((Integer(1) << 32) - ratio(1, 1'000'003))), 0xffff'ffffu);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Bits
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Bits
 
 std::uint64_t naive_xor_from_above(std::uint64_t t, unsigned bits) {
   std::uint64_t f = 0;
@@ -139,9 +135,7 @@ TEST(Bits, ThirtyTwoBitsInWideWords) {
 static_assert(index::spread(0b1011u) == 0b1000101u);
 static_assert(index::xor_from_above<16>(0b0100u) == 0b0111u && index::xor_from_above<16>(0b0110u) == 0b0100u);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Point -> index, by hand
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Point -> index, by hand
 
 template <class Q>
 std::array<std::uint32_t, 5> all_algorithms(const Point<Q>& p, Level n) {
@@ -244,9 +238,7 @@ static_assert(index::step<Reading::appendix_ties>(Point<float>{0.375f, 0.375f}, 
 static_assert(index::step<Reading::appendix_names>(Point<Binary16>{Binary16(0.0), Binary16(0.5)}, 2) == 15);
 static_assert(index::w_minor(Point<Fixed64>{Fixed64(0), Fixed64(1)}, 2) == 15);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Index -> corners, by hand
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Index -> corners, by hand
 
 // P = (w-corner, u-corner, v-corner) of each parent; the midpoints put in by hand, parent after parent.
 constexpr std::array<Corners, 4> level_1{{{{{0, 0}, {1, 0}, {0, 1}}},
@@ -356,9 +348,7 @@ TEST(Corners, CentresGoBackAndAllTrianglesAreDifferent) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Row order, by hand
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Row order, by hand
 
 // Row r, counted from the w-corner, starts at r^2 on the u side; upright and inverted triangles alternate.
 //   level 1: w-corner 0; u-corner 1, middle 2, v-corner 3
@@ -417,9 +407,7 @@ TEST(RowOrder, RowOfAnIndexAroundPerfectSquares) {
 
 static_assert(index::w_minor_row(4097 * 4097 - 2) == 4096);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// One text, several numbers
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- One text, several numbers
 
 template <class F>
 void expect_same_on_grid(Level n) {

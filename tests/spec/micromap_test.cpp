@@ -12,9 +12,7 @@ using enum State;
 
 constexpr State all_states[] = {T, O, UT, UO};
 
-// ---------------------------------------------------------------------------------------------------------------------
-// States, packing, special indices
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- States, packing, special indices
 
 TEST(SpecMicromap, ForceTwoState) {
   EXPECT_EQ(force2(States{T, O, UT, UO}), (States{T, O, T, O}));
@@ -100,9 +98,7 @@ TEST(SpecMicromap, WhatAnEncodingCanIndex) {
   EXPECT_EQ(index_limit(Encoding::i32), 2'147'483'648u);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Levels, modes, substitutions
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Levels, modes, substitutions
 
 TEST(SpecMicromap, MergesFourChildren) {
   EXPECT_EQ(merged(T, T, T, T), T);
@@ -155,9 +151,7 @@ TEST(SpecMicromap, ASubstitutionIsJudgedEverywhere) {
   EXPECT_FALSE(everywhere(States{T, O}, States{T}, allowed));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Arrays
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Arrays
 
 const Map mixed{1, Format::four_state, {T, O, UT, UO}};
 const Map same_bits_2{1, Format::two_state, {T, T, O, T}};  // 0b0100

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <vector>
 
 #include "spec/traverse/blend.hpp"
 #include "spec/traverse/decision.hpp"
@@ -132,9 +131,7 @@ TEST(SpecTraverse, ATwoStateMapHasNoUnknownStates) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Blending
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Blending
 
 TEST(SpecTraverse, OperationsOnCodes) {
   EXPECT_EQ(blend(Operation::max, 7, 200, 0), 200u);

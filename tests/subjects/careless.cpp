@@ -8,8 +8,6 @@
 #include <cfenv>
 #include <csignal>
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 
 #include "subjects/sdk/mmverify_subject.h"
 #include "tests/subjects/wrong.hpp"

@@ -70,9 +70,7 @@ uint32_t jumped_past(uint32_t level, float u, float v) {
   uint32_t r = index_of(level, u, v);
   for (uint32_t k = 0; k < 2; ++k) switch (k) {
       uint32_t x;
-      case 0:
-        x = 0;
-        break;
+      case 0: x = 0; break;
       default:
         if (THERE) r |= x;
     }

@@ -1,6 +1,5 @@
 // The example of vector quantisation but for one thing, chosen when it is linked.  What happens at
 // one place happens with a block whose BR is rotated by 270, or with the map that is T but for O in region 0.
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 

@@ -1,5 +1,4 @@
 // The vectors of bakes, held against the library's baker and against samples.
-#include <cmath>
 
 #include "impl/bake/triangles.hpp"
 #include "impl/micromap/micromap.hpp"

@@ -1,6 +1,5 @@
 // The vectors of family index, held against what did not make them: the library, and the published code in plain binary32.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "delivery/vectors/families/index_mistakes.hpp"

@@ -1,6 +1,5 @@
 // The vectors of corners, traversal, packing and special indices, held against the library and against what must hold
 // whoever made them.
-#include <algorithm>
 #include <cmath>
 #include <map>
 

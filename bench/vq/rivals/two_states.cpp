@@ -6,16 +6,11 @@ namespace mmverify::bench::rivals {
 
 const char* to_string(Reading reading) {
   switch (reading) {
-    case Reading::transparent:
-      return "C is T";
-    case Reading::opaque:
-      return "C is O";
-    case Reading::nearer:
-      return "nearer";
-    case Reading::even_hash:
-      return "even hash";
-    case Reading::vector_hash:
-      break;
+    case Reading::transparent: return "C is T";
+    case Reading::opaque: return "C is O";
+    case Reading::nearer: return "nearer";
+    case Reading::even_hash: return "even hash";
+    case Reading::vector_hash: break;
   }
   return "vector's hash";
 }
@@ -46,16 +41,11 @@ bool opaque(States map, std::uint32_t side, float u, float v, Reading reading) {
   const State s = map[x + side * y];
   if (s != State::C) return s == State::O;
   switch (reading) {
-    case Reading::transparent:
-      return false;
-    case Reading::opaque:
-      return true;
-    case Reading::nearer:
-      return opaque_eighths(map, side, x, y) > 4;
-    case Reading::even_hash:
-      return hit_hash(u, v) < 1u << 31;
-    case Reading::vector_hash:
-      break;
+    case Reading::transparent: return false;
+    case Reading::opaque: return true;
+    case Reading::nearer: return opaque_eighths(map, side, x, y) > 4;
+    case Reading::even_hash: return hit_hash(u, v) < 1u << 31;
+    case Reading::vector_hash: break;
   }
   return hit_hash(u, v) < std::uint64_t{opaque_eighths(map, side, x, y)} << 29;
 }

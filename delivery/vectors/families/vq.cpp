@@ -1,5 +1,4 @@
 // Blocks of square opacity maps, the states that they encode, and the parts of a block.
-#include <array>
 
 #include "delivery/vectors/binary32.hpp"
 #include "delivery/vectors/builder.hpp"

@@ -37,18 +37,12 @@ std::string value(const Family& family, const Column& column, std::span<const st
   const auto number = [](std::uint32_t word) { return std::to_string(word); };
   const auto hex_text = [](std::uint32_t word) { return quoted(hex(word)); };
   switch (column.kind) {
-    case Kind::number:
-      return number(words[0]);
-    case Kind::optional:
-      return words[1] == 0 ? "null" : number(words[0]);
-    case Kind::binary32:
-      return hex_text(words[0]);
-    case Kind::name:
-      return quoted(column.names.at(words[0]));
-    case Kind::about:
-      return quoted(family.abouts.at(words[0]));
-    case Kind::wide:
-      return std::to_string(wide_at(words));
+    case Kind::number: return number(words[0]);
+    case Kind::optional: return words[1] == 0 ? "null" : number(words[0]);
+    case Kind::binary32: return hex_text(words[0]);
+    case Kind::name: return quoted(column.names.at(words[0]));
+    case Kind::about: return quoted(family.abouts.at(words[0]));
+    case Kind::wide: return std::to_string(wide_at(words));
     case Kind::set: {
       std::vector<std::string> names;
       for (std::size_t k = 0; k < column.names.size(); ++k)
@@ -65,10 +59,8 @@ std::string value(const Family& family, const Column& column, std::span<const st
       for (const std::uint8_t digit : part_at(family, words)) text += static_cast<char>('0' + digit);
       return quoted(text);
     }
-    case Kind::words:
-      return list(words_in(part_at(family, words)), number);
-    case Kind::binary32s:
-      break;
+    case Kind::words: return list(words_in(part_at(family, words)), number);
+    case Kind::binary32s: break;
   }
   return list(words_in(part_at(family, words)), hex_text);
 }

@@ -23,18 +23,10 @@ struct Node {
 inline std::string escaped(const std::string& text, bool attribute) {
   std::string out;
   for (const char c : text) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += attribute ? "&quot;" : "\"";
-        break;
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += attribute ? "&quot;" : "\""; break;
       default:
         if (static_cast<unsigned char>(c) < 32 && (attribute || (c != '\n' && c != '\t' && c != '\r'))) {
           char number[8];

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
 #include "display/render/attribute/colour_maps.hpp"
 #include "display/render/scene/world_of.hpp"

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <optional>
 
 #include "display/render/attribute/shading.hpp"
 #include "display/render/scene/texture_looks.hpp"

@@ -1,7 +1,6 @@
 // Numbers of given bit widths in bytes, low bit first.  Internal to impl.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -1,7 +1,6 @@
 #include "impl/vq/four/search.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "impl/vq/four/search.cpp"
@@ -18,9 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr std::uint32_t lanes = 64;  ///< vectors of a map
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Merging
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Merging
 
 /// The entries so far, one a lane; merging with an empty lane costs more than anything else.
 class Merge {
@@ -108,9 +105,7 @@ class Merge {
   std::uint32_t used_ = 0, left_ = 0;
 };
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The regions that a codebook keeps
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The regions that a codebook keeps
 
 /// The number of regions kept of each source.
 struct HWY_ALIGN Kept {
@@ -169,9 +164,7 @@ HWY_INLINE void grow(const Sources4& sources, Codebook4& codebook) {
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Exchanging
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Exchanging
 
 /// The candidates for an entry, each once, with the regions that it keeps of each source.
 class Pool {

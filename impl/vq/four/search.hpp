@@ -1,7 +1,6 @@
 // The search for a codebook of VQ4 under one choice of transforms.  Internal to impl/vq.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 

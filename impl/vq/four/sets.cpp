@@ -43,14 +43,10 @@ constexpr std::uint32_t opaque(Set4 v, std::uint32_t regions) { return (v & regi
 std::uint32_t code_of(std::size_t place, Set4 v) {
   const std::uint32_t checked = ~(v | v >> 16) & 0xffff;
   switch (kind4[3 + place]) {
-    case 0:
-      return checked | opaque(v, 0xffff) << 16;
-    case 1:
-      return checked | opaque(v, left) << 16 | opaque(v, right) << 17;
-    case 2:
-      return checked | opaque(v, low) << 16 | opaque(v, high) << 17;
-    default:
-      break;
+    case 0: return checked | opaque(v, 0xffff) << 16;
+    case 1: return checked | opaque(v, left) << 16 | opaque(v, right) << 17;
+    case 2: return checked | opaque(v, low) << 16 | opaque(v, high) << 17;
+    default: break;
   }
   std::uint32_t code = 0;
   for (std::uint32_t mini = 0; mini < 4; ++mini) {

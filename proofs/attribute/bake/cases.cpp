@@ -297,11 +297,9 @@ float drawn_float(Random& random, std::uint64_t kind, std::uint32_t base) {
     return std::bit_cast<float>(sign | static_cast<std::uint32_t>(exponent + 127) << 23 | fraction);
   };
   switch (kind) {
-    case 0:
-      return std::fabs(with_exponent(random.between(-10, 14)));
+    case 0: return std::fabs(with_exponent(random.between(-10, 14)));
     case 1:
-    case 9:
-      return with_exponent(random.below(2) == 0 ? random.between(95, 105) : random.between(-105, -95));
+    case 9: return with_exponent(random.below(2) == 0 ? random.between(95, 105) : random.between(-105, -95));
     case 2: {  // x, -x, and x 2^-40
       const float one = std::bit_cast<float>(base);
       const std::uint64_t which = random.below(5);
@@ -310,14 +308,10 @@ float drawn_float(Random& random, std::uint64_t kind, std::uint32_t base) {
     case 3:
       return std::bit_cast<float>(sign | (random.below(2) == 0 ? fraction >> random.below(23) : any % 4));
     case 4:
-    case 8:
-      return std::bit_cast<float>(base + any % 2);
-    case 7:
-      return with_exponent(random.below(8) == 0 ? 30 : 0);
-    case 5:
-      return random.below(3) == 0 ? with_exponent(0) : std::bit_cast<float>(sign);
-    default:
-      return with_exponent(random.between(-126, 127));
+    case 8: return std::bit_cast<float>(base + any % 2);
+    case 7: return with_exponent(random.below(8) == 0 ? 30 : 0);
+    case 5: return random.below(3) == 0 ? with_exponent(0) : std::bit_cast<float>(sign);
+    default: return with_exponent(random.between(-126, 127));
   }
 }
 

@@ -1,7 +1,5 @@
 #include "proofs/attribute/bake/truth.hpp"
 
-#include <bit>
-
 namespace mmverify::proofs::attribute {
 namespace {
 

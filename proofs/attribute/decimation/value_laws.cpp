@@ -171,15 +171,9 @@ points::FloatPair floats_at_moved_edges(Level n, std::uint64_t seed, std::uint64
     const double whole = static_cast<double>(random.below(side(n) + 1));
     double x = whole, y = near;
     switch (random.below(3)) {
-      case 0:
-        x = whole - 2 * near;
-        break;
-      case 1:
-        x = near, y = whole - 2 * near;
-        break;
-      default:
-        x = (N - whole) + near, y = whole - 2 * near;
-        break;
+      case 0: x = whole - 2 * near; break;
+      case 1: x = near, y = whole - 2 * near; break;
+      default: x = (N - whole) + near, y = whole - 2 * near; break;
     }
     p = {static_cast<float>(std::clamp(x / N, 0.0, 1.0)), static_cast<float>(std::clamp(y / N, 0.0, 1.0))};
     for (std::uint64_t ulps = random.below(3); ulps > 0; --ulps)

@@ -28,14 +28,10 @@ bool is_rounded(Rounding r, const Codes& x, std::uint32_t m) {
   const auto sum = static_cast<std::int64_t>(x[0] + x[1] + x[2] + x[3]),
              off = 4 * static_cast<std::int64_t>(m) - sum;
   switch (r) {
-    case Rounding::half_up:
-      return -2 < off && off <= 2;
-    case Rounding::half_to_even:
-      return (-2 < off && off < 2) || ((off == 2 || off == -2) && m % 2 == 0);
-    case Rounding::truncate:
-      return -4 < off && off <= 0;
-    case Rounding::halves_up:
-      break;
+    case Rounding::half_up: return -2 < off && off <= 2;
+    case Rounding::half_to_even: return (-2 < off && off < 2) || ((off == 2 || off == -2) && m % 2 == 0);
+    case Rounding::truncate: return -4 < off && off <= 0;
+    case Rounding::halves_up: break;
   }
   return m == ((x[0] + x[1] + 1) / 2 + (x[2] + x[3] + 1) / 2 + 1) / 2;
 }

@@ -192,14 +192,10 @@ struct ChainCase {
 /// Four children whose mean rounds to x with the greatest error.
 Codes worst_children(Rounding r, std::uint32_t x) {
   switch (r) {
-    case Rounding::half_up:
-      return {x, x, x - 1, x - 1};  // sum 4x - 2
-    case Rounding::half_to_even:
-      return x % 2 == 0 ? Codes{x, x, x - 1, x - 1} : Codes{x, x, x, x};
-    case Rounding::truncate:
-      return {x + 1, x + 1, x + 1, x};  // sum 4x + 3
-    case Rounding::halves_up:
-      break;
+    case Rounding::half_up: return {x, x, x - 1, x - 1};  // sum 4x - 2
+    case Rounding::half_to_even: return x % 2 == 0 ? Codes{x, x, x - 1, x - 1} : Codes{x, x, x, x};
+    case Rounding::truncate: return {x + 1, x + 1, x + 1, x};  // sum 4x + 3
+    case Rounding::halves_up: break;
   }
   return {x - 1, x, x - 2, x - 1};  // x and x - 1, then x: sum 4x - 4
 }
@@ -236,12 +232,9 @@ struct ErrorBound {
 ErrorBound quarters_a_level(Rounding r) {
   switch (r) {
     case Rounding::half_up:
-    case Rounding::half_to_even:
-      return {2, 2};
-    case Rounding::truncate:
-      return {0, 3};
-    case Rounding::halves_up:
-      break;
+    case Rounding::half_to_even: return {2, 2};
+    case Rounding::truncate: return {0, 3};
+    case Rounding::halves_up: break;
   }
   return {4, 0};
 }

@@ -225,12 +225,9 @@ Law walk_law() {
 std::uint32_t face_index_of_point(FaceOrder order, Level n, const MicroTriangle& t) {
   const points::GridPoint inside = points::representative(points::MicroTriangle{t.iu, t.iv, t.upper}, n);
   switch (order) {
-    case FaceOrder::curve:
-      return spec::index::reference(inside, n);
-    case FaceOrder::rows:
-      return spec::index::w_minor(inside, n);
-    case FaceOrder::u_major:
-      break;
+    case FaceOrder::curve: return spec::index::reference(inside, n);
+    case FaceOrder::rows: return spec::index::w_minor(inside, n);
+    case FaceOrder::u_major: break;
   }
   // The faces from column iu on form a triangle with N-iu on a side.
   const std::uint64_t left = spec::side(n) - t.iu;

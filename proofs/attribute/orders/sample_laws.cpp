@@ -1,5 +1,4 @@
 // Laws of orders on samples of the levels that are too high for the sweeps of the fast tier.
-#include <cmath>
 
 #include "proofs/attribute/laws.hpp"
 #include "proofs/attribute/orders/parts.hpp"

@@ -38,12 +38,9 @@ VertexWalks::VertexWalks(Level n) {
 
 std::uint32_t VertexWalks::index(VertexOrder order, const Vertex& at) const {
   switch (order) {
-    case VertexOrder::w_minor:
-      return rows_[at.i + at.j] + at.j;
-    case VertexOrder::u_major:
-      return columns_[at.i] + at.j;
-    case VertexOrder::bird:
-      break;
+    case VertexOrder::w_minor: return rows_[at.i + at.j] + at.j;
+    case VertexOrder::u_major: return columns_[at.i] + at.j;
+    case VertexOrder::bird: break;
   }
   return bird_[columns_[at.i] + at.j];
 }
@@ -68,16 +65,13 @@ using spec::attribute::vertex_orders;
 std::uint32_t number(Random& random, std::uint32_t last) {
   const auto any = [&] { return static_cast<std::uint32_t>(random.below(std::uint64_t{last} + 1)); };
   switch (random.below(4)) {
-    case 0:
-      return std::min<std::uint32_t>(last, static_cast<std::uint32_t>(random.below(3)));
-    case 1:
-      return last - std::min<std::uint32_t>(last, static_cast<std::uint32_t>(random.below(3)));
+    case 0: return std::min<std::uint32_t>(last, static_cast<std::uint32_t>(random.below(3)));
+    case 1: return last - std::min<std::uint32_t>(last, static_cast<std::uint32_t>(random.below(3)));
     case 2: {
       const std::int64_t power = std::int64_t{1} << random.below(17);
       return static_cast<std::uint32_t>(std::clamp<std::int64_t>(power + random.between(-1, 1), 0, last));
     }
-    default:
-      return any();
+    default: return any();
   }
 }
 
@@ -127,10 +121,8 @@ Vertex drawn_vertex(Level n, std::uint64_t k, std::uint64_t seed) {
       return from_corner(random.below(3), N, a, b);
     }
     case 5:
-    case 6:
-      return of_index(random, n, std::uint64_t{1} << random.below(32));
-    default:
-      return of_index(random, n, random.below(vertex_count(n)) >> 16 << 16);
+    case 6: return of_index(random, n, std::uint64_t{1} << random.below(32));
+    default: return of_index(random, n, random.below(vertex_count(n)) >> 16 << 16);
   }
 }
 

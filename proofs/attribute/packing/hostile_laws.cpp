@@ -65,31 +65,17 @@ Bytes harmed(const HarmedCase& one) {
     bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ 1u << random.below(8));
   };
   switch (one.harm) {
-    case Harm::bit:
-      flip(in(0, bytes.size()));
-      break;
-    case Harm::byte:
-      bytes[in(0, bytes.size())] = static_cast<std::uint8_t>(random.below(256));
-      break;
-    case Harm::cut:
-      bytes.resize(static_cast<std::size_t>(random.below(bytes.size())));
-      break;
-    case Harm::longer:
-      bytes.resize(bytes.size() + 1 + random.below(5));
-      break;
-    case Harm::unused_bits:
-      bytes.back() = static_cast<std::uint8_t>(bytes.back() | 128);
-      break;
+    case Harm::bit: flip(in(0, bytes.size())); break;
+    case Harm::byte: bytes[in(0, bytes.size())] = static_cast<std::uint8_t>(random.below(256)); break;
+    case Harm::cut: bytes.resize(static_cast<std::size_t>(random.below(bytes.size()))); break;
+    case Harm::longer: bytes.resize(bytes.size() + 1 + random.below(5)); break;
+    case Harm::unused_bits: bytes.back() = static_cast<std::uint8_t>(bytes.back() | 128); break;
     case Harm::start:
       // Flips a bit of the last start, which belongs to the ninth block or a later one if there are so many.
       flip(parts.widths > parts.starts ? parts.widths - 4 : in(0, bytes.size()));
       break;
-    case Harm::width:
-      flip(in(parts.widths, parts.bits));
-      break;
-    case Harm::wider:
-      widen_last(shape, bytes);
-      break;
+    case Harm::width: flip(in(parts.widths, parts.bits)); break;
+    case Harm::wider: widen_last(shape, bytes); break;
   }
   return bytes;
 }

@@ -1,7 +1,5 @@
 #include "proofs/index/mutants.hpp"
 
-#include <cmath>
-
 #include "proofs/index/binary32/law.hpp"
 #include "proofs/index/binary32/lemmas.hpp"
 

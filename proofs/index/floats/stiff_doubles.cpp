@@ -83,19 +83,14 @@ DoublePair uniform(Random& random) {
 
 DoublePair candidate(Level n, Random& random, std::uint64_t kind) {
   switch (kind) {
-    case 0:
-      return near_lines(n, random);
-    case 1:
-      return near_diagonal(n, random);
-    case 2:
-      return straddling(n, random);
-    case 3:
-      return near_hypotenuse(random);
+    case 0: return near_lines(n, random);
+    case 1: return near_diagonal(n, random);
+    case 2: return straddling(n, random);
+    case 3: return near_hypotenuse(random);
     case 4:
       return random.below(2) == 0 ? DoublePair{special(random), special(random)}
                                   : DoublePair{special(random), nudged(line(n, 1, random), random)};
-    default:
-      return uniform(random);
+    default: return uniform(random);
   }
 }
 

@@ -64,14 +64,10 @@ FloatPair at_corner(Level n, Random& random) {
 
 FloatPair candidate(Level n, Random& random, std::uint64_t kind) {
   switch (kind) {
-    case 0:
-      return near_row(n, random);
-    case 1:
-      return near_column(n, random);
-    case 2:
-      return beside_nothing(n, random);
-    default:
-      return at_corner(n, random);
+    case 0: return near_row(n, random);
+    case 1: return near_column(n, random);
+    case 2: return beside_nothing(n, random);
+    default: return at_corner(n, random);
   }
 }
 

@@ -48,12 +48,9 @@ Term said(const char* predicate, const Term& M, const State& s) {
 
 const char* name(Place place) {
   switch (place) {
-    case Place::hypotenuse:
-      return "hypotenuse";
-    case Place::upright:
-      return "upright";
-    case Place::middle:
-      return "middle";
+    case Place::hypotenuse: return "hypotenuse";
+    case Place::upright: return "upright";
+    case Place::middle: return "middle";
   }
   return "?";
 }

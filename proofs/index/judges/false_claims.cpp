@@ -35,12 +35,9 @@ Run keeping_one(const Run& run) {
 /// Significant bits of the subject's numbers.
 int precision(Arithmetic a) {
   switch (a) {
-    case Arithmetic::binary16:
-      return 11;
-    case Arithmetic::binary32:
-      return 24;
-    default:
-      return 53;
+    case Arithmetic::binary16: return 11;
+    case Arithmetic::binary32: return 24;
+    default: return 53;
   }
 }
 

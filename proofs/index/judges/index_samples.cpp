@@ -41,8 +41,7 @@ std::uint32_t sampled_index(Level n, std::uint64_t seed, std::uint64_t sample) {
       const std::int64_t k = random.between(0, 1023);
       return within(random.below(2) == 0 ? k : static_cast<std::int64_t>(all) - 1 - k);
     }
-    default:
-      return static_cast<std::uint32_t>(any);
+    default: return static_cast<std::uint32_t>(any);
   }
 }
 

@@ -112,17 +112,10 @@ Rational ulp(const Rational& x, Arithmetic arithmetic) {
   };
   Format format{};
   switch (arithmetic) {
-    case Arithmetic::exact:
-      return Rational(spec::Integer(0));
-    case Arithmetic::binary16:
-      format = {11, -24};
-      break;
-    case Arithmetic::binary32:
-      format = {24, -149};
-      break;
-    case Arithmetic::binary64:
-      format = {53, -1074};
-      break;
+    case Arithmetic::exact: return Rational(spec::Integer(0));
+    case Arithmetic::binary16: format = {11, -24}; break;
+    case Arithmetic::binary32: format = {24, -149}; break;
+    case Arithmetic::binary64: format = {53, -1074}; break;
   }
   int exponent = format.least_exponent;
   if (const double value = nearest(x); value != 0) std::frexp(value, &exponent);

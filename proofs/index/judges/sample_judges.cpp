@@ -65,18 +65,14 @@ InCell random_in_cell(Level n, Random& random) {
   };
   const Rational zero = part(0, 1), one = part(1, 1);
   switch (random.below(5)) {
-    case 0:
-      return {point(part(a, d), zero), point(part(1, 2), zero), Kind::edge};
-    case 1:
-      return {point(zero, part(a, d)), point(zero, part(1, 2)), Kind::edge};
-    case 2:
-      return {point(part(a, d), one - part(a, d)), point(part(1, 2), part(1, 2)), Kind::edge};
+    case 0: return {point(part(a, d), zero), point(part(1, 2), zero), Kind::edge};
+    case 1: return {point(zero, part(a, d)), point(zero, part(1, 2)), Kind::edge};
+    case 2: return {point(part(a, d), one - part(a, d)), point(part(1, 2), part(1, 2)), Kind::edge};
     case 3:
       if (i + j + 1 < N)
         return {point(one - part(a, d), one - part(b, d)), point(part(3, 4), part(3, 4)), Kind::interior};
       [[fallthrough]];
-    default:
-      return {point(part(a, d), part(b, d)), point(part(1, 4), part(1, 4)), Kind::interior};
+    default: return {point(part(a, d), part(b, d)), point(part(1, 4), part(1, 4)), Kind::interior};
   }
 }
 

@@ -1,7 +1,5 @@
 #include "proofs/index/source/law.hpp"
 
-#include <charconv>
-
 #include "proofs/engine/interrupt.hpp"
 #include "proofs/engine/shape.hpp"
 #include "proofs/index/floats/published.hpp"

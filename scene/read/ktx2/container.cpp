@@ -222,13 +222,10 @@ std::size_t bytes_of(Ktx2Number number) noexcept {
 
 std::size_t unit_bytes(const Ktx2& ktx2) {
   switch (ktx2.coding) {
-    case Ktx2Coding::plain:
-      return ktx2.channels * bytes_of(ktx2.number);
+    case Ktx2Coding::plain: return ktx2.channels * bytes_of(ktx2.number);
     case Ktx2Coding::bc1:
-    case Ktx2Coding::opaque_8:
-      return 8;
-    default:
-      return 16;
+    case Ktx2Coding::opaque_8: return 8;
+    default: return 16;
   }
 }
 

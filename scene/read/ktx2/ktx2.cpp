@@ -227,16 +227,11 @@ decltype(Image::alpha) alpha_of_bc(const Ktx2& ktx2) {
   std::vector<unsigned char> storage;
   const Ktx2Bytes level = level_of(ktx2, storage);
   switch (ktx2.coding) {
-    case Ktx2Coding::bc1:
-      return alpha_of_blocks(ktx2.width, ktx2.height, level, 8, alpha_of_bc1);
-    case Ktx2Coding::bc2:
-      return alpha_of_blocks(ktx2.width, ktx2.height, level, 16, alpha_of_bc2);
-    case Ktx2Coding::bc3:
-      return alpha_of_blocks(ktx2.width, ktx2.height, level, 16, alpha_of_bc3);
-    case Ktx2Coding::bc7:
-      return alpha_of_blocks(ktx2.width, ktx2.height, level, 16, alpha_of_bc7);
-    default:
-      return std::vector<std::uint8_t>(std::size_t{ktx2.width} * ktx2.height, 255);
+    case Ktx2Coding::bc1: return alpha_of_blocks(ktx2.width, ktx2.height, level, 8, alpha_of_bc1);
+    case Ktx2Coding::bc2: return alpha_of_blocks(ktx2.width, ktx2.height, level, 16, alpha_of_bc2);
+    case Ktx2Coding::bc3: return alpha_of_blocks(ktx2.width, ktx2.height, level, 16, alpha_of_bc3);
+    case Ktx2Coding::bc7: return alpha_of_blocks(ktx2.width, ktx2.height, level, 16, alpha_of_bc7);
+    default: return std::vector<std::uint8_t>(std::size_t{ktx2.width} * ktx2.height, 255);
   }
 }
 

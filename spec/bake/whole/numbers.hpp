@@ -5,7 +5,6 @@
 #include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
-#include <limits>
 #include <stdexcept>
 
 #include "spec/bake/texture.hpp"

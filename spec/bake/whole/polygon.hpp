@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <utility>
 
 #include "spec/bake/whole/texture.hpp"
 #include "spec/index/index.hpp"

@@ -1,9 +1,7 @@
 // The numbers of one slot, which the subject has answered.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 
 #include "subjects/dock/desk/caller.hpp"

@@ -1,7 +1,6 @@
 // A question on a map, a code or a case, with the subject's answer.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -24,10 +24,8 @@ bool takes_any_bytes(const Blob& blob) {
     case Call::vq2_decode:
     case Call::vq2_region:
     case Call::vq4_decode:
-    case Call::vq4_region:
-      return true;
-    default:
-      return false;
+    case Call::vq4_region: return true;
+    default: return false;
   }
 }
 

@@ -68,8 +68,7 @@ std::uint64_t answer_bytes_of(F called, std::uint64_t room) {
 std::uint64_t call(const mmverify_subject_t& subject, Call entry, const Arguments& a) {
   switch (entry) {
 #define MMVERIFY_CASE(name, topic, values, arguments) \
-  case Call::name:                                    \
-    return answer_bytes_of([&] { return Called(subject.name, a.manner) arguments; }, a.room);
+  case Call::name: return answer_bytes_of([&] { return Called(subject.name, a.manner) arguments; }, a.room);
     MMVERIFY_ENTRY_POINTS(MMVERIFY_CASE)
 #undef MMVERIFY_CASE
   }

@@ -51,26 +51,15 @@ locale_t utf_8_locale() {
 Surroundings::Surroundings(Manner manner) : manner_(manner) {
   switch (manner) {
     case Manner::plain:
-    case Manner::upper_halves:
-      break;
-    case Manner::errno_range:
-      errno = ERANGE;
-      break;
-    case Manner::errno_invalid:
-      errno = EINVAL;
-      break;
-    case Manner::exceptions:
-      raise_all_exceptions();
-      break;
+    case Manner::upper_halves: break;
+    case Manner::errno_range: errno = ERANGE; break;
+    case Manner::errno_invalid: errno = EINVAL; break;
+    case Manner::exceptions: raise_all_exceptions(); break;
     case Manner::utf_8:
       if (const locale_t it = utf_8_locale(); it != nullptr) before_ = uselocale(it);
       break;
-    case Manner::deep_stack:
-      leave_garbage(within_the_stack(deep));
-      break;
-    case Manner::shallow_stack:
-      leave_garbage(within_the_stack(shallow));
-      break;
+    case Manner::deep_stack: leave_garbage(within_the_stack(deep)); break;
+    case Manner::shallow_stack: leave_garbage(within_the_stack(shallow)); break;
   }
 }
 

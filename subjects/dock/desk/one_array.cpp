@@ -1,7 +1,6 @@
 // Asks with one array for two inputs that hold the same numbers: nothing forbids a caller to do so.
 #include <algorithm>
 #include <cstring>
-#include <string>
 
 #include "subjects/dock/desk/provocations.hpp"
 

@@ -2,7 +2,6 @@
 // another.
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <numeric>
 #include <string>
 

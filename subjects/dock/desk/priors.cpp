@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <string>
 
 #include "subjects/dock/desk/provocations.hpp"
 
@@ -33,16 +32,11 @@ constexpr std::uint32_t first_over_all = 16;
 /// Whether number k of `count` is right. The first and the last one are right as well where a half is.
 bool is_right(Prior prior, std::size_t k, std::size_t count) {
   switch (prior) {
-    case Prior::right_ends:
-      return k == 0 || k + 1 == count;
-    case Prior::right_first_half:
-      return k < (count + 1) / 2 || k + 1 == count;
-    case Prior::right_last_half:
-      return k == 0 || k >= count / 2;
-    case Prior::right_every_other:
-      return k % 2 == 0;
-    default:
-      return false;
+    case Prior::right_ends: return k == 0 || k + 1 == count;
+    case Prior::right_first_half: return k < (count + 1) / 2 || k + 1 == count;
+    case Prior::right_last_half: return k == 0 || k >= count / 2;
+    case Prior::right_every_other: return k % 2 == 0;
+    default: return false;
   }
 }
 

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "subjects/dock/desk/caller.hpp"
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <optional>
+#include <vector>
 
 namespace mmverify::shaders {
 namespace {
@@ -111,14 +112,12 @@ void Device::make_instance(bool validation) {
     info.ppEnabledExtensionNames = &extension;
   }
   switch (const VkResult result = vkCreateInstance(&info, nullptr, &instance_)) {
-    case VK_SUCCESS:
-      break;
+    case VK_SUCCESS: break;
     case VK_ERROR_LAYER_NOT_PRESENT:
       throw NoDevice("the Vulkan validation layer was asked for and is not there");
     case VK_ERROR_INCOMPATIBLE_DRIVER:
       throw NoDevice("no Vulkan driver is installed (Debian: mesa-vulkan-drivers)");
-    default:
-      throw NoDevice("no Vulkan instance: VkResult " + std::to_string(result));
+    default: throw NoDevice("no Vulkan instance: VkResult " + std::to_string(result));
   }
   if (!validation) return;
   const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(

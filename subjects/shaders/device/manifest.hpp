@@ -2,7 +2,6 @@
 // worker reads it.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

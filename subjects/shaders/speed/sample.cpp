@@ -21,14 +21,10 @@ bool is_hit(const Lookup& lookup, std::uint32_t number, const std::uint32_t* in)
     return static_cast<std::uint32_t>(std::uint64_t{number} >> 2 * (deepest - level));
   };
   switch (lookup.inputs) {
-    case Inputs::points:
-      return point(in) == number;
-    case Inputs::points_of_map:
-      return in[0] == 0 && point(in + 1) == number;
-    case Inputs::indices:
-      return in[0] == above(*lookup.level);
-    case Inputs::square:
-      break;
+    case Inputs::points: return point(in) == number;
+    case Inputs::points_of_map: return in[0] == 0 && point(in + 1) == number;
+    case Inputs::indices: return in[0] == above(*lookup.level);
+    case Inputs::square: break;
   }
   std::uint32_t cell = 0;
   for (std::uint32_t bit = 0; bit < lookup.side; ++bit)

@@ -187,59 +187,39 @@ class Encoder {
     const auto x = [&](std::size_t k) -> const Number& { return of(node, k).number; };
     const Format format = format_of(node.type.bits == 64 ? 64 : 32);
     switch (node.op) {
-      case Op::input_u:
-        return is(n.of_bits(u_bits_, u_.negative, u_.first, u_.last));
-      case Op::input_v:
-        return is(n.of_bits(v_bits_, v_.negative, v_.first, v_.last));
-      case Op::constant:
-        return is(n.of_constant(node.numbers[0], node.type.bits));
-      case Op::unset:
-        poison_where("true");
-        return is(n.of_constant(0, node.type.bits));
-      case Op::table:
-        return is(n.of_bits(looked_up(node)));
+      case Op::input_u: return is(n.of_bits(u_bits_, u_.negative, u_.first, u_.last));
+      case Op::input_v: return is(n.of_bits(v_bits_, v_.negative, v_.first, v_.last));
+      case Op::constant: return is(n.of_constant(node.numbers[0], node.type.bits));
+      case Op::unset: poison_where("true"); return is(n.of_constant(0, node.type.bits));
+      case Op::table: return is(n.of_bits(looked_up(node)));
       case Op::read:
       case Op::freeze:
         if (node.op == Op::read || of(node, 0).poison == "false") return of(node, 0);
         return is(n.chosen(of(node, 0).poison, n.of_bits(d.free_word(node.type.bits)), x(0)));
-      case Op::float_of:
-        return is(n.of_bits(word(node, 0)));
-      case Op::fadd:
-        return is(n.sum(x(0), x(1)));
-      case Op::fsub:
-        return is(n.sum(x(0), n.negative_of(x(1))));
-      case Op::fmul:
-        return is(n.product(x(0), x(1)));
+      case Op::float_of: return is(n.of_bits(word(node, 0)));
+      case Op::fadd: return is(n.sum(x(0), x(1)));
+      case Op::fsub: return is(n.sum(x(0), n.negative_of(x(1))));
+      case Op::fmul: return is(n.product(x(0), x(1)));
       case Op::fdiv:
         if (auto q = n.quotient(x(0), x(1))) return is(*q);
         not_encoded(node, "by what is no power of two");
-      case Op::fma:
-        return is(n.fused(x(0), x(1), x(2)));
-      case Op::fneg:
-        return is(n.negative_of(x(0)));
-      case Op::fabs:
-        return is(n.size_of(x(0)));
-      case Op::copysign:
-        return is(n.with_sign_of(x(0), x(1)));
+      case Op::fma: return is(n.fused(x(0), x(1), x(2)));
+      case Op::fneg: return is(n.negative_of(x(0)));
+      case Op::fabs: return is(n.size_of(x(0)));
+      case Op::copysign: return is(n.with_sign_of(x(0), x(1)));
       case Op::fmin:
-      case Op::fmax:
-        return is(n.lesser(x(0), x(1), node.op == Op::fmax));
+      case Op::fmax: return is(n.lesser(x(0), x(1), node.op == Op::fmax));
       case Op::floor:
       case Op::ceil:
       case Op::ftrunc:
       case Op::round:
-      case Op::roundeven:
-        return is(n.whole(node.op, x(0)));
+      case Op::roundeven: return is(n.whole(node.op, x(0)));
       case Op::uitofp:
-      case Op::sitofp:
-        return is(n.of_word(word(node, 0), of(node, 0).most, node.op == Op::sitofp, format));
+      case Op::sitofp: return is(n.of_word(word(node, 0), of(node, 0).most, node.op == Op::sitofp, format));
       case Op::fpext:
-      case Op::fptrunc:
-        return is(n.converted(x(0), format));
-      case Op::fcmp:
-        return is(n.compared(static_cast<unsigned>(node.numbers[0]), x(0), x(1)));
-      default:
-        not_encoded(node, "no such number");
+      case Op::fptrunc: return is(n.converted(x(0), format));
+      case Op::fcmp: return is(n.compared(static_cast<unsigned>(node.numbers[0]), x(0), x(1)));
+      default: not_encoded(node, "no such number");
     }
   }
 
@@ -247,10 +227,8 @@ class Encoder {
     const Number& x = of(node, 0).number;
     const unsigned bits = node.type.bits;
     switch (node.op) {
-      case Op::poisoned:
-        return is(must_not_be_used(of(node, 0)));
-      case Op::bits_of:
-        return is(d_numbers.to_bits(x), mask(bits));
+      case Op::poisoned: return is(must_not_be_used(of(node, 0)));
+      case Op::bits_of: return is(d_numbers.to_bits(x), mask(bits));
       case Op::fptoui:
       case Op::fptosi: {
         const Numbers::Word w = d_numbers.to_word(x, bits, node.op == Op::fptosi);
@@ -260,22 +238,18 @@ class Encoder {
       case Op::fptoui_sat:
       case Op::fptosi_sat:
         return is(d_numbers.to_word_saturated(x, bits, node.op == Op::fptosi_sat), mask(bits));
-      default:
-        not_encoded(node, "no such word");
+      default: not_encoded(node, "no such word");
     }
   }
 
   Value word_value(const Node& node) {
     const unsigned bits = node.type.bits;
     switch (node.op) {
-      case Op::constant:
-        return is(constant(node.numbers[0], bits), node.numbers[0]);
-      case Op::unset:
-        return is(zeros(bits), 0);
+      case Op::constant: return is(constant(node.numbers[0], bits), node.numbers[0]);
+      case Op::unset: return is(zeros(bits), 0);
       case Op::table:
         return is(looked_up(node), *std::max_element(node.numbers.begin() + 1, node.numbers.end()));
-      case Op::read:
-        return of(node, 0);
+      case Op::read: return of(node, 0);
       case Op::freeze: {
         const Condition open = must_not_be_used(of(node, 0));
         if (open == "false") return of(node, 0);
@@ -283,43 +257,32 @@ class Encoder {
                    some = with_free_bits(d, {word(node, 0), of(node, 0).unset}, free);
         return is(d.choose_word(of(node, 0).poison, free, some), mask(bits));
       }
-      case Op::poisoned:
-        return is(must_not_be_used(of(node, 0)));
-      case Op::zext:
-        return is(d.widened(word(node, 0), bits), of(node, 0).most);
+      case Op::poisoned: return is(must_not_be_used(of(node, 0)));
+      case Op::zext: return is(d.widened(word(node, 0), bits), of(node, 0).most);
       case Op::sext: {
         const unsigned from = program_.nodes[node.of[0]].type.bits;
         const std::uint64_t most = of(node, 0).most;
         return is(d.widened_with_sign(word(node, 0), bits),
                   most < std::uint64_t{1} << (from - 1) ? most : mask(bits));
       }
-      case Op::trunc:
-        return is(d.lowest(word(node, 0), bits), std::min(of(node, 0).most, mask(bits)));
+      case Op::trunc: return is(d.lowest(word(node, 0), bits), std::min(of(node, 0).most, mask(bits)));
       case Op::ctpop:
       case Op::ctlz:
       case Op::cttz:
       case Op::bswap:
       case Op::bitreverse:
-      case Op::abs:
-        return one_word(node);
+      case Op::abs: return one_word(node);
       case Op::fshl:
       case Op::fshr:
         if (!std::has_single_bit(bits)) not_encoded(node, "of words of another size than a power of two");
         return is(funnelled(d, node.op, word(node, 0), word(node, 1), word(node, 2)), mask(bits));
-      case Op::eq:
-        return is(d.equal(word(node, 0), word(node, 1)));
-      case Op::ne:
-        return is(negated(d.equal(word(node, 0), word(node, 1))));
-      case Op::ult:
-        return is(d.below(word(node, 0), word(node, 1)));
-      case Op::ule:
-        return is(negated(d.below(word(node, 1), word(node, 0))));
-      case Op::slt:
-        return is(d.asked("bvslt", word(node, 0), word(node, 1)));
-      case Op::sle:
-        return is(d.asked("bvsle", word(node, 0), word(node, 1)));
-      default:
-        return two_words(node);
+      case Op::eq: return is(d.equal(word(node, 0), word(node, 1)));
+      case Op::ne: return is(negated(d.equal(word(node, 0), word(node, 1))));
+      case Op::ult: return is(d.below(word(node, 0), word(node, 1)));
+      case Op::ule: return is(negated(d.below(word(node, 1), word(node, 0))));
+      case Op::slt: return is(d.asked("bvslt", word(node, 0), word(node, 1)));
+      case Op::sle: return is(d.asked("bvsle", word(node, 0), word(node, 1)));
+      default: return two_words(node);
     }
   }
 
@@ -364,8 +327,7 @@ class Encoder {
         return is(sum, mask(bits));
       }
       case Op::bswap:
-      case Op::bitreverse:
-        return is(turned(d, node.op, a), mask(bits));
+      case Op::bitreverse: return is(turned(d, node.op, a), mask(bits));
       default: {
         const Condition negative = d.bit(a, bits - 1);
         if (node.flags & defined_at_all_but_zero)
@@ -453,23 +415,18 @@ class Encoder {
         const bool fits = most_a <= all - most_b;
         return arithmetic(node, "bvadd", of_both, fits ? most_a + most_b : all);
       }
-      case Op::sub:
-        return arithmetic(node, "bvsub", of_both, all);
+      case Op::sub: return arithmetic(node, "bvsub", of_both, all);
       case Op::mul: {
         const bool fits = most_b == 0 || most_a <= all / most_b;
         return arithmetic(node, "bvmul", of_both, fits ? most_a * most_b : all);
       }
       case Op::udiv:
-      case Op::sdiv:
-        return quotient(node, of_both);
-      case Op::urem:
-        return is(d.binary("bvurem", a, b), most_a);
-      case Op::srem:
-        return is(d.binary("bvsrem", a, b), all);
+      case Op::sdiv: return quotient(node, of_both);
+      case Op::urem: return is(d.binary("bvurem", a, b), most_a);
+      case Op::srem: return is(d.binary("bvsrem", a, b), all);
       case Op::shl:
       case Op::lshr:
-      case Op::ashr:
-        return shifted(node, of_both);
+      case Op::ashr: return shifted(node, of_both);
       case Op::bit_and:
         return bits == 1 ? is(both(of(node, 0).condition, of(node, 1).condition))
                          : is(d.binary("bvand", a, b), std::min(most_a, most_b));
@@ -479,24 +436,15 @@ class Encoder {
       case Op::bit_xor:
         return bits == 1 ? is(differ(of(node, 0).condition, of(node, 1).condition))
                          : is(d.binary("bvxor", a, b), mask_of(most_a | most_b));
-      case Op::umin:
-        return chosen(d.below(a, b), std::min(most_a, most_b));
-      case Op::umax:
-        return chosen(d.below(b, a), std::max(most_a, most_b));
-      case Op::smin:
-        return chosen(d.asked("bvslt", a, b), all);
-      case Op::smax:
-        return chosen(d.asked("bvslt", b, a), all);
-      case Op::uadd_sat:
-        return saturated("bvadd", of_both, false);
-      case Op::usub_sat:
-        return saturated("bvsub", of_both, false);
-      case Op::sadd_sat:
-        return saturated("bvadd", of_both, true);
-      case Op::ssub_sat:
-        return saturated("bvsub", of_both, true);
-      default:
-        not_encoded(node, "no such word");
+      case Op::umin: return chosen(d.below(a, b), std::min(most_a, most_b));
+      case Op::umax: return chosen(d.below(b, a), std::max(most_a, most_b));
+      case Op::smin: return chosen(d.asked("bvslt", a, b), all);
+      case Op::smax: return chosen(d.asked("bvslt", b, a), all);
+      case Op::uadd_sat: return saturated("bvadd", of_both, false);
+      case Op::usub_sat: return saturated("bvsub", of_both, false);
+      case Op::sadd_sat: return saturated("bvadd", of_both, true);
+      case Op::ssub_sat: return saturated("bvsub", of_both, true);
+      default: not_encoded(node, "no such word");
     }
   }
 

@@ -44,19 +44,14 @@ bool keeps_bits(Op op, std::size_t operand) {
     case Op::trunc:
     case Op::bswap:
     case Op::bitreverse:
-    case Op::read:
-      return true;
+    case Op::read: return true;
     case Op::shl:
     case Op::lshr:
-    case Op::ashr:
-      return operand == 0;
+    case Op::ashr: return operand == 0;
     case Op::fshl:
-    case Op::fshr:
-      return operand < 2;
-    case Op::select:
-      return operand > 0;
-    default:
-      return false;
+    case Op::fshr: return operand < 2;
+    case Op::select: return operand > 0;
+    default: return false;
   }
 }
 
@@ -82,8 +77,7 @@ Bits shadow_of(Definitions& d, const Node& node, const std::vector<Shadowed>& of
   const auto unset = [&](std::size_t k) -> const Bits& { return of[k].unset; };
   const auto full = [&](std::size_t k) { return is_zero(unset(k)) ? zeros(of[k].word.width) : unset(k); };
   switch (node.op) {
-    case Op::read:
-      return unset(0);
+    case Op::read: return unset(0);
     case Op::bit_and:
     case Op::bit_or: {
       // A bit that was set, to 0 for `and` or to 1 for `or`, decides the result and hides the other bit.
@@ -93,32 +87,21 @@ Bits shadow_of(Definitions& d, const Node& node, const std::vector<Shadowed>& of
       const Bits both = common(d, unset(0), unset(1));
       return either_of(d, both, either_of(d, common(d, unset(0), shows(1)), common(d, shows(0), unset(1))));
     }
-    case Op::bit_xor:
-      return either_of(d, unset(0), unset(1));
+    case Op::bit_xor: return either_of(d, unset(0), unset(1));
     case Op::add:
     case Op::sub:
-    case Op::mul:
-      return from_the_lowest(d, either_of(d, unset(0), unset(1)));
-    case Op::zext:
-      return kept(d.widened(unset(0), node.type.bits));
-    case Op::sext:
-      return kept(d.widened_with_sign(unset(0), node.type.bits));
-    case Op::trunc:
-      return kept(d.lowest(unset(0), node.type.bits));
+    case Op::mul: return from_the_lowest(d, either_of(d, unset(0), unset(1)));
+    case Op::zext: return kept(d.widened(unset(0), node.type.bits));
+    case Op::sext: return kept(d.widened_with_sign(unset(0), node.type.bits));
+    case Op::trunc: return kept(d.lowest(unset(0), node.type.bits));
     case Op::bswap:
-    case Op::bitreverse:
-      return turned(d, node.op, unset(0));
-    case Op::shl:
-      return kept(d.binary("bvshl", unset(0), of[1].word));
-    case Op::lshr:
-      return kept(d.binary("bvlshr", unset(0), of[1].word));
-    case Op::ashr:
-      return kept(d.binary("bvashr", unset(0), of[1].word));
+    case Op::bitreverse: return turned(d, node.op, unset(0));
+    case Op::shl: return kept(d.binary("bvshl", unset(0), of[1].word));
+    case Op::lshr: return kept(d.binary("bvlshr", unset(0), of[1].word));
+    case Op::ashr: return kept(d.binary("bvashr", unset(0), of[1].word));
     case Op::fshl:
-    case Op::fshr:
-      return kept(funnelled(d, node.op, full(0), full(1), of[2].word));
-    default:
-      return {};
+    case Op::fshr: return kept(funnelled(d, node.op, full(0), full(1), of[2].word));
+    default: return {};
   }
 }
 

@@ -1,6 +1,5 @@
 #include "subjects/source/encode/words.hpp"
 
-#include <algorithm>
 #include <string_view>
 
 namespace mmverify::source {

@@ -77,26 +77,17 @@ Word bitwise(const Word& a, const Word& b, F f) {
 
 Literal compare(Graph& g, Predicate p, const Word& a, const Word& b) {
   switch (p) {
-    case Predicate::ICMP_EQ:
-      return circuit::equal(g, a, b);
-    case Predicate::ICMP_NE:
-      return negated(circuit::equal(g, a, b));
+    case Predicate::ICMP_EQ: return circuit::equal(g, a, b);
+    case Predicate::ICMP_NE: return negated(circuit::equal(g, a, b));
     case Predicate::ICMP_ULT:
       return planted == Mistake::signed_compare ? circuit::less_signed(g, a, b) : circuit::less(g, a, b);
-    case Predicate::ICMP_UGT:
-      return circuit::less(g, b, a);
-    case Predicate::ICMP_ULE:
-      return negated(circuit::less(g, b, a));
-    case Predicate::ICMP_UGE:
-      return negated(circuit::less(g, a, b));
-    case Predicate::ICMP_SLT:
-      return circuit::less_signed(g, a, b);
-    case Predicate::ICMP_SGT:
-      return circuit::less_signed(g, b, a);
-    case Predicate::ICMP_SLE:
-      return negated(circuit::less_signed(g, b, a));
-    default:
-      return negated(circuit::less_signed(g, a, b));
+    case Predicate::ICMP_UGT: return circuit::less(g, b, a);
+    case Predicate::ICMP_ULE: return negated(circuit::less(g, b, a));
+    case Predicate::ICMP_UGE: return negated(circuit::less(g, a, b));
+    case Predicate::ICMP_SLT: return circuit::less_signed(g, a, b);
+    case Predicate::ICMP_SGT: return circuit::less_signed(g, b, a);
+    case Predicate::ICMP_SLE: return negated(circuit::less_signed(g, b, a));
+    default: return negated(circuit::less_signed(g, a, b));
   }
 }
 
@@ -228,14 +219,12 @@ ValuePtr Executor::binary(State& s, const llvm::BinaryOperator& i) {
   Graph& g = graph_;
   if (llvm::isa<llvm::OverflowingBinaryOperator>(i)) require_no_overflow(i, a, b);
   switch (i.getOpcode()) {
-    case I::Add:
-      return number(circuit::sum(g, a->bits, b->bits), unset_above(g, *a, *b));
+    case I::Add: return number(circuit::sum(g, a->bits, b->bits), unset_above(g, *a, *b));
     case I::Sub:
       return number(circuit::sum(g, a->bits, circuit::inverted(b->bits),
                                  planted == Mistake::borrow_lost ? never : always),
                     unset_above(g, *a, *b));
-    case I::Mul:
-      return number(circuit::product(g, a->bits, b->bits), unset_above(g, *a, *b));
+    case I::Mul: return number(circuit::product(g, a->bits, b->bits), unset_above(g, *a, *b));
     case I::And:
       return number(bitwise(a->bits, b->bits, [&](Literal x, Literal y) { return g.both(x, y); }),
                     unset_in_logic(g, *a, *b, true));
@@ -248,10 +237,8 @@ ValuePtr Executor::binary(State& s, const llvm::BinaryOperator& i) {
           bitwise(unset_bits(*a), unset_bits(*b), [&](Literal x, Literal y) { return g.either(x, y); }));
     case I::Shl:
     case I::LShr:
-    case I::AShr:
-      return shifted(i, a, b);
-    default:
-      return divided(i, a, b);
+    case I::AShr: return shifted(i, a, b);
+    default: return divided(i, a, b);
   }
 }
 
@@ -374,8 +361,7 @@ ValuePtr Executor::cast(State& s, const llvm::CastInst& i) {
       return number(circuit::resized(v->bits, width, with_sign),
                     v->unset.empty() ? Word{} : circuit::resized(v->unset, width, with_sign));
     }
-    default:
-      break;
+    default: break;
   }
   throw Unreadable(i, std::string("the conversion ") + i.getOpcodeName());
 }

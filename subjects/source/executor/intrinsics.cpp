@@ -93,26 +93,19 @@ ValuePtr Executor::computed(State& s, const llvm::CallBase& i) {
     case Intrinsic::ctlz:
     case Intrinsic::cttz:
     case Intrinsic::bswap:
-    case Intrinsic::bitreverse:
-      return counted(s, i);
-    case Intrinsic::umin:
-      return smaller(circuit::less(g, bits(0), bits(1)), true);
-    case Intrinsic::umax:
-      return smaller(circuit::less(g, bits(0), bits(1)), false);
-    case Intrinsic::smin:
-      return smaller(circuit::less_signed(g, bits(0), bits(1)), true);
-    case Intrinsic::smax:
-      return smaller(circuit::less_signed(g, bits(0), bits(1)), false);
+    case Intrinsic::bitreverse: return counted(s, i);
+    case Intrinsic::umin: return smaller(circuit::less(g, bits(0), bits(1)), true);
+    case Intrinsic::umax: return smaller(circuit::less(g, bits(0), bits(1)), false);
+    case Intrinsic::smin: return smaller(circuit::less_signed(g, bits(0), bits(1)), true);
+    case Intrinsic::smax: return smaller(circuit::less_signed(g, bits(0), bits(1)), false);
     case Intrinsic::fshl:
-    case Intrinsic::fshr:
-      return rotated(i, bits(0), bits(1), bits(2));
+    case Intrinsic::fshr: return rotated(i, bits(0), bits(1), bits(2));
     case Intrinsic::uadd_with_overflow:
     case Intrinsic::sadd_with_overflow:
     case Intrinsic::usub_with_overflow:
     case Intrinsic::ssub_with_overflow:
     case Intrinsic::umul_with_overflow:
-    case Intrinsic::smul_with_overflow:
-      return with_overflow(s, i);
+    case Intrinsic::smul_with_overflow: return with_overflow(s, i);
     case Intrinsic::abs: {
       if (const auto strict = known(numeric(s, i.getArgOperand(1), i)); strict && *strict != 0)
         require_never(
@@ -123,8 +116,7 @@ ValuePtr Executor::computed(State& s, const llvm::CallBase& i) {
       const Word a = bits(0), minus = circuit::difference(g, circuit::constant(0, a.size()), a);
       return number(circuit::chosen(g, a.back(), minus, a));
     }
-    default:
-      throw Unreadable(i, "a call of " + i.getCalledFunction()->getName().str());
+    default: throw Unreadable(i, "a call of " + i.getCalledFunction()->getName().str());
   }
 }
 
@@ -159,13 +151,10 @@ bool Executor::call_intrinsic(State& s, const llvm::CallBase& i) {
     case Intrinsic::lifetime_end:
       set_life(s, argument(1), i.getIntrinsicID() == Intrinsic::lifetime_start);
       break;
-    case Intrinsic::stacksave:
-      s.values[&i] = pointer(null_object);
-      break;
+    case Intrinsic::stacksave: s.values[&i] = pointer(null_object); break;
     case Intrinsic::stackrestore:
     case Intrinsic::experimental_noalias_scope_decl:
-    case Intrinsic::prefetch:
-      break;
+    case Intrinsic::prefetch: break;
     case Intrinsic::assume: {
       const ValuePtr v = numeric(s, i.getArgOperand(0), i);
       require_set(v, i, "a promise about a value that was never set");
@@ -174,30 +163,17 @@ bool Executor::call_intrinsic(State& s, const llvm::CallBase& i) {
       break;
     }
     case Intrinsic::trap:
-    case Intrinsic::ubsantrap:
-      require_never(Duty::ends, always, i, "the program traps");
-      return false;
-    case Intrinsic::eh_typeid_for:
-      s.values[&i] = number(number_of_type(*i.getArgOperand(0), i), 32);
-      break;
+    case Intrinsic::ubsantrap: require_never(Duty::ends, always, i, "the program traps"); return false;
+    case Intrinsic::eh_typeid_for: s.values[&i] = number(number_of_type(*i.getArgOperand(0), i), 32); break;
     case Intrinsic::is_constant:
       s.values[&i] = number({graph_.input()});  // one compiler knows what another does not
       break;
-    case Intrinsic::expect:
-      s.values[&i] = argument(0);
-      break;
-    case Intrinsic::memset:
-      fill(s, argument(0), argument(1), size(), i);
-      break;
+    case Intrinsic::expect: s.values[&i] = argument(0); break;
+    case Intrinsic::memset: fill(s, argument(0), argument(1), size(), i); break;
     case Intrinsic::memcpy:
-    case Intrinsic::memcpy_inline:
-      copy(s, argument(0), argument(1), size(), false, i);
-      break;
-    case Intrinsic::memmove:
-      copy(s, argument(0), argument(1), size(), true, i);
-      break;
-    default:
-      s.values[&i] = computed(s, i);
+    case Intrinsic::memcpy_inline: copy(s, argument(0), argument(1), size(), false, i); break;
+    case Intrinsic::memmove: copy(s, argument(0), argument(1), size(), true, i); break;
+    default: s.values[&i] = computed(s, i);
   }
   return true;
 }

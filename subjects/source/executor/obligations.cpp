@@ -15,12 +15,9 @@ void Obligations::require_never(Duty duty, Literal condition, Literal broken, co
   ++made_;
   if (condition == never || broken == never || duty == dropped_) return;
   switch (sweeper_.both_possible(condition, broken, first_effort)) {
-    case Answer::impossible:
-      return;
-    case Answer::possible:
-      throw Refuted(place_of(at) + ": " + what, sweeper_.example());
-    case Answer::unknown:
-      open_.push_back({condition, broken, place_of(at) + ": " + what});
+    case Answer::impossible: return;
+    case Answer::possible: throw Refuted(place_of(at) + ": " + what, sweeper_.example());
+    case Answer::unknown: open_.push_back({condition, broken, place_of(at) + ": " + what});
   }
 }
 

@@ -75,17 +75,12 @@ llvm::Value* plain(llvm::CallInst& call) {
   const std::vector<llvm::Value*> of(call.arg_begin() + 2, call.arg_end());
   switch (opcode) {
     case I::Load:
-    case I::Freeze:
-      return of[0];
-    case I::FNeg:
-      return build.CreateFNeg(of[0]);
+    case I::Freeze: return of[0];
+    case I::FNeg: return build.CreateFNeg(of[0]);
     case I::ICmp:
-    case I::FCmp:
-      return build.CreateCmp(static_cast<llvm::CmpInst::Predicate>(detail), of[0], of[1]);
-    case I::Select:
-      return build.CreateSelect(of[0], of[1], of[2]);
-    case I::Call:
-      return intrinsic_again(build, call, of);
+    case I::FCmp: return build.CreateCmp(static_cast<llvm::CmpInst::Predicate>(detail), of[0], of[1]);
+    case I::Select: return build.CreateSelect(of[0], of[1], of[2]);
+    case I::Call: return intrinsic_again(build, call, of);
     default:
       if (I::isBinaryOp(opcode)) return build.CreateBinOp(static_cast<I::BinaryOps>(opcode), of[0], of[1]);
       return build.CreateCast(static_cast<I::CastOps>(opcode), of[0], call.getType());
@@ -177,8 +172,7 @@ llvm::Value* settled(I& at, const std::set<const I*>& open) {
       if (open.count(call) == 0) return plain(*call);
       return becomes_a_word(word_of(*call, 0)) ? word_of_float(*call) : nullptr;
     case Guarded::unset:
-    case Guarded::address:
-      return call->use_empty() ? call : nullptr;
+    case Guarded::address: return call->use_empty() ? call : nullptr;
     case Guarded::argument:
     case Guarded::branch: {
       const llvm::Value* on = call->getArgOperand(0);
@@ -189,8 +183,7 @@ llvm::Value* settled(I& at, const std::set<const I*>& open) {
       const auto* k = llvm::dyn_cast<llvm::ConstantInt>(call->getArgOperand(0));
       return k != nullptr && k->isZero() ? call : nullptr;
     }
-    default:
-      return nullptr;
+    default: return nullptr;
   }
 }
 

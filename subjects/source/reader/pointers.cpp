@@ -27,14 +27,10 @@ enum class Kind { base, nowhere, same, other };
 Kind kind_of(llvm::Value* pointer) {
   if (auto* call = llvm::dyn_cast<llvm::CallInst>(pointer)) {
     switch (guarded(*call)) {
-      case Guarded::variable:
-        return Kind::base;
-      case Guarded::unset:
-        return Kind::nowhere;
-      case Guarded::address:
-        return Kind::same;
-      default:
-        return Kind::other;
+      case Guarded::variable: return Kind::base;
+      case Guarded::unset: return Kind::nowhere;
+      case Guarded::address: return Kind::same;
+      default: return Kind::other;
     }
   }
   if (auto* variable = llvm::dyn_cast<llvm::AllocaInst>(pointer))
@@ -106,15 +102,10 @@ Reach Pointers::reach(llvm::Value* pointer) const {
   Reach all;
   all.reached = true;
   switch (kind_of(pointer)) {
-    case Kind::base:
-      all.bases.insert(pointer);
-      return all;
-    case Kind::nowhere:
-      return all;
-    case Kind::same:
-      return reach(llvm::cast<llvm::User>(pointer)->getOperand(0));
-    default:
-      break;
+    case Kind::base: all.bases.insert(pointer); return all;
+    case Kind::nowhere: return all;
+    case Kind::same: return reach(llvm::cast<llvm::User>(pointer)->getOperand(0));
+    default: break;
   }
   if (auto* step = llvm::dyn_cast<llvm::GEPOperator>(pointer)) {
     all = reach(step->getPointerOperand());
@@ -192,8 +183,7 @@ const PointerExtent& Pointers::place(llvm::Value* pointer) {
       if (llvm::isa<llvm::BitCastOperator>(pointer)) at.offset = at.in_whole, at.size = at.whole;
       return keep(at);
     }
-    default:
-      break;
+    default: break;
   }
   if (auto* step = llvm::dyn_cast<llvm::GEPOperator>(pointer)) return keep(moved(*step));
   if (auto* choice = llvm::dyn_cast<llvm::SelectInst>(pointer)) return keep(chosen(*choice));

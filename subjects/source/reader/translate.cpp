@@ -340,18 +340,13 @@ class Translation {
     };
     if (const auto known = plain_intrinsic(id)) return make(known->first, known->second);
     switch (id) {
-      case llvm::Intrinsic::ctlz:
-        return flagged(Op::ctlz);
-      case llvm::Intrinsic::cttz:
-        return flagged(Op::cttz);
-      case llvm::Intrinsic::abs:
-        return flagged(Op::abs);
-      case llvm::Intrinsic::expect:
-        return of(0);
+      case llvm::Intrinsic::ctlz: return flagged(Op::ctlz);
+      case llvm::Intrinsic::cttz: return flagged(Op::cttz);
+      case llvm::Intrinsic::abs: return flagged(Op::abs);
+      case llvm::Intrinsic::expect: return of(0);
       case llvm::Intrinsic::lifetime_start:
       case llvm::Intrinsic::lifetime_end:
-      case llvm::Intrinsic::experimental_noalias_scope_decl:
-        return std::nullopt;
+      case llvm::Intrinsic::experimental_noalias_scope_decl: return std::nullopt;
       default:
         not_known(call, id == llvm::Intrinsic::not_intrinsic ? "" : llvm::Intrinsic::getBaseName(id).str());
     }
@@ -364,8 +359,7 @@ class Translation {
         if (word_of(call, 0) == llvm::Instruction::Call)
           return intrinsic(call, static_cast<llvm::Intrinsic::ID>(word_of(call, 1)), 2);
         return plain(call, word_of(call, 0), word_of(call, 1), 2);
-      case Guarded::unset:
-        return add({Op::unset, type_at(call, call.getType())});
+      case Guarded::unset: return add({Op::unset, type_at(call, call.getType())});
       case Guarded::overflow: {
         const Number made = plain_sum(call, word_of(call, 0), word_of(call, 1), of(2), of(3));
         forbid(call, add({Op::poisoned, {false, 1}, {made}}),
@@ -386,10 +380,8 @@ class Translation {
       case Guarded::unreachable:
         forbid(call, yes_or_no(true), "a place that must not be reached");
         return std::nullopt;
-      case Guarded::assumption:
-        return assumed(call, of(0));
-      default:
-        return intrinsic(call, call.getIntrinsicID(), 0);
+      case Guarded::assumption: return assumed(call, of(0));
+      default: return intrinsic(call, call.getIntrinsicID(), 0);
     }
   }
 
@@ -424,34 +416,25 @@ class Translation {
           return add({Op::bit_and, type, {made, word(0x7fffffff, 32)}});
         return made;
       }
-      case I::UDiv:
-        return division(at, Op::udiv, of(0), of(1), false, flags);
-      case I::URem:
-        return division(at, Op::urem, of(0), of(1), false, flags);
-      case I::SDiv:
-        return division(at, Op::sdiv, of(0), of(1), true, flags);
-      case I::SRem:
-        return division(at, Op::srem, of(0), of(1), true, flags);
+      case I::UDiv: return division(at, Op::udiv, of(0), of(1), false, flags);
+      case I::URem: return division(at, Op::urem, of(0), of(1), false, flags);
+      case I::SDiv: return division(at, Op::sdiv, of(0), of(1), true, flags);
+      case I::SRem: return division(at, Op::srem, of(0), of(1), true, flags);
       case I::LShr: {
         if (planted_ != Planted::shift_by_one_less) return binary(Op::lshr);
         const Number by = add({Op::usub_sat, type, {of(1), word(1, type.bits)}});
         return add({Op::lshr, type, {of(0), by}});
       }
-      case I::Select:
-        return add({Op::select, type, {of(0), of(1), of(2)}});
-      case I::ZExt:
-        return unary(planted_ == Planted::widened_with_sign ? Op::sext : Op::zext);
-      case I::ICmp:
-        return comparison(static_cast<llvm::CmpInst::Predicate>(detail), of(0), of(1));
-      case I::FCmp:
-        return add({Op::fcmp, type, {of(0), of(1)}, {detail}});
+      case I::Select: return add({Op::select, type, {of(0), of(1), of(2)}});
+      case I::ZExt: return unary(planted_ == Planted::widened_with_sign ? Op::sext : Op::zext);
+      case I::ICmp: return comparison(static_cast<llvm::CmpInst::Predicate>(detail), of(0), of(1));
+      case I::FCmp: return add({Op::fcmp, type, {of(0), of(1)}, {detail}});
       case I::BitCast: {
         const Number from = of(0);
         if (type_of(from) == type) return from;
         return add({type.floating ? Op::float_of : Op::bits_of, type, {from}});
       }
-      default:
-        not_known(at);
+      default: not_known(at);
     }
   }
 

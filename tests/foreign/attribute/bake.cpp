@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -73,9 +72,7 @@ Shares<Q> sampled(At<Q> at, Filter filter, Fault wrong) {
           {i + 1, j + 1, x * y}};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// A micro-triangle cut along the texture's grid
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- A micro-triangle cut along the texture's grid
 
 /// c + a s + b t, (s, t) within the micro-triangle.
 template <class Q>
@@ -275,9 +272,7 @@ Rational face_mean(const BakeCase& one, Level n, std::size_t channel, std::uint3
   });
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Errors
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Errors
 
 /// Texture less map over a part: the largest size, and the mean of its square as far as the part goes.
 template <class Q>

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "tests/foreign/attribute/places.hpp"
 
@@ -32,10 +31,8 @@ bool leaves(const Vertex& at, Edge edge, Level n, EdgeFlags flags, Fault wrong) 
     case wu:
       if (wrong == decimates_up_to_the_last && n >= 5 && at.i == N - 1) return false;
       return at.j == 0 && at.i % 2 == 1;
-    case uv:
-      return at.i + at.j == N && at.j % 2 == 1;
-    case vw:
-      return at.i == 0 && at.j % 2 == 1;
+    case uv: return at.i + at.j == N && at.j % 2 == 1;
+    case vw: return at.i == 0 && at.j % 2 == 1;
   }
   return false;
 }
@@ -79,9 +76,7 @@ std::array<Vertex, 2> averaged(Level n, EdgeFlags flags, const Vertex& at, Fault
   return {at, at};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Lookup
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Lookup
 
 struct On {
   std::array<Vertex, 3> corners;

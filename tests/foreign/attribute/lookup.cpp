@@ -152,9 +152,7 @@ Triplet triplet(VertexOrder order, Level n, const GridPoint& p, Fault wrong) {
   return triplet_of(order, n, by_vulkan(u, v, n, wrong), wrong);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Remaps
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Remaps
 
 Rational determinant(const std::array<std::array<Rational, 3>, 3>& m) {
   Rational sum(0);
@@ -213,9 +211,7 @@ RationalWeights remapped(Remap way, Level n, const MicroTriangle& t, const Ratio
   throw std::logic_error("no way of remapping");
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Floats
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Floats
 
 FloatWeights weights(Level n, float pu, float pv, Fault wrong) {
   auto u = cut(pu, n), v = cut(pv, n);

@@ -118,9 +118,7 @@ std::uint32_t vertex_source(VertexOrder order, std::uint32_t k, Level m, Level n
   return index_of(order, n, at, wrong);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Level of detail
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Level of detail
 
 Level level_of(Level n, float cone, float triangle, Fault wrong) {
   if (wrong == lod_by_log2 && cone > 0 && triangle > 0)

@@ -1,5 +1,4 @@
 // Orders of vertices and faces, in batches.
-#include <algorithm>
 #include <span>
 
 #include "tests/foreign/attribute/places.hpp"

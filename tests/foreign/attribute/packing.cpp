@@ -28,9 +28,7 @@ std::size_t values_at(MapAt at, Level n) {
 std::size_t roots_at(MapAt at) { return at == MapAt::faces ? 1 : 3; }
 std::size_t triples_at(MapAt at, Level m) { return (values_at(at, m) - values_at(at, m - 1)) / 3; }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Numbers and residuals
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Numbers and residuals
 
 std::int32_t number_of(std::uint8_t code, std::int32_t e, Fault wrong) {
   if (wrong == number_without_its_half) return code / (2 * e + 1);
@@ -121,9 +119,7 @@ std::vector<Numbers> values_from(MapAt at, Level n, const Told& all, Fault wrong
   return levels;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Bytes
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Bytes
 
 /// Triples of each block.
 std::vector<std::size_t> blocks_of(MapAt at, Level n, Fault wrong) {

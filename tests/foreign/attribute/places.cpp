@@ -21,9 +21,7 @@ std::uint64_t root_of(std::uint64_t x) {
 /// The greatest r with r(r+1)/2 <= x.
 std::uint64_t row_of(std::uint64_t x) { return (root_of(8 * x + 1) - 1) / 2; }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// The curve, by descent from the base triangle
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- The curve, by descent from the base triangle
 
 enum Child { at_w, middle, at_u, at_v };
 
@@ -45,14 +43,10 @@ struct Path {
 
 unsigned digit_of(Child child, bool turned) {
   switch (child) {
-    case at_w:
-      return turned ? 2 : 0;
-    case at_u:
-      return turned ? 0 : 2;
-    case middle:
-      return 1;
-    case at_v:
-      return 3;
+    case at_w: return turned ? 2 : 0;
+    case at_u: return turned ? 0 : 2;
+    case middle: return 1;
+    case at_v: return 3;
   }
   return 0;
 }
@@ -100,9 +94,7 @@ MicroTriangle on_curve(std::uint64_t x, Level n, Fault wrong) {
           upper};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Bird
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Bird
 
 std::uint64_t bird(Level n, const Vertex& at, Fault wrong) {
   const std::uint32_t N = side_of(n), k = N - at.i - at.j;
@@ -156,9 +148,7 @@ Vertex bird_vertex(Level n, std::uint64_t x, Fault wrong) {
 
 }  // namespace
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Vertices
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Vertices
 
 std::uint32_t index_of(VertexOrder order, Level n, const Vertex& at, Fault wrong) {
   const std::uint64_t i = at.i, j = at.j, N = side_of(n);
@@ -195,8 +185,7 @@ std::uint32_t index_of(VertexOrder order, Level n, const Vertex& at, Fault wrong
       }
       return static_cast<std::uint32_t>(before + j);
     }
-    case VertexOrder::bird:
-      return static_cast<std::uint32_t>(bird(n, at, wrong));
+    case VertexOrder::bird: return static_cast<std::uint32_t>(bird(n, at, wrong));
   }
   throw std::logic_error("no order of vertices");
 }
@@ -218,21 +207,17 @@ Vertex vertex_of(VertexOrder order, Level n, std::uint32_t index, Fault wrong) {
       const auto c = static_cast<std::uint32_t>(y - r * (r + 1) / 2);
       return {N - static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(r) - c};
     }
-    case VertexOrder::bird:
-      return bird_vertex(n, index, wrong);
+    case VertexOrder::bird: return bird_vertex(n, index, wrong);
   }
   throw std::logic_error("no order of vertices");
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Faces
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Faces
 
 std::uint32_t index_of(FaceOrder order, Level n, const MicroTriangle& t, Fault wrong) {
   const std::uint32_t up = t.upper ? 1 : 0;
   switch (order) {
-    case FaceOrder::curve:
-      return static_cast<std::uint32_t>(path_to(t, n, wrong).index);
+    case FaceOrder::curve: return static_cast<std::uint32_t>(path_to(t, n, wrong).index);
     case FaceOrder::rows: {
       const std::uint32_t r = t.iu + t.iv + up;
       if (wrong == face_rows_in_u_from_6 && n >= 6) return r * r + 2 * t.iu + up;
@@ -252,8 +237,7 @@ std::uint32_t index_of(FaceOrder order, Level n, const MicroTriangle& t, Fault w
 
 MicroTriangle face_of(FaceOrder order, Level n, std::uint32_t index, Fault wrong) {
   switch (order) {
-    case FaceOrder::curve:
-      return on_curve(index, n, wrong);
+    case FaceOrder::curve: return on_curve(index, n, wrong);
     case FaceOrder::rows: {
       const auto r = static_cast<std::uint32_t>(root_of(index));
       std::uint32_t rest = index - r * r;

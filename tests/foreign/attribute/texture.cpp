@@ -33,8 +33,7 @@ std::optional<std::uint32_t> wrapped(std::int64_t i, std::uint32_t size, Wrap wr
     case Wrap::mirror_once:
       if (i < 0) i = wrong == mirror_once_by_sign ? -i : -1 - i;
       return static_cast<std::uint32_t>(std::min(i, n - 1));
-    case Wrap::clamp_to_edge:
-      return static_cast<std::uint32_t>(std::clamp<std::int64_t>(i, 0, n - 1));
+    case Wrap::clamp_to_edge: return static_cast<std::uint32_t>(std::clamp<std::int64_t>(i, 0, n - 1));
   }
   return std::nullopt;
 }

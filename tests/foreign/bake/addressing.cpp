@@ -31,8 +31,7 @@ Index wrapped(Index i, Index size, unsigned mode, bool along_u) {
       const Index k = modulo(i, 2 * size);
       return k < size ? k : 2 * size - 1 - k;
     }
-    case MMVERIFY_CLAMP_TO_EDGE:
-      return std::clamp<Index>(i, 0, size - 1);
+    case MMVERIFY_CLAMP_TO_EDGE: return std::clamp<Index>(i, 0, size - 1);
     case MMVERIFY_CLAMP_TO_BORDER:
       if (has(border_a_texel_late) && along_u && i == size) return size - 1;
       return i < 0 || i >= size ? -1 : i;
@@ -46,14 +45,10 @@ Index wrapped(Index i, Index size, unsigned mode, bool along_u) {
 
 Range distinct(Index size, unsigned mode, bool nearest) {
   switch (mode) {
-    case MMVERIFY_CLAMP_TO_EDGE:
-      return nearest ? Range{0, size - 1} : Range{-1, size - 1};
-    case MMVERIFY_CLAMP_TO_BORDER:
-      return nearest ? Range{-1, size} : Range{-2, size};
-    case MMVERIFY_MIRROR_CLAMP_TO_EDGE:
-      return nearest ? Range{-size, size - 1} : Range{-size - 1, size - 1};
-    default:
-      return {-endless, endless};
+    case MMVERIFY_CLAMP_TO_EDGE: return nearest ? Range{0, size - 1} : Range{-1, size - 1};
+    case MMVERIFY_CLAMP_TO_BORDER: return nearest ? Range{-1, size} : Range{-2, size};
+    case MMVERIFY_MIRROR_CLAMP_TO_EDGE: return nearest ? Range{-size, size - 1} : Range{-size - 1, size - 1};
+    default: return {-endless, endless};
   }
 }
 Index period(Index size, unsigned mode) {

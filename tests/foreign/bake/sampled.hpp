@@ -26,12 +26,9 @@ enum class Aim { both_sides, any_negative, any_positive };
 
 inline bool settled(unsigned seen, Aim aim) {
   switch (aim) {
-    case Aim::both_sides:
-      return (seen & negative) != 0 && (seen & (zero | positive)) != 0;
-    case Aim::any_negative:
-      return (seen & negative) != 0;
-    default:
-      return (seen & positive) != 0;
+    case Aim::both_sides: return (seen & negative) != 0 && (seen & (zero | positive)) != 0;
+    case Aim::any_negative: return (seen & negative) != 0;
+    default: return (seen & positive) != 0;
   }
 }
 

@@ -78,15 +78,9 @@ std::uint64_t recursion(const Bary<Int>& p, Level n, Reading reading, Fault faul
     int corner = is_w ? 0 : digit == 3 ? 2 : digit == 1 ? 3 : 1;
     if (reading == Reading::names && corner != 3) corner = is_w ? 1 : digit == 3 ? 0 : 2;
     switch (corner) {
-      case 0:
-        u = twice_u, v = twice_v, w = from_w;
-        break;
-      case 1:
-        u = from_u, v = twice_v, w = twice_w;
-        break;
-      case 2:
-        u = twice_u, v = from_v, w = twice_w;
-        break;
+      case 0: u = twice_u, v = twice_v, w = from_w; break;
+      case 1: u = from_u, v = twice_v, w = twice_w; break;
+      case 2: u = twice_u, v = from_v, w = twice_w; break;
       default:
         u = -from_w, v = -from_v, w = -from_u;
         if (reading == Reading::middle) std::swap(v, w);

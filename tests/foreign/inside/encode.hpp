@@ -3,7 +3,6 @@
 
 #include <compare>
 #include <cstdint>
-#include <optional>
 
 #include "tests/foreign/inside/vq.hpp"
 

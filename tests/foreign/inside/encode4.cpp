@@ -1,6 +1,5 @@
 // Topic vq: an encoder of 32x32 maps that takes what keeps the most next.
 // Source: Compressed Opacity Maps, 5.1, table 2 and 5.2.
-#include <algorithm>
 #include <map>
 #include <mutex>
 #include <utility>

@@ -55,9 +55,7 @@ Encoded<Format> uniform_alone(const Map<Format>& map) {
   return {written(block), gone};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// 16x16
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- 16x16
 
 InsideFault optimum(const char* name, const char* wrong, Encode2 encode) {
   Functions parts;
@@ -98,9 +96,7 @@ Encoded<Format> guessed(const Map<Format>& map, const Search& search) {
   return {written(s.block), s.lost - std::min(s.lost, gone)};
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// 32x32
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- 32x32
 
 InsideFault effort4(const char* name, const char* wrong, Encode4 encode, Count4 promised) {
   Functions parts;

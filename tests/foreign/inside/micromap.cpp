@@ -17,9 +17,7 @@ using namespace proofs::micromap;
 using proofs::Level;
 using proofs::Levels;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Special indices
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Special indices
 
 class Codes {
  public:
@@ -58,8 +56,7 @@ class Codes {
   /// Whether a code that is not special is no index either.
   bool meaningless(std::uint32_t code, Encoding e) const {
     switch (e) {
-      case Encoding::u8:
-        return wrong_ == "bytes_have_a_sign"_fault && code >= 0x80;
+      case Encoding::u8: return wrong_ == "bytes_have_a_sign"_fault && code >= 0x80;
       case Encoding::i16:
         if (wrong_ == "i16_has_no_sign"_fault) return false;
         if (wrong_ == "last_i16_index"_fault && code == 0x7fff) return true;
@@ -69,10 +66,8 @@ class Codes {
         if (wrong_ == "i32_ends_at_minus_32768"_fault) return code >= 0xffff8000;
         if (wrong_ == "last_i32_index"_fault && code == 0x7fffffff) return true;
         return code >= 0x80000000;
-      case Encoding::u32:
-        return wrong_ == "u32_has_a_sign"_fault && code >= 0x80000000;
-      case Encoding::u16:
-        break;
+      case Encoding::u32: return wrong_ == "u32_has_a_sign"_fault && code >= 0x80000000;
+      case Encoding::u16: break;
     }
     return false;
   }
@@ -89,9 +84,7 @@ MicromapSubjectPtr codes_subject(Fault wrong) {
                                            std::move(functions));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Judges
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Judges
 
 class Judges {
  public:

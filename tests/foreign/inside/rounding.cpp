@@ -44,10 +44,8 @@ class Rounded : public Hand {
         const int unit = std::max(exponent - 11, -24);
         return std::ldexp(std::nearbyint(std::ldexp(x, -unit)), unit);
       }
-      case Arithmetic::binary32:
-        return static_cast<Carrier>(static_cast<float>(x));
-      default:
-        return static_cast<Carrier>(static_cast<double>(x));
+      case Arithmetic::binary32: return static_cast<Carrier>(static_cast<float>(x));
+      default: return static_cast<Carrier>(static_cast<double>(x));
     }
   }
 

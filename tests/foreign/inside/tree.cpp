@@ -2,7 +2,6 @@
 // Source: Succinct Opacity Micromaps, Algorithms 1 to 3.
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <utility>
 #include <vector>
 

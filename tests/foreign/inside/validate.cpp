@@ -2,10 +2,8 @@
 // Source: docs/MICROMAP.md, "The array validator", its table and the notes above it.
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <span>
 #include <utility>
 

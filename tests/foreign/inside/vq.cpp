@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -49,9 +48,7 @@ constexpr std::uint32_t column(std::uint32_t x) {
   return mask;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Which vectors there are
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Which vectors there are
 
 /// O spread by one region to each side must not meet T.
 template <std::size_t side>
@@ -73,9 +70,7 @@ bool valid(const Vector<side>& v, Fault how) {
   return (near & t) == 0;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Transforms
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Transforms
 
 template <std::size_t side>
 Vector<side> applied(Transform t, const Vector<side>& v, Fault how) {
@@ -103,9 +98,7 @@ Transform composed(Transform then, Transform first, Fault how) {
   return Transform::of(row);
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Codes of vectors
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Codes of vectors
 
 /// The sets of regions that have a palette each, and where its flag is.
 struct Part {
@@ -116,14 +109,10 @@ std::vector<Part> parts_of(Code4 how, Fault wrong) {
   if (wrong == "rows_are_columns"_fault && how != Code4::simple && how != Code4::generic)
     how = how == Code4::vertical ? Code4::horizontal : Code4::vertical;
   switch (how) {
-    case Code4::simple:
-      return {{all, 16}};
-    case Code4::vertical:
-      return {{left, 16}, {all & ~left, 17}};
-    case Code4::horizontal:
-      return {{bottom, 16}, {all & ~bottom, 17}};
-    case Code4::generic:
-      break;
+    case Code4::simple: return {{all, 16}};
+    case Code4::vertical: return {{left, 16}, {all & ~left, 17}};
+    case Code4::horizontal: return {{bottom, 16}, {all & ~bottom, 17}};
+    case Code4::generic: break;
   }
   return {};
 }
@@ -186,9 +175,7 @@ std::optional<std::uint32_t> encoded(Code4 how, const Vector<4>& v, Fault wrong)
   return fits ? std::optional(code) : std::nullopt;
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Rows
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Rows
 
 proofs::SubjectPtr subject(Fault f) {
   Functions parts;

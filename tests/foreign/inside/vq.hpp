@@ -1,7 +1,6 @@
 // The parts of topic vq's foreign subjects, each with its rows; and the blocks that they share.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 #include "proofs/vq/subject.hpp"

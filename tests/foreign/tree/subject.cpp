@@ -6,7 +6,6 @@
 // the paper's sequences and one entry point alone.
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
 #include <string_view>
 
 #include "subjects/sdk/mmverify_subject.h"

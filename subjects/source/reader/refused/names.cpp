@@ -2,7 +2,6 @@
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/IntrinsicInst.h>
 
-#include <algorithm>
 #include <set>
 #include <sstream>
 

@@ -68,17 +68,11 @@ void refuse_promises_of_members(const SpirvModule& module, std::uint32_t type) {
 void refuse_promises_in(const SpirvModule& module, const Instruction& i) {
   constexpr std::uint32_t unroll_or_not = 3, flatten_or_not = 3, non_temporal = 4;
   switch (i.opcode) {
-    case spv::LoopMerge:
-      return refuse_bits(i, 2, unroll_or_not, "loop control");
-    case spv::SelectionMerge:
-      return refuse_bits(i, 1, flatten_or_not, "selection control");
-    case spv::Load:
-      refuse_bits(i, 1, non_temporal, "memory operand");
-      break;
-    case spv::Store:
-      return refuse_bits(i, 2, non_temporal, "memory operand");
-    default:
-      break;
+    case spv::LoopMerge: return refuse_bits(i, 2, unroll_or_not, "loop control");
+    case spv::SelectionMerge: return refuse_bits(i, 1, flatten_or_not, "selection control");
+    case spv::Load: refuse_bits(i, 1, non_temporal, "memory operand"); break;
+    case spv::Store: return refuse_bits(i, 2, non_temporal, "memory operand");
+    default: break;
   }
   if (i.result == 0) return;
   refuse_promises_of(module, i.result);

@@ -82,22 +82,16 @@ void Values::extended(const Instruction& i) {
       return pairs(i, 2, Sort::floats, [&](auto* a, auto* b) {
         return unless(build_.CreateFCmpUNO(a, b), of_two(which == spv::FMin ? I::minnum : I::maxnum, a, b));
       });
-    case spv::FClamp:
-      return clamp(i, Sort::floats, I::maxnum, I::minnum, false);
-    case spv::NClamp:
-      return clamp(i, Sort::floats, I::maxnum, I::minnum, true);
-    case spv::UClamp:
-      return clamp(i, Sort::words, I::umax, I::umin, true);
-    case spv::SClamp:
-      return clamp(i, Sort::words, I::smax, I::smin, true);
+    case spv::FClamp: return clamp(i, Sort::floats, I::maxnum, I::minnum, false);
+    case spv::NClamp: return clamp(i, Sort::floats, I::maxnum, I::minnum, true);
+    case spv::UClamp: return clamp(i, Sort::words, I::umax, I::umin, true);
+    case spv::SClamp: return clamp(i, Sort::words, I::smax, I::smin, true);
     case spv::Fract:
       return each(i, 2, Sort::floats, [&](auto* a) { return build_.CreateFSub(a, of_one(I::floor, a)); });
     case spv::SAbs:
       return each(i, 2, Sort::words, [&](auto* a) { return of_two(I::abs, a, build_.getFalse()); });
-    case spv::FSign:
-      return each(i, 2, Sort::floats, [&](auto* a) { return sign_of_float(a); });
-    case spv::SSign:
-      return each(i, 2, Sort::words, [&](auto* a) { return sign_of_word(a); });
+    case spv::FSign: return each(i, 2, Sort::floats, [&](auto* a) { return sign_of_float(a); });
+    case spv::SSign: return each(i, 2, Sort::words, [&](auto* a) { return sign_of_word(a); });
     case spv::Step:
       return pairs(i, 2, Sort::floats, [&](auto* edge, auto* x) {
         return build_.CreateSelect(build_.CreateFCmpOLT(x, edge), llvm::ConstantFP::get(x->getType(), 0),
@@ -105,10 +99,8 @@ void Values::extended(const Instruction& i) {
       });
     case spv::FindILsb:
     case spv::FindUMsb:
-    case spv::FindSMsb:
-      return first_bit(i, which);
-    default:
-      throw NotKnown(extended_name(which) + " of GLSL.std.450");
+    case spv::FindSMsb: return first_bit(i, which);
+    default: throw NotKnown(extended_name(which) + " of GLSL.std.450");
   }
 }
 

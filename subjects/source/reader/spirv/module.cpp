@@ -26,16 +26,13 @@ Head head_of(std::uint16_t opcode) {
   switch (opcode) {
     case spv::String:
     case spv::ExtInstImport:
-    case spv::Label:
-      return Head::result;
+    case spv::Label: return Head::result;
     case spv::Store:
     case spv::NoLine:
     case spv::Line:
     case spv::Name:
-    case spv::FunctionEnd:
-      return Head::none;
-    default:
-      break;
+    case spv::FunctionEnd: return Head::none;
+    default: break;
   }
   if (opcode >= spv::TypeVoid && opcode <= 38) return Head::result;
   const bool makes_nothing = opcode == 0 || opcode == 39 || (opcode >= 2 && opcode <= 10) ||
@@ -115,13 +112,10 @@ void annotate(SpirvModule& module, const Instruction& i) {
         module.foreign_promises.push_back("RoundingModeRTZ: numbers are not rounded to nearest");
       return;
     case spv::MemberDecorate:
-    case spv::MemberDecorateString:
-      return decorate_member(module, i);
+    case spv::MemberDecorateString: return decorate_member(module, i);
     case spv::GroupDecorate:
-    case spv::GroupMemberDecorate:
-      return decorate_by_group(module, i);
-    default:
-      return decorate(module, i);
+    case spv::GroupMemberDecorate: return decorate_by_group(module, i);
+    default: return decorate(module, i);
   }
 }
 
@@ -192,20 +186,14 @@ SpirvModule read_spirv_module(const std::string& bytes) {
         needs(2);
         module.names[i.operands[0]] = text_at(i.operands, 1);
         break;
-      case spv::String:
-        module.strings[i.result] = text_at(i.operands, 0);
-        break;
-      case spv::ExtInstImport:
-        module.sets[i.result] = text_at(i.operands, 0);
-        break;
+      case spv::String: module.strings[i.result] = text_at(i.operands, 0); break;
+      case spv::ExtInstImport: module.sets[i.result] = text_at(i.operands, 0); break;
       case spv::Line:
         needs(3);
         file = i.operands[0];
         line = i.operands[1];
         break;
-      case spv::NoLine:
-        file = line = 0;
-        break;
+      case spv::NoLine: file = line = 0; break;
       case spv::ExecutionMode:
       case spv::Decorate:
       case spv::DecorateId:
@@ -213,16 +201,10 @@ SpirvModule read_spirv_module(const std::string& bytes) {
       case spv::MemberDecorate:
       case spv::MemberDecorateString:
       case spv::GroupDecorate:
-      case spv::GroupMemberDecorate:
-        annotate(module, i);
-        break;
-      case spv::FunctionEnd:
-        file = line = 0;
-        [[fallthrough]];
+      case spv::GroupMemberDecorate: annotate(module, i); break;
+      case spv::FunctionEnd: file = line = 0; [[fallthrough]];
       case spv::Function:
-      case spv::FunctionParameter:
-        frame_function(module, inside, i);
-        break;
+      case spv::FunctionParameter: frame_function(module, inside, i); break;
       default:
         if (inside != nullptr) {
           inside->body.push_back(i);

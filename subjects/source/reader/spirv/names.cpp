@@ -4,7 +4,6 @@
 #include <spirv-tools/libspirv.h>
 #endif
 
-#include <algorithm>
 #include <sstream>
 #include <vector>
 

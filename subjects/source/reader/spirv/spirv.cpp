@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "subjects/source/reader/module.hpp"
@@ -246,9 +245,7 @@ class Body {
 
   void control(const Instruction& i) {
     switch (i.opcode) {
-      case spv::Branch:
-        build_.CreateBr(block(operand(i, 0)));
-        return;
+      case spv::Branch: build_.CreateBr(block(operand(i, 0))); return;
       case spv::BranchConditional: {
         llvm::Value* condition = values_.one(operand(i, 0));
         if (!condition->getType()->isIntegerTy(1)) invalid("a branch on no condition");
@@ -264,9 +261,7 @@ class Body {
                           block(i.operands[k + 1]));
         return;
       }
-      case spv::Return:
-        build_.CreateRetVoid();
-        return;
+      case spv::Return: build_.CreateRetVoid(); return;
       case spv::ReturnValue: {
         const Scalars all = values_.value(operand(i, 0));
         if (functions_.by_pointer(from_.head.type)) {
@@ -280,32 +275,26 @@ class Body {
         build_.CreateRet(all[0]);
         return;
       }
-      default:
-        build_.CreateUnreachable();
+      default: build_.CreateUnreachable();
     }
   }
 
   void instruction(const Instruction& i) {
     refuse_promises_in(module_, i);
     switch (i.opcode) {
-      case spv::Label:
-        build_.SetInsertPoint(block(i.result));
-        return;
+      case spv::Label: build_.SetInsertPoint(block(i.result)); return;
       case spv::LoopMerge:
       case spv::SelectionMerge:
       case spv::Line:
       case spv::NoLine:
-      case 0:
-        return;
-      default:
-        break;
+      case 0: return;
+      default: break;
     }
     if (i.result != 0 && module_.is_decorated(i.result, spv::RelaxedPrecision)) throw NotKnown(relaxed);
     if (build_.GetInsertBlock() == nullptr || build_.GetInsertBlock()->getTerminator() != nullptr)
       invalid("an instruction outside of a block");
     switch (i.opcode) {
-      case spv::Variable:
-        return variable(i);
+      case spv::Variable: return variable(i);
       case spv::Load: {
         Scalars all;
         read(values_.one(operand(i, 0)), pointee_of(operand(i, 0)), all);
@@ -319,25 +308,18 @@ class Body {
         return write(address, pointee_of(pointer), values_.value(operand(i, 1)), at);
       }
       case spv::AccessChain:
-      case spv::InBoundsAccessChain:
-        return chain(i);
-      case spv::FunctionCall:
-        return call(i);
-      case spv::Phi:
-        return phi(i);
-      case spv::CopyObject:
-        return values_.set(i, values_.value(operand(i, 0)));
-      case spv::Undef:
-        return values_.set(i, types_.filled(i.type, true));
-      case spv::ExtInst:
-        return values_.extended(i);
+      case spv::InBoundsAccessChain: return chain(i);
+      case spv::FunctionCall: return call(i);
+      case spv::Phi: return phi(i);
+      case spv::CopyObject: return values_.set(i, values_.value(operand(i, 0)));
+      case spv::Undef: return values_.set(i, types_.filled(i.type, true));
+      case spv::ExtInst: return values_.extended(i);
       case spv::Branch:
       case spv::BranchConditional:
       case spv::Switch:
       case spv::Return:
       case spv::ReturnValue:
-      case spv::Unreachable:
-        return control(i);
+      case spv::Unreachable: return control(i);
       default:
         if (!values_.arithmetic(i) && !values_.conversion(i) && !values_.composite(i) && !values_.of_bits(i))
           throw NotKnown(opcode_name(i.opcode));

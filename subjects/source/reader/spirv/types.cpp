@@ -66,10 +66,8 @@ std::uint32_t Types::scalars(Id type) const {
 llvm::Type* Types::llvm_type(Id type) const {
   const Instruction& t = global(type);
   switch (t.opcode) {
-    case spv::TypeVoid:
-      return llvm::Type::getVoidTy(context_);
-    case spv::TypeBool:
-      return llvm::Type::getInt1Ty(context_);
+    case spv::TypeVoid: return llvm::Type::getVoidTy(context_);
+    case spv::TypeBool: return llvm::Type::getInt1Ty(context_);
     case spv::TypeInt:
       if (operand(t, 0) < 1 || operand(t, 0) > 64) invalid("a word of more than 64 bits");
       return llvm::Type::getIntNTy(context_, operand(t, 0));
@@ -77,20 +75,16 @@ llvm::Type* Types::llvm_type(Id type) const {
       if (operand(t, 0) == 32) return llvm::Type::getFloatTy(context_);
       if (operand(t, 0) == 64) return llvm::Type::getDoubleTy(context_);
       throw NotKnown("a float of " + std::to_string(operand(t, 0)) + " bits");
-    case spv::TypePointer:
-      return llvm_type(pointee(type))->getPointerTo();
+    case spv::TypePointer: return llvm_type(pointee(type))->getPointerTo();
     case spv::TypeVector:
-    case spv::TypeArray:
-      scalars(type);
-      return llvm::ArrayType::get(llvm_type(part(type, 0)), parts(type));
+    case spv::TypeArray: scalars(type); return llvm::ArrayType::get(llvm_type(part(type, 0)), parts(type));
     case spv::TypeStruct: {
       refuse_promises_of_members(module_, type);
       std::vector<llvm::Type*> members;
       for (std::uint32_t k = 0; k < parts(type); ++k) members.push_back(llvm_type(part(type, k)));
       return llvm::StructType::get(context_, members);
     }
-    default:
-      throw NotKnown("a value of a type that is not known: " + opcode_name(t.opcode));
+    default: throw NotKnown("a value of a type that is not known: " + opcode_name(t.opcode));
   }
 }
 
@@ -105,10 +99,8 @@ Scalars Types::constant(Id id) const {
     case spv::SpecConstantComposite:
     case spv::SpecConstantOp:
       throw NotKnown("a specialization constant, which a pipeline may set to anything");
-    case spv::ConstantTrue:
-      return {llvm::ConstantInt::getTrue(context_)};
-    case spv::ConstantFalse:
-      return {llvm::ConstantInt::getFalse(context_)};
+    case spv::ConstantTrue: return {llvm::ConstantInt::getTrue(context_)};
+    case spv::ConstantFalse: return {llvm::ConstantInt::getFalse(context_)};
     case spv::Constant: {
       llvm::Type* type = llvm_type(c.type);
       const std::uint64_t bits =
@@ -130,10 +122,8 @@ Scalars Types::constant(Id id) const {
       return all;
     }
     case spv::ConstantNull:
-    case spv::Undef:
-      return filled(c.type, c.opcode == spv::Undef);
-    default:
-      throw NotKnown(opcode_name(c.opcode) + ", outside of functions");
+    case spv::Undef: return filled(c.type, c.opcode == spv::Undef);
+    default: throw NotKnown(opcode_name(c.opcode) + ", outside of functions");
   }
 }
 

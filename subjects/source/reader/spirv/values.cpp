@@ -273,12 +273,9 @@ bool Values::composite(const Instruction& i) {
       set(i, std::move(all));
       return true;
     }
-    case spv::CompositeExtract:
-      return extract(i), true;
-    case spv::CompositeInsert:
-      return insert(i), true;
-    case spv::VectorShuffle:
-      return shuffle(i), true;
+    case spv::CompositeExtract: return extract(i), true;
+    case spv::CompositeInsert: return insert(i), true;
+    case spv::VectorShuffle: return shuffle(i), true;
     case spv::VectorExtractDynamic: {
       const Scalars all = value(operand(i, 0));
       llvm::Value* index = word(operand(i, 1));
@@ -302,10 +299,8 @@ bool Values::composite(const Instruction& i) {
       set(i, {sum});
       return true;
     }
-    case spv::Select:
-      return select(i), true;
-    default:
-      return false;
+    case spv::Select: return select(i), true;
+    default: return false;
   }
 }
 
@@ -314,11 +309,9 @@ bool Values::of_bits(const Instruction& i) {
     case spv::SNegate:
       each(i, 0, Sort::words, [&](auto* a) { return of_words(i, llvm::Instruction::Sub, whole(a, 0), a); });
       return true;
-    case spv::FNegate:
-      return each(i, 0, Sort::floats, [&](auto* a) { return build_.CreateFNeg(a); }), true;
+    case spv::FNegate: return each(i, 0, Sort::floats, [&](auto* a) { return build_.CreateFNeg(a); }), true;
     case spv::LogicalNot:
-    case spv::Not:
-      return each(i, 0, Sort::words, [&](auto* a) { return build_.CreateNot(a); }), true;
+    case spv::Not: return each(i, 0, Sort::words, [&](auto* a) { return build_.CreateNot(a); }), true;
     case spv::IsNan:
       return each(i, 0, Sort::floats, [&](auto* a) { return build_.CreateFCmpUNO(a, a); }), true;
     case spv::IsInf:
@@ -328,8 +321,7 @@ bool Values::of_bits(const Instruction& i) {
       return true;
     case spv::BitReverse:
       return each(i, 0, Sort::words, [&](auto* a) { return of_one(I::bitreverse, a); }), true;
-    case spv::BitCount:
-      return each(i, 0, Sort::words, [&](auto* a) { return of_one(I::ctpop, a); }), true;
+    case spv::BitCount: return each(i, 0, Sort::words, [&](auto* a) { return of_one(I::ctpop, a); }), true;
     case spv::SRem:
     case spv::SMod:
       // Vulkan leaves negative operands open; for others, signed and unsigned remainders agree.
@@ -340,10 +332,8 @@ bool Values::of_bits(const Instruction& i) {
       return true;
     case spv::BitFieldInsert:
     case spv::BitFieldSExtract:
-    case spv::BitFieldUExtract:
-      return field(i), true;
-    default:
-      return false;
+    case spv::BitFieldUExtract: return field(i), true;
+    default: return false;
   }
 }
 
