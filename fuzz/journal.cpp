@@ -1,7 +1,7 @@
-// The journal of a run, which was killed or whose file was damaged: what it still holds was written.
+// The journal of a run that was killed, or a damaged journal: the pieces that it still holds were written.
 //
 // Input: 'r', then a file as it is; or else
-//   a byte    the pieces that are appended, up to 15; each 4 bytes: about, begin, end, count
+//   a byte    how many pieces are appended, modulo 16; each has 4 bytes: about, begin, end, count
 //   then, 3 bytes each, damage: two bytes of place, and a byte that is put there; 0xff: the file ends there
 #include "proofs/engine/journal.hpp"
 
@@ -75,12 +75,23 @@ bool is_same(const Journal::Piece& a, const Journal::Piece& b) {
          a.tally.mismatches() == b.tally.mismatches() && a.tally.found().size() == b.tally.found().size();
 }
 
-/// Opens the journal again; what is finished lies in order and apart, and was appended.
-void resume(const MemoryFile& file, const std::vector<Journal::Piece>* appended) {
+/// The least begin of the appended pieces of a name; the number of units if there are none.
+std::uint64_t first_unit(const std::vector<Journal::Piece>& appended, const std::string& name) {
+  std::uint64_t first = units;
+  for (const Journal::Piece& piece : appended)
+    if (piece.about == name && piece.units.end <= units) first = std::min(first, piece.units.begin);
+  return first;
+}
+
+/// Opens the journal again.  Finished pieces lie in order and apart, and were appended; `whole`: the first is among them.
+void resume(const MemoryFile& file, const std::vector<Journal::Piece>* appended, bool whole) {
   const Journal journal(file.path(), identity);
   for (const std::string& name : names) {
     std::uint64_t end = 0;
-    for (const Journal::Piece& piece : journal.finished(name, units)) {
+    const std::vector<Journal::Piece> finished = journal.finished(name, units);
+    if (whole && (finished.empty() ? units : finished.front().units.begin) != first_unit(*appended, name))
+      fail("the first piece is not there, and nothing was damaged");
+    for (const Journal::Piece& piece : finished) {
       if (piece.units.begin < end || piece.units.begin >= piece.units.end || piece.units.end > units)
         fail("finished pieces overlap, are empty or lie beyond the work");
       end = piece.units.end;
@@ -100,7 +111,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     if (*data == 'r') {
       file.replace(std::string(data + 1, data + size));
-      resume(file, nullptr);
+      resume(file, nullptr, false);
       return 0;
     }
     const std::uint8_t *at = data + 1, *const end = data + size;
@@ -121,9 +132,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       else
         text[place % text.size()] = static_cast<char>(at[2]);
     }
+    const bool whole = text == file.content();
     file.replace(text);
-    resume(file, &appended);
-    resume(file, &appended);  // the first one has cut a damaged end off
+    resume(file, &appended, whole);
+    resume(file, &appended, whole);  // the first one has cut a damaged end off
   } catch (const BadJournal& why) {
     if (*why.what() == '\0') fail("a refusal without a reason");
   }

@@ -1,11 +1,12 @@
 // `mmverify gate` on files of results and baselines: it refuses a file in words, or says what changed.
 //
-// Input: a byte that the mutator reads (fuzz/scene_input.hpp), a result's JSON up to a zero byte, then the JSON of an earlier
-// result or of a baseline.
+// Input: a byte that the harness ignores (not 'r', after which the mutator sees no JSON), a result's JSON up to a zero
+// byte, then the JSON of an earlier result or of a baseline.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "delivery/gate/compare.hpp"
 #include "delivery/gate/runs.hpp"
@@ -37,7 +38,7 @@ std::optional<Json> json_of(const std::uint8_t* first, const std::uint8_t* end) 
   return json;
 }
 
-/// read(json), or nothing for a file that is refused in one line.
+/// read(json), or nothing for a file that is refused with a reason.
 template <class Read>
 auto taken(const Json& json, Read read) -> std::optional<decltype(read(json))> {
   try {
@@ -65,13 +66,21 @@ Baseline kept(const Figures& figures) {
   return baseline;
 }
 
+/// The groups and figures of the differences of a kind.
+std::set<std::string> named(const Comparison& comparison, Change change) {
+  std::set<std::string> names;
+  for (const Difference& d : comparison.differences)
+    if (d.change == change) names.insert(d.group + ": " + d.figure);
+  return names;
+}
+
 /// A group that one of two results lacks is gone one way, and new the other way.
 void compare_both_ways(const Figures& now, const Figures& before) {
   try {
     const Comparison forth = compare(baseline_of(before), now, tolerance),
                      back = compare(baseline_of(now), before, tolerance);
-    if (forth.count(Change::gone) != back.count(Change::added) ||
-        forth.count(Change::added) != back.count(Change::gone))
+    if (named(forth, Change::gone) != named(back, Change::added) ||
+        named(forth, Change::added) != named(back, Change::gone))
       fail("gone one way, and not new the other way");
     if (forth.count(Change::worse) != 0 && !forth.red()) fail("worse, and not red");
     if (forth.count(Change::changed) != back.count(Change::changed))

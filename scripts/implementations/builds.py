@@ -92,9 +92,9 @@ def section(program, work):
     lines = [HEADING, "",
              "`mmverify validate` judges the arguments that each source, read at this commit, fills in for a build of made-up",
              "triangles. Nobody's code runs. `counts.geometry` and `counts.geometry_is_array`: in EXT a geometry has a histogram of",
-             "its own, by which the driver sizes the acceleration structure ([ARRAYS.md](ARRAYS.md)); no VUID demands the right one.",
-             "[CTS.md](CTS.md) has more about VK-GL-CTS.", "",
-             "No law reaches more of three of them. dxvk-remix bakes in a shader in Slang, of which Debian packages no compiler.",
+             "its own, by which the driver sizes the acceleration structure ([ARRAYS.md](ARRAYS.md)). The structure's description",
+             "demands the right one (\"must\"), though no VUID does. [CTS.md](CTS.md) has more about VK-GL-CTS.", "",
+             "Three of them stand in no other table here. dxvk-remix bakes in a shader in Slang, of which Debian packages no compiler.",
              "vk_gltf_renderer bakes nothing and computes no index: it hands over what a glTF file has. VK-GL-CTS needs a device.", "",
              "| implementation | version | of | source | input | verdict |", "|---|---|---|---|---|---|"]
     examples = {}

@@ -133,7 +133,7 @@ def scenes_of(found_all, levels):
              "if it is unknown, and one state holds on the whole micro-triangle. The column `outside` counts triangles beyond",
              "the adapter's limits; they are not baked.",
              "",
-             "| implementation | scene | level | triangles | outside | declined | states | wrong a million | needless |",
+             "| implementation | scene | level | triangles | outside | declined | states | wrong per million | needless |",
              "|---|---|---|---|---|---|---|---|---|"]
     for name, scene, row, _ in rows:
         judged = row["micro_triangles"] > 0
@@ -211,7 +211,7 @@ def document(found_all, tool, options, ours, builds):
              "After that command the `mmverify replay` lines below work from the root of this repository. A shell joins a line",
              "that ends in a backslash with the next one.", "", "## What passes", "",
              "Each row is a version, the day of its commit, and what was asked; `mmverify prove --subject` gives the verdict. `laws`",
-             "counts them by their weakest level.", "", *summary(found_all)]
+             "counts laws by verdict, each by its weakest level.", "", *summary(found_all)]
     lines += ["", *builds]
     lines += scenes_of(found_all, options.levels) + speeds_of(found_all, ours)
     for found in found_all:

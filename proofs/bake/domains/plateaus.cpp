@@ -67,7 +67,8 @@ Odd draw_texels(Random& random, Case& one, std::uint32_t at) {
       fill([&, t = top, b = bottom](auto, auto j) { return t <= j && j <= std::min(b, t + 3); });
       return {p.i, top};
     default: {  // a half plane beside p
-      const std::int64_t a = random.between(-3, 3), b = random.between(-3, 3), c = a * p.i + b * p.j;
+      const std::int64_t a = random.between(-3, 3), b = a == 0 ? 1 : random.between(-3, 3),
+                         c = a * p.i + b * p.j;
       fill([&](std::int64_t i, std::int64_t j) { return a * i + b * j >= c; });
     }
   }
