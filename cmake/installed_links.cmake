@@ -19,7 +19,7 @@ foreach(page IN LISTS pages)
   endforeach()
   string(REPLACE "${mark}" "](" marked "${marked}")
   if(marked MATCHES "(\\./run |[` (](bench|cli|cmake|delivery|display|fuzz|impl|proofs|scene|scripts|spec|subjects|tests)/[a-z])"
-     AND NOT marked MATCHES "source tree, which no package installs")
+     AND page MATCHES "/docs/[^/]*$" AND NOT marked MATCHES "source tree, which no package installs")
     string(REGEX REPLACE "^(# [^\n]*\n)"
       "\\1\n`./run`, and files in folders such as `spec/` and `scripts/`, are in mmverify's source tree, which no package installs.\n" marked "${marked}")
   endif()

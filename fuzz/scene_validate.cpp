@@ -5,7 +5,7 @@
 //
 // Covers: scene/validate/indices.* scene/validate/micromaps.* scene/validate/primitives.* scene/validate/report.*
 // Covers: scene/validate/root.* scene/validate/rules.* scene/validate/stored_maps.* scene/validate/draft.*
-// Covers: scene/validate/shared.*
+// Covers: scene/validate/shared.* scene/validate/suspect_record.*
 #include <cstring>
 #include <nlohmann/json.hpp>
 

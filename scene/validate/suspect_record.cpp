@@ -67,11 +67,10 @@ std::string suspect_record(const micromap::Input& in) {
   std::size_t first = records.size(), changed = 0;
   for (std::size_t r = records.size(); r-- > 0;)
     if (!(records[r] == (*sized)[r])) first = r, ++changed;
-  std::string text =
-      "suspect: record " + std::to_string(first) + ": " + shape_of(records[first]) +
-      (has_size(records[first]) ? " is " + std::to_string(bytes_of(records[first])) + " bytes" : "") + "; " +
-      shape_of((*sized)[first]) + " is the " + std::to_string(bytes_of((*sized)[first])) +
-      " bytes that it has";
+  const Record &says = records[first], &has = (*sized)[first];
+  std::string text = "suspect: record " + std::to_string(first) + ": it says " + shape_of(says) +
+                     (has_size(says) ? " (" + std::to_string(bytes_of(says)) + " bytes)" : "") +
+                     ", and has the " + std::to_string(bytes_of(has)) + " bytes of " + shape_of(has);
   if (changed > 1)
     text += "; and " + std::to_string(changed - 1) + " more such record" + (changed == 2 ? "" : "s");
   return text;

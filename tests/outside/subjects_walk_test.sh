@@ -11,16 +11,22 @@ script=$(sed -n '/^## From nothing to a gate/,/^## Finished maps/p' docs/BAKERS.
 TMPDIR=$(mktemp -d)
 export TMPDIR
 trap 'rm -r "$TMPDIR"' EXIT
+# As it is installed, without the installation.
+export MMVERIFY=$TMPDIR/installed
+mkdir -p "$MMVERIFY/bin" "$MMVERIFY/share/doc/mmverify"
+ln -s "$PWD/build/release/cli/mmverify" "$MMVERIFY/bin/"
+ln -s "$PWD/subjects/sdk" "$MMVERIFY/include"
+ln -s "$PWD/examples" "$MMVERIFY/share/doc/mmverify/"
 # shellcheck disable=SC2016
 bash -euo pipefail -c "$script"$'\npwd >"$TMPDIR/folder"' >"$TMPDIR/log" 2>&1 || { cat "$TMPDIR/log"; echo "FAILED: the walk"; exit 1; }
 grep -E 'results: |gate: green' "$TMPDIR/log"
 
 # Then T and O are told apart by one texel of each micro-triangle: the walk's last two commands, which hold the baker to
 # its baseline, are red.
-export MMVERIFY=$PWD PATH=$PWD/build/release/cli:$PATH
+export PATH=$MMVERIFY/bin:$PATH
 cd "$(cat "$TMPDIR/folder")"
 sed -i 's/if (all != some) return/if (0) return/' mine.c
-cc -O2 -ffp-contract=off -shared -fPIC -I "$MMVERIFY/subjects/sdk" -o mine.so mine.c -lm
+cc -O2 -ffp-contract=off -shared -fPIC -I "$MMVERIFY/include" -o mine.so mine.c -lm
 again=$(grep '^mmverify ' <<<"$script" | tail -2)
 [[ $again == "mmverify prove "*$'\n'"mmverify gate "* ]] || { echo "FAILED: the walk does not end with a proof and its gate"; exit 1; }
 code=0

@@ -214,6 +214,12 @@ TEST(IndexDiagnosis, NamesTheRuleOfWrongTies) {
   };
   EXPECT_EQ(index::rule_of_ties(moved(to_lesser_v), level),
             "the rule: where vf = 0 the square of the greater v owns it, so take the floor of 2^n v");
+  const auto away_from_the_edge = [&](GridPoint p, Level) {
+    return p.u + p.v == Fixed64(1) && little < p.u && little < p.v ? GridPoint{Fixed64(0), Fixed64(0)} : p;
+  };
+  EXPECT_EQ(
+      index::rule_of_ties(moved(away_from_the_edge), level),
+      "the rule: on the edge u + v = 1 no upper micro-triangle is left, so the lower one owns the point");
   EXPECT_EQ(index::rule_of_ties(moved([](GridPoint p, Level) { return p; }), level), "");
 }
 

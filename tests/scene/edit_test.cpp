@@ -332,23 +332,23 @@ TEST(SuspectRecord, IsTheOneWhoseBytesAnotherLevelFills) {
   EXPECT_EQ(suspect(right, counts), "");
   auto overlapping = right, beyond = right, gap = right, moved = right, format = right, two = right;
   overlapping[0].level = 5;
-  EXPECT_EQ(
-      suspect(overlapping, counts),
-      "suspect: record 0: level 5 in 4-state is 256 bytes; level 3 in 4-state is the 16 bytes that it has");
+  EXPECT_EQ(suspect(overlapping, counts),
+            "suspect: record 0: it says level 5 in 4-state (256 bytes), and has the 16 bytes of level 3 in "
+            "4-state");
   EXPECT_EQ(suspect(overlapping, {}), suspect(overlapping, counts));
   beyond[1].level = 6;
-  EXPECT_EQ(
-      suspect(beyond, counts),
-      "suspect: record 1: level 6 in 2-state is 512 bytes; level 4 in 2-state is the 32 bytes that it has");
+  EXPECT_EQ(suspect(beyond, counts),
+            "suspect: record 1: it says level 6 in 2-state (512 bytes), and has the 32 bytes of level 4 in "
+            "2-state");
   gap[0].level = 2;
   EXPECT_EQ(
       suspect(gap, counts),
-      "suspect: record 0: level 2 in 4-state is 4 bytes; level 3 in 4-state is the 16 bytes that it has");
+      "suspect: record 0: it says level 2 in 4-state (4 bytes), and has the 16 bytes of level 3 in 4-state");
   EXPECT_EQ(suspect(gap, {}), "") << "a gap breaks no rule";
   EXPECT_EQ(suspect(gap, {{{1, 2, 2}, {1, 4, 1}, {1, 3, 1}}}), "") << "the counts say that the gap is meant";
   format[0].format = 7;
   EXPECT_EQ(suspect(format, counts),
-            "suspect: record 0: format 7; level 3 in 4-state is the 16 bytes that it has");
+            "suspect: record 0: it says format 7, and has the 16 bytes of level 3 in 4-state");
   two[0].level = two[2].level = 5;
   EXPECT_NE(suspect(two, counts).find("; and 1 more such record"), std::string::npos);
   moved[1].offset = 20;
@@ -362,7 +362,7 @@ TEST(SuspectRecord, IsNamedByTheValidatorOnce) {
     const Bytes bytes(text.begin(), text.end());
     std::size_t count = 0;
     for (const FileViolation& one : validate_micromaps("f.glb", bytes))
-      count += one.found.find("suspect: record 0: level 9") != std::string::npos ? 1 : 0;
+      count += one.found.find("suspect: record 0: it says level 9") != std::string::npos ? 1 : 0;
     return count;
   };
   EXPECT_EQ(named(), 0u);
