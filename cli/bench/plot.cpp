@@ -29,20 +29,13 @@ constexpr char ink[] = "#444444";
 /// gnuplot's point types.
 int point_type(Shape shape) {
   switch (shape) {
-    case Shape::disc:
-      return 7;
-    case Shape::circle:
-      return 6;
-    case Shape::square:
-      return 5;
-    case Shape::open_square:
-      return 4;
-    case Shape::triangle:
-      return 9;
-    case Shape::triangle_down:
-      return 11;
-    case Shape::diamond:
-      return 13;
+    case Shape::disc: return 7;
+    case Shape::circle: return 6;
+    case Shape::square: return 5;
+    case Shape::open_square: return 4;
+    case Shape::triangle: return 9;
+    case Shape::triangle_down: return 11;
+    case Shape::diamond: return 13;
   }
   return 7;
 }
@@ -120,12 +113,9 @@ class PanelScript {
 
   std::string key() const {
     switch (panel_.key) {
-      case Key::none:
-        return "unset key\n";
-      case Key::top_left:
-        return "set key default\nset key top left Left reverse\n";
-      case Key::top_right:
-        return "set key default\nset key top right\n";
+      case Key::none: return "unset key\n";
+      case Key::top_left: return "set key default\nset key top left Left reverse\n";
+      case Key::top_right: return "set key default\nset key top right\n";
       case Key::outside:
         return fmt::format("set key default\nset key at {} left top Left reverse\n",
                            screen(frame_.right + 5, frame_.top));

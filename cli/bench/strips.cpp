@@ -22,12 +22,9 @@ struct CellText {
   std::string operator()(double value) const {
     const double x = value * print.factor;
     switch (print.type) {
-      case 'e':
-        return fmt::format("{:.{}e}", x, print.digits);
-      case 'g':
-        return fmt::format("{:.{}g}", x, print.digits);
-      default:
-        return fmt::format("{:.{}f}", x, print.digits);
+      case 'e': return fmt::format("{:.{}e}", x, print.digits);
+      case 'g': return fmt::format("{:.{}g}", x, print.digits);
+      default: return fmt::format("{:.{}f}", x, print.digits);
     }
   }
   std::string operator()(const std::string& text) const { return text; }

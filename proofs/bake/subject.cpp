@@ -103,12 +103,9 @@ std::optional<Baked> baked_by_impl(const Case& one, Level n, Format format) {
       !std::all_of(one.travel.begin(), one.travel.end(), small))
     return std::nullopt;
   switch (one.texel) {
-    case Texel::unorm16:
-      return baked_from<std::uint16_t>(one, n, format);
-    case Texel::float32:
-      return baked_from<float>(one, n, format);
-    case Texel::unorm8:
-      break;
+    case Texel::unorm16: return baked_from<std::uint16_t>(one, n, format);
+    case Texel::float32: return baked_from<float>(one, n, format);
+    case Texel::unorm8: break;
   }
   return baked_from<std::uint8_t>(one, n, format);
 }

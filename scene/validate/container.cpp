@@ -52,14 +52,9 @@ void add(Report& report, const Layout& layout, std::uint64_t byte, const std::st
 void read(const Layout& layout, std::span<const unsigned char> bytes, Report& report) {
   try {
     switch (layout.kind) {
-      case FileKind::tree:
-        impl::tree::read(bytes);
-        break;
-      case FileKind::dag:
-        impl::dag::load(bytes);
-        break;
-      default:
-        impl::attribute::read_attributes(bytes);
+      case FileKind::tree: impl::tree::read(bytes); break;
+      case FileKind::dag: impl::dag::load(bytes); break;
+      default: impl::attribute::read_attributes(bytes);
     }
   } catch (const impl::tree::BadContainer& bad) {
     add(report, layout, bad.byte(), bad.what());

@@ -9,18 +9,12 @@ using Json = nlohmann::json;
 
 std::optional<impl::micromap::Encoding> encoding_of(std::uint64_t component_type) {
   switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return impl::micromap::Encoding::u8;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return impl::micromap::Encoding::i16;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return impl::micromap::Encoding::u16;
-    case TINYGLTF_COMPONENT_TYPE_INT:
-      return impl::micromap::Encoding::i32;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return impl::micromap::Encoding::u32;
-    default:
-      return {};
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return impl::micromap::Encoding::u8;
+    case TINYGLTF_COMPONENT_TYPE_SHORT: return impl::micromap::Encoding::i16;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return impl::micromap::Encoding::u16;
+    case TINYGLTF_COMPONENT_TYPE_INT: return impl::micromap::Encoding::i32;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return impl::micromap::Encoding::u32;
+    default: return {};
   }
 }
 

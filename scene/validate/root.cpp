@@ -84,8 +84,7 @@ std::string pointer_of(const impl::micromap::Violation& violation, const std::st
                                                                                          : usage_names[1];
       return at + "/" + column + "/" + std::to_string(violation.where);
     }
-    case impl::micromap::Place::level_and_format:
-      return at + "/usageCounts";
+    case impl::micromap::Place::level_and_format: return at + "/usageCounts";
     default:
       return at + (violation.rule == impl::micromap::Rule::counts_limit ? "/usageCounts" : "/triangles");
   }

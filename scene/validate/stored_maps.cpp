@@ -36,12 +36,9 @@ std::uint32_t code_of(const Build& in, std::uint64_t triangle) {
   if (!in.indexed) return static_cast<std::uint32_t>(triangle);
   const std::uint64_t at = triangle * in.index_stride;
   switch (micromap::width(in.encoding)) {
-    case 8:
-      return read<std::uint8_t>(in.indices, at);
-    case 16:
-      return read<std::uint16_t>(in.indices, at);
-    default:
-      return read<std::uint32_t>(in.indices, at);
+    case 8: return read<std::uint8_t>(in.indices, at);
+    case 16: return read<std::uint16_t>(in.indices, at);
+    default: return read<std::uint32_t>(in.indices, at);
   }
 }
 

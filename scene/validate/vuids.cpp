@@ -119,12 +119,9 @@ Cases cases_of(const micromap::Violation& violation, const micromap::Input& in) 
       const bool whole = at <= in.records.size() && in.records.size() - at >= micromap::record_bytes;
       return whole ? of_format(micromap::record_at(in.records, at).format) : cases::always;
     }
-    case Place::array_count:
-      return cases::array | of_count(in.array_counts, violation.where);
-    case Place::geometry_count:
-      return cases::geometry | of_count(in.geometry_counts, violation.where);
-    default:
-      return geometry;
+    case Place::array_count: return cases::array | of_count(in.array_counts, violation.where);
+    case Place::geometry_count: return cases::geometry | of_count(in.geometry_counts, violation.where);
+    default: return geometry;
   }
 }
 

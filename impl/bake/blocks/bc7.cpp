@@ -116,15 +116,10 @@ std::array<std::uint8_t, 16> alpha_of_bc7(std::span<const unsigned char> block) 
   std::array<std::uint8_t, texels> alpha;
   switch (mode) {
     case 4:
-    case 5:
-      return with_own_alpha(bits, mode == 4);
-    case 6:
-      return of_mode_6(bits);
-    case 7:
-      return of_mode_7(bits);
-    default:
-      alpha.fill(mode < 4 ? 255 : 0);
-      return alpha;
+    case 5: return with_own_alpha(bits, mode == 4);
+    case 6: return of_mode_6(bits);
+    case 7: return of_mode_7(bits);
+    default: alpha.fill(mode < 4 ? 255 : 0); return alpha;
   }
 }
 

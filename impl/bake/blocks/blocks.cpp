@@ -43,14 +43,10 @@ std::vector<std::uint16_t> alpha_of(const BlockView& view) {
   constexpr unsigned of_255 = 257;  // 65535 = 257 * 255
   require(view);
   switch (view.format) {
-    case BlockFormat::bc1:
-      return alpha_by(view, blocks::alpha_of_bc1, of_255);
-    case BlockFormat::bc2:
-      return alpha_by(view, blocks::alpha_of_bc2, of_255);
-    case BlockFormat::bc7:
-      return alpha_by(view, blocks::alpha_of_bc7, of_255);
-    default:
-      return alpha_by(view, blocks::alpha_of_bc3, 1);
+    case BlockFormat::bc1: return alpha_by(view, blocks::alpha_of_bc1, of_255);
+    case BlockFormat::bc2: return alpha_by(view, blocks::alpha_of_bc2, of_255);
+    case BlockFormat::bc7: return alpha_by(view, blocks::alpha_of_bc7, of_255);
+    default: return alpha_by(view, blocks::alpha_of_bc3, 1);
   }
 }
 

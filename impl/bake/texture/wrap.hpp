@@ -27,18 +27,14 @@ constexpr std::int64_t modulo(std::int64_t k, std::int64_t n) noexcept {
 constexpr std::int64_t wrapped(Wrap wrap, std::int64_t i, std::int64_t n) noexcept {
   if (i >= 0 && i < n) return i;
   switch (wrap) {
-    case Wrap::repeat:
-      return detail::modulo(i, n);
+    case Wrap::repeat: return detail::modulo(i, n);
     case Wrap::mirrored_repeat: {
       const std::int64_t k = detail::modulo(i, 2 * n);
       return k < n ? k : 2 * n - 1 - k;
     }
-    case Wrap::clamp_to_border:
-      return -1;
-    case Wrap::mirror_once:
-      return std::min(i < 0 ? -1 - i : i, n - 1);
-    case Wrap::clamp_to_edge:
-      break;
+    case Wrap::clamp_to_border: return -1;
+    case Wrap::mirror_once: return std::min(i < 0 ? -1 - i : i, n - 1);
+    case Wrap::clamp_to_edge: break;
   }
   return i < 0 ? 0 : n - 1;
 }
@@ -58,16 +54,11 @@ struct Extent {
 constexpr Extent extent(Wrap wrap, std::int64_t n) noexcept {
   constexpr std::int64_t beyond = std::int64_t{1} << 61;
   switch (wrap) {
-    case Wrap::repeat:
-      return {-beyond, beyond, n};
-    case Wrap::mirrored_repeat:
-      return {-beyond, beyond, 2 * n};
-    case Wrap::clamp_to_border:
-      return {-1, n, 0};
-    case Wrap::mirror_once:
-      return {-n, n - 1, 0};
-    case Wrap::clamp_to_edge:
-      break;
+    case Wrap::repeat: return {-beyond, beyond, n};
+    case Wrap::mirrored_repeat: return {-beyond, beyond, 2 * n};
+    case Wrap::clamp_to_border: return {-1, n, 0};
+    case Wrap::mirror_once: return {-n, n - 1, 0};
+    case Wrap::clamp_to_edge: break;
   }
   return {0, n - 1, 0};
 }

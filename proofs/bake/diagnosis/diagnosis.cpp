@@ -38,10 +38,8 @@ bool is_wrong(const BakeSubject& s, Fault fault, State got, State lower, State u
   switch (fault) {
     case Fault::conservative:
       return (got == State::O && lower != State::O) || (got == State::T && upper != State::T);
-    case Fault::tight:
-      return unknown(got) && (upper == State::O || lower == State::T);
-    case Fault::side:
-      break;
+    case Fault::tight: return unknown(got) && (upper == State::O || lower == State::T);
+    case Fault::side: break;
   }
   if (!unknown(got)) return false;
   if (s.functions.centroid) return force2(got) != force2(lower) && force2(got) != force2(upper);

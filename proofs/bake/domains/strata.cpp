@@ -138,19 +138,14 @@ void fill_by(std::vector<std::uint32_t>& alpha, std::uint32_t width, std::uint32
     return (scattered(s.salt + 1, i, j) >> 20 & 1) != 0;
   };
   switch (s.pattern) {
-    case 0:
-      return by([](std::uint32_t, std::uint32_t, std::uint64_t hash) { return (hash & 1) != 0; });
-    case 1:
-      return by([&](std::uint32_t i, std::uint32_t j, std::uint64_t) { return coin(i / 4, j / 4); });
-    case 2:
-      return by([&](std::uint32_t i, std::uint32_t j, std::uint64_t) { return coin(i / 2, j / 3); });
+    case 0: return by([](std::uint32_t, std::uint32_t, std::uint64_t hash) { return (hash & 1) != 0; });
+    case 1: return by([&](std::uint32_t i, std::uint32_t j, std::uint64_t) { return coin(i / 4, j / 4); });
+    case 2: return by([&](std::uint32_t i, std::uint32_t j, std::uint64_t) { return coin(i / 2, j / 3); });
     case 3:
       return by(
           [&](std::uint32_t i, std::uint32_t j, std::uint64_t) { return (i == s.i && j == s.j) == s.odd; });
-    case 4:
-      return by([&](std::uint32_t i, std::uint32_t, std::uint64_t) { return coin(i, 0); });
-    case 5:
-      return by([&](std::uint32_t, std::uint32_t j, std::uint64_t) { return coin(0, j); });
+    case 4: return by([&](std::uint32_t i, std::uint32_t, std::uint64_t) { return coin(i, 0); });
+    case 5: return by([&](std::uint32_t, std::uint32_t j, std::uint64_t) { return coin(0, j); });
     case 6:  // halves that meet at the texel
       return by(
           [&](std::uint32_t i, std::uint32_t j, std::uint64_t) { return (i + j < s.i + s.j) == s.odd; });
@@ -158,8 +153,7 @@ void fill_by(std::vector<std::uint32_t>& alpha, std::uint32_t width, std::uint32
       return by([&](std::uint32_t i, std::uint32_t j, std::uint64_t) {
         return (i + 1 == width || j + 1 == height) == s.odd;
       });
-    default:
-      return by([](std::uint32_t i, std::uint32_t j, std::uint64_t) { return ((i + j) & 1) != 0; });
+    default: return by([](std::uint32_t i, std::uint32_t j, std::uint64_t) { return ((i + j) & 1) != 0; });
   }
 }
 
@@ -186,22 +180,18 @@ std::int64_t target_along(std::uint8_t place, bool second, std::int64_t size, Ra
   switch (place) {
     case 0:  // the last corner
       return last;
-    case 1:
-      return second ? somewhere : last;
-    case 2:
-      return second ? last : somewhere;
+    case 1: return second ? somewhere : last;
+    case 2: return second ? last : somewhere;
     case 3:  // near the first corner
       return random.between(-3, 3) * functions / 2;
-    case 4:
-      return somewhere;
+    case 4: return somewhere;
     case 5:  // beyond the last texel
       return last + random.between(0, size) * functions;
     case 6:  // below the first texel
       return -random.between(0, 2 * size) * functions;
     case 7:  // move_away() adds the repeats
       return somewhere;
-    default:
-      return at_word();
+    default: return at_word();
   }
 }
 
@@ -271,8 +261,7 @@ void place_triangle(Case& one, const Row& row, Level n, Offset target, std::uint
       f = {random.between(-functions, functions) / side, std::max<std::int64_t>(1, functions / 2 / side)};
       if (shape == 9) e = {e.y, e.x}, f = {f.y, f.x};
       break;
-    default:
-      break;
+    default: break;
   }
   if (shape != 5 && (e.x | e.y) == 0) e.x = 1;
   // The corner of some micro-triangle lies on the target.

@@ -20,12 +20,9 @@ float any_of(Random& random, int e) {
 
 Rational exact_texel(Texel texel, std::uint32_t stored) {
   switch (texel) {
-    case Texel::unorm8:
-      return spec::bake::number<Rational>(static_cast<std::uint8_t>(stored));
-    case Texel::unorm16:
-      return spec::bake::number<Rational>(static_cast<std::uint16_t>(stored));
-    case Texel::float32:
-      break;
+    case Texel::unorm8: return spec::bake::number<Rational>(static_cast<std::uint8_t>(stored));
+    case Texel::unorm16: return spec::bake::number<Rational>(static_cast<std::uint16_t>(stored));
+    case Texel::float32: break;
   }
   return spec::bake::number<Rational>(Binary32{stored});
 }
@@ -55,12 +52,9 @@ Float rounded(const Case& one, std::uint32_t stored, Random& random) {
                                               : static_cast<Float>(stored) / full,
               f = one.factor, g = one.vertex_factor;
   switch (random.below(3)) {
-    case 0:
-      return x * f * g;
-    case 1:
-      return x * (f * g);
-    default:
-      return x * g * f;
+    case 0: return x * f * g;
+    case 1: return x * (f * g);
+    default: return x * g * f;
   }
 }
 
@@ -68,12 +62,10 @@ Float rounded(const Case& one, std::uint32_t stored, Random& random) {
 std::uint32_t texel_near(const Case& one, double alpha) {
   const double product = double{one.factor} * one.vertex_factor, x = product > 0 ? alpha / product : 1;
   switch (one.texel) {
-    case Texel::unorm8:
-      return static_cast<std::uint32_t>(std::clamp(std::nearbyint(x * 255), 0.0, 255.0));
+    case Texel::unorm8: return static_cast<std::uint32_t>(std::clamp(std::nearbyint(x * 255), 0.0, 255.0));
     case Texel::unorm16:
       return static_cast<std::uint32_t>(std::clamp(std::nearbyint(x * 65535), 0.0, 65535.0));
-    case Texel::float32:
-      break;
+    case Texel::float32: break;
   }
   return std::bit_cast<std::uint32_t>(static_cast<float>(std::clamp(x, 0.0, 2.5)));
 }
@@ -92,9 +84,7 @@ Cutoff cutoff_at(const Case& one, std::uint8_t kind, std::uint32_t t, Random& ra
   // The cutoff falls back to a texel's value; of binary32 to one at most 2^-31 below.
   std::optional<Cutoff> cutoff;
   switch (kind) {
-    case 2:
-      cutoff = as_cutoff(alpha);
-      break;
+    case 2: cutoff = as_cutoff(alpha); break;
     case 3:
     case 4: {
       const Rational other = kind == 3 ? points::rational(rounded<float>(one, t, random))
@@ -115,8 +105,7 @@ Cutoff cutoff_at(const Case& one, std::uint8_t kind, std::uint32_t t, Random& ra
       cutoff = as_cutoff(beside);
       break;
     }
-    default:
-      break;
+    default: break;
   }
   if (!cutoff) cutoff = as_cutoff(value);
   if (!cutoff) cutoff = over(0x80000000, value);
@@ -187,14 +176,10 @@ std::uint32_t set_cutoff(Case& one, std::uint8_t kind, Random& random) {
     return t == 0 ? 1 : t;
   };
   switch (kind) {
-    case 0:
-      return fixed({1, 2});
-    case 5:
-      return fixed(random.below(2) != 0 ? Cutoff{0, 1} : Cutoff{0, 0xfffffffb});
-    case 6:
-      return fixed({1, 1});
-    case 7:
-      return fixed(random.below(2) != 0 ? Cutoff{3, 2} : Cutoff{256, 255});
+    case 0: return fixed({1, 2});
+    case 5: return fixed(random.below(2) != 0 ? Cutoff{0, 1} : Cutoff{0, 0xfffffffb});
+    case 6: return fixed({1, 1});
+    case 7: return fixed(random.below(2) != 0 ? Cutoff{3, 2} : Cutoff{256, 255});
     case 9:
       if (random.below(2) != 0) return fixed(random.below(2) != 0 ? Cutoff{1, 3} : Cutoff{2, 3});
       break;  // else a cutoff a hair beside a texel's value
@@ -202,8 +187,7 @@ std::uint32_t set_cutoff(Case& one, std::uint8_t kind, Random& random) {
       one.blend = true;
       return texel_near(one, random.below(3) == 0 ? 0 : 1);
     }
-    default:
-      break;
+    default: break;
   }
   const std::uint32_t t = texel();
   one.cutoff = cutoff_at(one, kind, t, random);

@@ -56,12 +56,9 @@ std::vector<spec::bake::TextureOf<Stored>> textures(const Case& one) {
 template <class F>
 auto with_textures(const Case& one, F f) {
   switch (one.texel) {
-    case Texel::unorm16:
-      return f(textures<std::uint16_t>(one));
-    case Texel::float32:
-      return f(textures<spec::bake::Binary32>(one));
-    case Texel::unorm8:
-      break;
+    case Texel::unorm16: return f(textures<std::uint16_t>(one));
+    case Texel::float32: return f(textures<spec::bake::Binary32>(one));
+    case Texel::unorm8: break;
   }
   return f(textures<std::uint8_t>(one));
 }

@@ -26,14 +26,10 @@ auto asked(WholeWidth width, const whole::WholeTexture& t, const whole::Place& p
     -> decltype(whole::in_narrowest(t, place, ask)) {
   if (!t.is_supported()) return std::nullopt;
   switch (width) {
-    case WholeWidth::bits128:
-      return whole::in_width<whole::Width128>(t, place, ask);
-    case WholeWidth::bits256:
-      return whole::in_width<whole::Width256>(t, place, ask);
-    case WholeWidth::bits512:
-      return whole::in_width<whole::Width512>(t, place, ask);
-    case WholeWidth::narrowest:
-      break;
+    case WholeWidth::bits128: return whole::in_width<whole::Width128>(t, place, ask);
+    case WholeWidth::bits256: return whole::in_width<whole::Width256>(t, place, ask);
+    case WholeWidth::bits512: return whole::in_width<whole::Width512>(t, place, ask);
+    case WholeWidth::narrowest: break;
   }
   return whole::in_narrowest(t, place, ask);
 }
