@@ -12,6 +12,9 @@ constexpr std::array<std::int32_t, 4> special = {
     VK_OPACITY_MICROMAP_SPECIAL_INDEX_FULLY_UNKNOWN_TRANSPARENT_EXT,
     VK_OPACITY_MICROMAP_SPECIAL_INDEX_FULLY_UNKNOWN_OPAQUE_EXT};
 
+// A record's place among the maps is a number of 32 bits.
+static_assert(std::uint64_t{most_level} << 2 * most_level < std::uint64_t{4} << 32);
+
 std::uint32_t bits_of(std::uint32_t format) { return states_of(format) / 2; }
 
 /// Bits after the last state are 1, which a device must ignore.
