@@ -3,14 +3,14 @@
 #include <cmath>
 #include <cstdio>
 
-#include "options.hpp"
+#include "command_line.hpp"
 #include "verdict.hpp"
 
 namespace {
 
 enum Exit { agrees, differs, usage, off, environment, no_device };
 
-/// What is to be done about barycentrics that are further off than the error.
+/// Says how far u or v is off, and what the user can do about it.
 void print_off(const rays::Verdict& verdict, double error) {
   if (std::isfinite(verdict.farthest()))
     std::printf(

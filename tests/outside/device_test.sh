@@ -103,6 +103,7 @@ specials a triangle with special index -3$
 bit_order expected T; got O
 forced got no state: a candidate, forced to two states a candidate
 base expected micro-triangle 0
+index_stride level 2, 2-state, .*a triangle with special index -2$
 both got no state: a candidate and a hit, forced to two states a hit
 unwritten got no state: no answer
 FAULTS

@@ -156,8 +156,9 @@ void build(const GeometryInput& input, const Micromap& micromap, Structure& to) 
         bytes_at(input.triangles.vertexData.deviceAddress + 3 * k * input.triangles.vertexStride,
                  sizeof triangle.corners, "vertices");
     const std::size_t index_size = opacity.indexType == VK_INDEX_TYPE_UINT16 ? 2 : 4;
-    const auto* place =
-        bytes_at(opacity.indexBuffer.deviceAddress + k * opacity.indexStride, index_size, "indices");
+    const auto* place = bytes_at(
+        opacity.indexBuffer.deviceAddress + k * (fault("index_stride") ? index_size : opacity.indexStride),
+        index_size, "indices");
     if (corners == nullptr || place == nullptr) return;
     std::memcpy(&triangle.corners, corners, sizeof triangle.corners);
     const auto index = index_at(place, opacity.indexType);
@@ -177,7 +178,7 @@ void build(const GeometryInput& input, const Micromap& micromap, Structure& to) 
     }
     to.triangles.push_back(triangle);
   }
-  if (!fault("base") && found != histogram_of(input.counts))
+  if (!fault("base") && !fault("index_stride") && found != histogram_of(input.counts))
     complain("the usage counts of the geometry are not its triangles'");
 }
 
