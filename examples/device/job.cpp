@@ -12,6 +12,9 @@ constexpr std::array<std::int32_t, 4> special = {
     VK_OPACITY_MICROMAP_SPECIAL_INDEX_FULLY_UNKNOWN_TRANSPARENT_EXT,
     VK_OPACITY_MICROMAP_SPECIAL_INDEX_FULLY_UNKNOWN_OPAQUE_EXT};
 
+// A record's place among the maps is a number of 32 bits.
+static_assert(std::uint64_t{most_level} << 2 * most_level < std::uint64_t{4} << 32);
+
 std::uint32_t bits_of(std::uint32_t format) { return states_of(format) / 2; }
 
 /// Bits after the last state are 1, which a device must ignore.
@@ -37,11 +40,15 @@ void add_record(Job& job, std::uint32_t level, const std::vector<std::uint8_t>& 
   job.data.insert(job.data.end(), states.begin(), states.end());
 }
 
+std::uint32_t index_size(const Job& job) { return job.index_type == VK_INDEX_TYPE_UINT16 ? 2 : 4; }
+
 /// Domain of 16-bit indices: the few records of a job, and the special indices, whose low half is kept.
 void add_index(Job& job, std::int32_t index) {
   const auto bits = static_cast<std::uint32_t>(index);
-  for (std::uint32_t k = 0; k < job.index_stride; ++k)
-    job.indices.push_back(static_cast<std::uint8_t>(bits >> 8 * k));
+  const std::size_t at = job.indices.size();
+  job.indices.resize(at + job.index_stride);
+  for (std::uint32_t k = 0; k < index_size(job); ++k)
+    job.indices[at + k] = static_cast<std::uint8_t>(bits >> 8 * k);
 }
 
 }  // namespace
@@ -66,11 +73,11 @@ Job make_job(std::uint32_t level, std::uint32_t format) {
   job.format = format;
   job.maps = level == 0 ? states_of(format) : 2 * level / bits_of(format);
   job.triangles = job.maps + static_cast<std::uint32_t>(special.size());
-  // Both index types and two strides occur in each format.
+  // Both index types, each with two strides, and two strides of records occur in each format.
   const bool odd = (level + format) % 2 != 0;
   job.record_stride = odd ? 16 : 8;
   job.index_type = odd ? VK_INDEX_TYPE_UINT16 : VK_INDEX_TYPE_UINT32;
-  job.index_stride = odd ? 2 : 4;
+  job.index_stride = index_size(job) * (level / 2 % 2 == 0 ? 1 : 2);
   job.base = 1;
 
   // No triangle uses record 0, which makes the two histograms differ; the last map comes first.

@@ -16,6 +16,9 @@
 
 namespace rays {
 
+/// The highest level of a job: 24 maps of 2 MiB each.
+constexpr std::uint32_t most_level = 12;
+
 enum State : std::uint32_t { transparent, opaque, unknown_transparent, unknown_opaque };
 
 struct Job {
@@ -43,7 +46,7 @@ State state_of(const Job& job, std::uint32_t map, std::uint32_t index);
 /// The state that triangle `triangle` has at micro-triangle `index`.
 State expected(const Job& job, std::uint32_t triangle, std::uint32_t index);
 
-/// Domain: levels 0 to 16; states take 4^level (2 or 4 bits a micro-triangle) level + bytes of host memory.
+/// Domain: levels 0 to `most_level`.  The maps take level * 4^level / 4 bytes of host memory in either format.
 Job make_job(std::uint32_t level, std::uint32_t format);
 
 }  // namespace rays

@@ -20,7 +20,8 @@ layout(std430, set = 0, binding = 2) writeonly buffer Hits { uvec4 hits[]; };
 
 layout(push_constant) uniform Constants { uint count; };
 
-const uint missed = 0, opaque = 1, asked = 2;  // `asked`: the triangle is a candidate that the shader has to decide
+// `asked`: the triangle is a candidate that the shader has to decide.  `both`: it is a candidate and a hit, which no state is.
+const uint missed = 0, opaque = 1, asked = 2, both = 3;
 
 uint outcome(vec2 at, float z, uint flags, out vec2 barycentrics) {
   rayQueryEXT query;
@@ -30,7 +31,7 @@ uint outcome(vec2 at, float z, uint flags, out vec2 barycentrics) {
   barycentrics = vec2(0);
   if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionTriangleEXT) {
     barycentrics = rayQueryGetIntersectionBarycentricsEXT(query, true);
-    return opaque;
+    return candidate ? both : opaque;
   }
   return candidate ? asked : missed;
 }

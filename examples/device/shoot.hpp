@@ -8,8 +8,8 @@
 
 namespace rays {
 
-/// A ray query meets nothing, or a hit, or a candidate that the shader has to decide.
-enum Outcome : std::uint32_t { missed, met_opaque, asked };
+/// A ray query meets nothing, or a hit, or a candidate that the shader has to decide; both is a device's fault.
+enum Outcome : std::uint32_t { missed, met_opaque, asked, both };
 
 /// A ray's two outcomes: as the maps are, and with unknown states forced to two.
 struct Hit {

@@ -6,11 +6,19 @@
 namespace rays {
 namespace {
 
+/// The most that Vulkan asks of an address: 256 of a micromap's records and data (VUID-vkCmdBuildMicromapsEXT-pInfos-07515),
+/// 16 of instances (VUID-vkCmdBuildAccelerationStructuresKHR-pInfos-03715), the component's size of vertices.
+constexpr VkDeviceSize input_alignment = 256;
+
 constexpr VkBufferUsageFlags build_input =
     VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR;
 constexpr VkBufferUsageFlags micromap_input = VK_BUFFER_USAGE_MICROMAP_BUILD_INPUT_READ_ONLY_BIT_EXT;
 
 std::uint32_t count_of(const auto& elements) { return static_cast<std::uint32_t>(elements.size()); }
+
+VkDeviceAddress rounded_up(VkDeviceAddress at, VkDeviceSize alignment) {
+  return (at + alignment - 1) / alignment * alignment;
+}
 
 /// Corners (0,0,z), (1,0,z), (0,1,z) of each triangle z: there barycentrics are the coordinates x and y.
 std::vector<float> corners(std::uint32_t triangles) {
@@ -54,8 +62,8 @@ void Structures::build_micromap(const Job& job) {
   info.mode = VK_BUILD_MICROMAP_MODE_BUILD_EXT;
   info.usageCountsCount = count_of(job.array_counts);
   info.pUsageCounts = job.array_counts.data();
-  info.data.deviceAddress = input(job.data.data(), job.data.size(), micromap_input).address();
-  info.triangleArray.deviceAddress = input(job.records.data(), job.records.size(), micromap_input).address();
+  info.data.deviceAddress = input(job.data.data(), job.data.size(), micromap_input);
+  info.triangleArray.deviceAddress = input(job.records.data(), job.records.size(), micromap_input);
   info.triangleArrayStride = job.record_stride;
   VkMicromapBuildSizesInfoEXT sizes{};
   sizes.sType = VK_STRUCTURE_TYPE_MICROMAP_BUILD_SIZES_INFO_EXT;
@@ -77,7 +85,7 @@ void Structures::build_geometry(const Job& job) {
   VkAccelerationStructureTrianglesOpacityMicromapEXT opacity{};
   opacity.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_TRIANGLES_OPACITY_MICROMAP_EXT;
   opacity.indexType = job.index_type;
-  opacity.indexBuffer.deviceAddress = input(job.indices.data(), job.indices.size(), build_input).address();
+  opacity.indexBuffer.deviceAddress = input(job.indices.data(), job.indices.size(), build_input);
   opacity.indexStride = job.index_stride;
   opacity.baseTriangle = job.base;
   opacity.usageCountsCount = count_of(job.geometry_counts);
@@ -90,8 +98,7 @@ void Structures::build_geometry(const Job& job) {
   triangles.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_TRIANGLES_DATA_KHR;
   triangles.pNext = &opacity;
   triangles.vertexFormat = VK_FORMAT_R32G32B32_SFLOAT;
-  triangles.vertexData.deviceAddress =
-      input(vertices.data(), vertices.size() * sizeof(float), build_input).address();
+  triangles.vertexData.deviceAddress = input(vertices.data(), vertices.size() * sizeof(float), build_input);
   triangles.vertexStride = 3 * sizeof(float);
   triangles.maxVertex = 3 * job.triangles - 1;
   triangles.indexType = VK_INDEX_TYPE_NONE_KHR;
@@ -111,7 +118,7 @@ void Structures::build_scene() {
   geometry.geometryType = VK_GEOMETRY_TYPE_INSTANCES_KHR;
   auto& instances = geometry.geometry.instances;
   instances.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_INSTANCES_DATA_KHR;
-  instances.data.deviceAddress = input(&instance, sizeof instance, build_input).address();
+  instances.data.deviceAddress = input(&instance, sizeof instance, build_input);
   build_structure(VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR, geometry, 1, scene_);
 }
 
@@ -158,10 +165,12 @@ void Structures::wait(VkPipelineStageFlags2 stage, VkAccessFlags2 written, VkPip
   device_.functions().barrier(commands_, &info);
 }
 
-const Buffer& Structures::input(const void* bytes, std::size_t size, VkBufferUsageFlags usage) {
-  buffers_.push_back(std::make_unique<Buffer>(device_, size, usage, true));
-  std::memcpy(buffers_.back()->mapped(), bytes, size);
-  return *buffers_.back();
+VkDeviceAddress Structures::input(const void* bytes, std::size_t size, VkBufferUsageFlags usage) {
+  buffers_.push_back(std::make_unique<Buffer>(device_, size + input_alignment - 1, usage, true));
+  const Buffer& buffer = *buffers_.back();
+  const VkDeviceAddress at = rounded_up(buffer.address(), input_alignment);
+  std::memcpy(static_cast<std::uint8_t*>(buffer.mapped()) + (at - buffer.address()), bytes, size);
+  return at;
 }
 
 const Buffer& Structures::own(VkDeviceSize size, VkBufferUsageFlags usage) {
@@ -171,8 +180,7 @@ const Buffer& Structures::own(VkDeviceSize size, VkBufferUsageFlags usage) {
 
 VkDeviceAddress Structures::scratch(VkDeviceSize size) {
   const VkDeviceSize alignment = device_.about().scratch_alignment;
-  const VkDeviceAddress at = own(size + alignment, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT).address();
-  return (at + alignment - 1) / alignment * alignment;
+  return rounded_up(own(size + alignment - 1, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT).address(), alignment);
 }
 
 }  // namespace rays

@@ -28,7 +28,8 @@ class Structures {
                        VkAccelerationStructureKHR& to);
   void wait(VkPipelineStageFlags2 stage, VkAccessFlags2 written, VkPipelineStageFlags2 next,
             VkAccessFlags2 read) const;
-  const Buffer& input(const void* bytes, std::size_t size, VkBufferUsageFlags usage);
+  /// The address of a copy of these bytes on the device, a multiple of what each build's input needs.
+  VkDeviceAddress input(const void* bytes, std::size_t size, VkBufferUsageFlags usage);
   const Buffer& own(VkDeviceSize size, VkBufferUsageFlags usage);
   /// An address in a new buffer of scratch memory.
   VkDeviceAddress scratch(VkDeviceSize size);

@@ -24,7 +24,11 @@ class File {
   explicit File(const std::string& path) : path_(path) {
     std::ifstream in(path, std::ios::binary);
     if (!in) fail("it cannot be read");
-    bytes_.assign(std::istreambuf_iterator<char>(in), {});
+    try {
+      bytes_.assign(std::istreambuf_iterator<char>(in), {});
+    } catch (const std::ios_base::failure&) {  // a folder opens, but has no bytes
+      fail("it cannot be read");
+    }
     if (bytes_.size() < 128 || text(0, 8) != "MMVECTOR" || word(8) != 2 || word(20) != bytes_.size())
       fail("not the whole of a mmverify_vectors.bin, version 2");
   }

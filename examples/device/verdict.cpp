@@ -18,6 +18,7 @@ std::string name_of(const Hit& hit) {
     return outcome == missed       ? "nothing"
            : outcome == met_opaque ? "a hit"
            : outcome == asked      ? "a candidate"
+           : outcome == both       ? "a candidate and a hit"
                                    : "no answer";
   };
   return std::string("no state: ") + word(hit.plain) + ", forced to two states " + word(hit.forced);
@@ -35,11 +36,15 @@ std::int64_t spelt(const Job& job, const Hit* hits) {
   return index;
 }
 
-std::string described(const Job& job, const Point& point, const Hit* hits, std::uint32_t triangle) {
-  char text[512];
+std::string place(const Job& job, const Point& point) {
+  char text[256];
   std::snprintf(text, sizeof text, "level %u, %u-state, at u %.9g v %.9g (%a, %a): ", job.level,
                 states_of(job.format), double{point.u}, double{point.v}, double{point.u}, double{point.v});
-  std::string found = text;
+  return text;
+}
+
+std::string described(const Job& job, const Point& point, const Hit* hits, std::uint32_t triangle) {
+  std::string found = place(job, point);
   const bool special = triangle >= job.maps;
   if (special) {
     found += "a triangle with special index " + std::to_string(-1 - static_cast<int>(triangle - job.maps));
@@ -86,11 +91,21 @@ void Verdict::add_inside(const Job& job, const Point& point, const Hit* hits) {
   for (std::uint32_t triangle = 0; triangle < job.triangles; ++triangle) {
     const Hit& hit = hits[triangle];
     ++counts_.judged;
-    if (hit.plain == met_opaque)
-      farthest_ = std::max({farthest_, std::fabs(double{hit.u} - double{point.u}),
-                            std::fabs(double{hit.v} - double{point.v})});
+    if (hit.plain == met_opaque) add_barycentrics(job, point, hit);
     if (state_of(hit) == expected(job, triangle, point.index)) continue;
     if (counts_.wrong++ == 0) first_ = described(job, point, hits, triangle);
+  }
+}
+
+void Verdict::add_barycentrics(const Job& job, const Point& point, const Hit& hit) {
+  // Comparisons with NaN are false, and a NaN stays.
+  for (const double off :
+       {std::fabs(double{hit.u} - double{point.u}), std::fabs(double{hit.v} - double{point.v})}) {
+    if (std::isfinite(farthest_) && !(off <= farthest_)) farthest_ = off;
+    if (off <= error_ || !first_off_.empty()) continue;
+    char text[64];
+    std::snprintf(text, sizeof text, "the device says u %.9g v %.9g", double{hit.u}, double{hit.v});
+    first_off_ = place(job, point) + text;
   }
 }
 

@@ -24,19 +24,23 @@ class Verdict {
   void add(const Job& job, const std::vector<Point>& points, const std::vector<Hit>& hits);
 
   const Counts& counts() const { return counts_; }
-  /// The largest difference of a barycentric that the device returned.
+  /// The largest difference between a ray's u or v and that of its judged opaque hit; infinite or NaN where one is.
   double farthest() const { return farthest_; }
-  bool agrees() const { return counts_.wrong == 0 && farthest_ <= error_; }
+  /// Whether `farthest` is within the error, which judging states takes for granted.
+  bool near_enough() const { return farthest_ <= error_; }
+  /// A line about the first hit that is not near enough; empty where there is none.
+  const std::string& first_off() const { return first_off_; }
   /// Two lines about the first wrong hit; empty where there is none.
   const std::string& first() const { return first_; }
 
  private:
   void add_tie(const Job& job, const Point& point, const Hit* hits);
   void add_inside(const Job& job, const Point& point, const Hit* hits);
+  void add_barycentrics(const Job& job, const Point& point, const Hit& hit);
 
   double error_, farthest_ = 0;
   Counts counts_;
-  std::string first_;
+  std::string first_, first_off_;
 };
 
 }  // namespace rays

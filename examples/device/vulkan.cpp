@@ -164,8 +164,10 @@ void Device::make_instance(bool validate) {
 void Device::choose(std::optional<std::uint32_t> number) {
   std::vector<VkPhysicalDevice> devices;
   std::uint32_t count = 0;
-  if (vkEnumeratePhysicalDevices(instance_, &count, nullptr) == VK_SUCCESS &&
-      count != 0)  // an error: no driver
+  const VkResult result = vkEnumeratePhysicalDevices(instance_, &count, nullptr);
+  if (result != VK_ERROR_INITIALIZATION_FAILED)  // so the loader calls the lack of any device
+    check(result, "vkEnumeratePhysicalDevices");
+  if (count != 0)
     devices = all<VkPhysicalDevice>(
         [&](std::uint32_t* n, VkPhysicalDevice* to) { return vkEnumeratePhysicalDevices(instance_, n, to); });
   std::string seen;
@@ -175,13 +177,18 @@ void Device::choose(std::optional<std::uint32_t> number) {
     vkGetPhysicalDeviceProperties(devices[k], &properties);
     const std::string missing = lacks(devices[k], properties);
     if (missing.empty()) chosen_ = devices[k];
-    seen += "\n  " + std::to_string(k) + "  " + properties.deviceName + ": lacks " + missing;
+    const std::string name = properties.deviceName;
+    if (number)
+      seen = "device " + std::to_string(k) + ", " + name + ", lacks " + missing;
+    else
+      seen += "\n  " + std::to_string(k) + "  " + name + ": lacks " + missing;
   }
   if (chosen_ != VK_NULL_HANDLE) return;
   if (devices.empty()) throw NoDevice("Vulkan has no device here");
   if (number && *number >= devices.size())
     throw NoDevice("no device " + std::to_string(*number) + ": Vulkan has " + std::to_string(devices.size()) +
                    ", counted from 0");
+  if (number) throw NoDevice(seen);
   throw NoDevice("no device here can shoot rays at opacity micromaps:" + seen);
 }
 

@@ -114,8 +114,17 @@ const std::uint8_t* bytes_at(VkDeviceAddress address, VkDeviceSize size, const c
   return nullptr;
 }
 
+void need_multiple(VkDeviceAddress address, VkDeviceSize alignment, const char* what) {
+  if (const VkDeviceAddress rest = address % alignment; rest != 0)
+    complain("the address of " + std::string(what) + " is " + std::to_string(rest) + " above a multiple of " +
+             std::to_string(alignment));
+}
+
 void build(const MicromapInput& input, Micromap& to) {
   const VkMicromapBuildInfoEXT& info = input.info;
+  // VUID-vkCmdBuildMicromapsEXT-pInfos-07515
+  need_multiple(info.triangleArray.deviceAddress, 256, "the records");
+  need_multiple(info.data.deviceAddress, 256, "the states");
   std::uint32_t count = 0;
   for (const VkMicromapUsageEXT& usage : input.counts) count += usage.count;
   Histogram found;
@@ -147,8 +156,9 @@ void build(const GeometryInput& input, const Micromap& micromap, Structure& to) 
         bytes_at(input.triangles.vertexData.deviceAddress + 3 * k * input.triangles.vertexStride,
                  sizeof triangle.corners, "vertices");
     const std::size_t index_size = opacity.indexType == VK_INDEX_TYPE_UINT16 ? 2 : 4;
-    const auto* place =
-        bytes_at(opacity.indexBuffer.deviceAddress + k * opacity.indexStride, index_size, "indices");
+    const auto* place = bytes_at(
+        opacity.indexBuffer.deviceAddress + k * (fault("index_stride") ? index_size : opacity.indexStride),
+        index_size, "indices");
     if (corners == nullptr || place == nullptr) return;
     std::memcpy(&triangle.corners, corners, sizeof triangle.corners);
     const auto index = index_at(place, opacity.indexType);
@@ -168,23 +178,26 @@ void build(const GeometryInput& input, const Micromap& micromap, Structure& to) 
     }
     to.triangles.push_back(triangle);
   }
-  if (!fault("base") && found != histogram_of(input.counts))
+  if (!fault("base") && !fault("index_stride") && found != histogram_of(input.counts))
     complain("the usage counts of the geometry are not its triangles'");
 }
 
 std::array<std::uint32_t, 4> answer(const Structure& scene, const std::array<std::uint32_t, 4>& ray) {
-  enum Outcome : std::uint32_t { missed, met_opaque, asked };
+  enum Outcome : std::uint32_t { missed, met_opaque, asked, both };
   if (scene.instance == nullptr) return {missed, missed, 0, 0};
   const auto met =
       crossing(*scene.instance, std::bit_cast<float>(ray[0]), std::bit_cast<float>(ray[1]), ray[2]);
   if (!met) return {missed, missed, 0, 0};
   constexpr std::array plain = {missed, met_opaque, asked, asked},
                        forced = {missed, met_opaque, missed, met_opaque};
-  const std::uint32_t state = state_at(*met->triangle, met->u, met->v);
+  const float shift = fault("shifted") ? 0x1p-12f : 0;  // in what is looked up and in what is said
+  const float u = met->u + shift, v = met->v;
+  const std::uint32_t state = state_at(*met->triangle, u, v);
   std::array<std::uint32_t, 4> words = {plain[state], fault("forced") ? plain[state] : forced[state], 0, 0};
   if (plain[state] != met_opaque) return words;
-  words[2] = std::bit_cast<std::uint32_t>(fault("reported") ? met->v : met->u);
-  words[3] = std::bit_cast<std::uint32_t>(met->v);
+  if (fault("both")) words[0] = both;
+  words[2] = std::bit_cast<std::uint32_t>(fault("reported") ? v : u);
+  words[3] = fault("nan") && v > u ? ~0u : std::bit_cast<std::uint32_t>(v);
   return words;
 }
 

@@ -29,6 +29,9 @@ std::map<VkDeviceAddress, VkDeviceSize>& buffers();
 /// The bytes there; null, with a complaint, unless they lie in one buffer.
 const std::uint8_t* bytes_at(VkDeviceAddress address, VkDeviceSize size, const char* what);
 
+/// Complains unless the address is a multiple of `alignment`.
+void need_multiple(VkDeviceAddress address, VkDeviceSize alignment, const char* what);
+
 using Histogram = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;  ///< level, format: count
 
 struct Record {

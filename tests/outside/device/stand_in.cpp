@@ -40,7 +40,9 @@ struct Set {
   const Buffer *rays = nullptr, *hits = nullptr;
 };
 
-constexpr VkDeviceSize alignment = 256;
+/// Each buffer's address is an odd multiple of this, as those of devices may be.
+constexpr VkDeviceSize alignment = 64;
+constexpr VkDeviceSize scratch_alignment = 128;
 Handle physical, queue_handle;
 
 template <class T, class H>
@@ -119,7 +121,7 @@ void VKAPI_CALL get_properties2(VkPhysicalDevice device, VkPhysicalDevicePropert
       most->maxPerStageDescriptorAccelerationStructures = most->maxDescriptorSetAccelerationStructures = 16;
       most->maxPerStageDescriptorUpdateAfterBindAccelerationStructures = 16;
       most->maxDescriptorSetUpdateAfterBindAccelerationStructures = 16;
-      most->minAccelerationStructureScratchOffsetAlignment = 128;
+      most->minAccelerationStructureScratchOffsetAlignment = scratch_alignment;
     } else if (link->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_PROPERTIES) {
       auto* most = as<VkPhysicalDeviceVulkan12Properties>(link);
       most->maxPerStageDescriptorUpdateAfterBindStorageBuffers = 64;
@@ -170,8 +172,9 @@ void VKAPI_CALL get_families2(VkPhysicalDevice device, std::uint32_t* count, VkQ
 }
 
 VkResult VKAPI_CALL enumerate_devices(VkInstance, std::uint32_t* count, VkPhysicalDevice* to) {
+  if (stand_in::fault("enumeration")) return VK_ERROR_OUT_OF_HOST_MEMORY;
   if (to != nullptr && *count != 0) *to = reinterpret_cast<VkPhysicalDevice>(&physical);
-  *count = 1;
+  *count = stand_in::fault("no_device") ? 0 : 1;
   return VK_SUCCESS;
 }
 
@@ -181,12 +184,15 @@ VkResult VKAPI_CALL enumerate_devices(VkInstance, std::uint32_t* count, VkPhysic
 
 VkResult VKAPI_CALL allocate(VkDevice, const VkMemoryAllocateInfo* info, const VkAllocationCallbacks*,
                              VkDeviceMemory* to) {
-  const VkDeviceSize size = (info->allocationSize + alignment - 1) / alignment * alignment;
-  return made(new Memory{static_cast<std::uint8_t*>(std::aligned_alloc(alignment, size))}, to);
+  const VkDeviceSize whole = 4 * alignment,
+                     size = (alignment + info->allocationSize + whole - 1) / whole * whole;
+  auto* const bytes = static_cast<std::uint8_t*>(std::aligned_alloc(whole, size));
+  std::memset(bytes, 0xff, size);  // what nobody wrote is the same in each run
+  return made(new Memory{bytes + alignment}, to);
 }
 void VKAPI_CALL free_memory(VkDevice, VkDeviceMemory memory, const VkAllocationCallbacks*) {
   if (memory == VK_NULL_HANDLE) return;
-  std::free(object<Memory>(memory)->bytes);
+  std::free(object<Memory>(memory)->bytes - alignment);
   delete object<Memory>(memory);
 }
 VkResult VKAPI_CALL map(VkDevice, VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize, VkMemoryMapFlags,
@@ -354,6 +360,7 @@ void VKAPI_CALL build_micromaps(VkCommandBuffer commands, std::uint32_t count,
     object<Commands>(commands)->all.push_back(
         [input = stand_in::MicromapInput{
              infos[k], {infos[k].pUsageCounts, infos[k].pUsageCounts + infos[k].usageCountsCount}}] {
+          stand_in::need_multiple(input.info.scratchData.deviceAddress, scratch_alignment, "scratch memory");
           stand_in::build(input, *object<stand_in::Micromap>(input.info.dstMicromap));
         });
 }
@@ -378,6 +385,7 @@ VkDeviceAddress VKAPI_CALL structure_address(VkDevice,
 
 void build_instances(VkDeviceAddress at, stand_in::Structure& to) {
   VkAccelerationStructureInstanceKHR instance;
+  stand_in::need_multiple(at, 16, "instances");  // VUID-vkCmdBuildAccelerationStructuresKHR-pInfos-03715
   if (const auto* from = stand_in::bytes_at(at, sizeof instance, "instances")) {
     std::memcpy(&instance, from, sizeof instance);
     to.instance = reinterpret_cast<const stand_in::Structure*>(instance.accelerationStructureReference);
@@ -396,6 +404,9 @@ void VKAPI_CALL build_structures(VkCommandBuffer commands, std::uint32_t count,
   for (std::uint32_t k = 0; k < count; ++k) {
     auto& to = *object<stand_in::Structure>(infos[k].dstAccelerationStructure);
     const auto& geometry = infos[k].pGeometries[0].geometry;
+    c.all.push_back([at = infos[k].scratchData.deviceAddress] {
+      stand_in::need_multiple(at, scratch_alignment, "scratch memory");
+    });
     if (infos[k].type == VK_ACCELERATION_STRUCTURE_TYPE_TOP_LEVEL_KHR) {
       c.all.push_back([at = geometry.instances.data.deviceAddress, &to] { build_instances(at, to); });
       continue;
