@@ -1,10 +1,13 @@
 // Topic array: its domains are as large as they are said to be, and its texts are read back.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "proofs/array/cases.hpp"
+#include "proofs/array/small_answers.hpp"
 #include "proofs/array/subject.hpp"
 #include "proofs/engine/runner.hpp"
 #include "proofs/registry/registry.hpp"
@@ -71,6 +74,29 @@ TEST(SmallArrays, AreKeptOfTheLibraryAlone) {
   const ArraySubject miscounts("array", "counts one more", functions);
   EXPECT_EQ(run_level(resolves, miscounts, 0, LawRun{}).verdict, Verdict::proved);
   EXPECT_EQ(run_level(counts, miscounts, 0, LawRun{}).verdict, Verdict::refuted);
+}
+
+// A user's builder keeps its answers, too.  It is wrong where only another law looks: the first law to come to a case asks
+// all checks, so that its own success spares the other law nothing.
+TEST(SmallArrays, AreKeptWhereEveryLawHolds) {
+  Functions functions = built_in("array")->functions;
+  std::atomic<std::uint64_t> builds = 0;
+  functions.build = [&builds, real = functions.build](const BuildCase& c) {
+    ++builds;
+    std::optional<Answer> answer = real(c);
+    if (answer && answer->array_counts.size() > 1) ++answer->array_counts.back().count;
+    return answer;
+  };
+  functions.small_arrays = small_arrays_of_subject();
+  const ArraySubject miscounts("user", "counts one more of a second kind", std::move(functions));
+  const Result first = run_level(*find_law("array.resolves"), miscounts, 0, LawRun{});
+  EXPECT_EQ(first.verdict, Verdict::proved);
+  const std::uint64_t built_first = builds;
+  EXPECT_GE(built_first, small_arrays(0));
+  const Result second = run_level(*find_law("array.array_histogram"), miscounts, 0, LawRun{});
+  EXPECT_EQ(second.verdict, Verdict::refuted);
+  EXPECT_GT(second.mismatches(), 0u);
+  EXPECT_LT(builds - built_first, built_first);  // the right ones were kept
 }
 
 }  // namespace array_laws_test
