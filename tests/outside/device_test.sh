@@ -67,7 +67,7 @@ for driver in /usr/share/vulkan/icd.d/lvp_icd.*.json; do
   sed -n 2p out
 done
 
-# On the stand-in.
+# The stand-in drives these runs.
 printf '{"file_format_version": "1.0.0", "ICD": {"library_path": "%s", "api_version": "1.3.239"}}\n' "$stand_in" >stand_in.json
 export VK_ICD_FILENAMES=$folder/stand_in.json
 validate=

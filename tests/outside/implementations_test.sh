@@ -121,7 +121,7 @@ done
 "$root/scripts/implementations/judge" --list >listed
 (($(wc -l <listed) == $(find "$root/examples/adapters" -name recipe | wc -l))) || fail "not every recipe is listed"
 
-# What implementations hand to a build: the document has what judge --builds writes; a changed verdict is seen.
+# A section of the document is about the arguments of builds: it has what judge --builds writes; a changed verdict is seen.
 judge_builds() { "$root/scripts/implementations/judge" --builds --mmverify "$mmverify" --work "$folder/builds" "$@"; }
 judge_builds --check || fail "docs/IMPLEMENTATIONS.md: scripts/implementations/judge --builds writes it anew"
 sed 's/| passes |$/| finds `counts.geometry` |/' "$root/docs/IMPLEMENTATIONS.md" >changed.md

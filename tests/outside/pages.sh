@@ -1,4 +1,4 @@
-# What the tests of pages share; each sources it.
+# The tests of pages source this file: their common head.
 root=$(readlink -f -- "$(dirname -- "${BASH_SOURCE[0]}")/../..")
 
 # skip WORDS...: nothing is judged, and why.

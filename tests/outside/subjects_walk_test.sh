@@ -11,7 +11,7 @@ script=$(sed -n '/^## From nothing to a gate/,/^## Finished maps/p' docs/BAKERS.
 TMPDIR=$(mktemp -d)
 export TMPDIR
 trap 'rm -r "$TMPDIR"' EXIT
-# As it is installed, without the installation.
+# The tree has the places of an installation.
 export MMVERIFY=$TMPDIR/installed
 mkdir -p "$MMVERIFY/bin" "$MMVERIFY/share/doc/mmverify"
 ln -s "$PWD/build/release/cli/mmverify" "$MMVERIFY/bin/"

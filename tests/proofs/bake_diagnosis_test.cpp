@@ -55,6 +55,17 @@ BakeSubject reordered(const char* name, std::uint32_t (*place)(std::uint32_t ind
   return BakeSubject(name, "wrong on purpose", functions, name);
 }
 
+// None of the cases that a cause is looked for in is wrong: the law met another one.
+TEST(BakeDiagnosis, SaysThatAFaultIsRare) {
+  const BakeSubject s = mistaken("right where it is asked", [](Case&) {});
+  for (const Fault fault : {Fault::conservative, Fault::tight}) {
+    const auto lines = diagnose(s, fault);
+    ASSERT_FALSE(lines.empty());
+    EXPECT_THAT(lines.front(), HasSubstr("a rare fault: none of "));
+    EXPECT_THAT(lines, Not(Contains(HasSubstr("0 have a state"))));
+  }
+}
+
 TEST(BakeDiagnosis, NamesTheFilterThatIsWrong) {
   const BakeSubject s = mistaken("nearest is bilinear", [](Case& c) { c.filter = Filter::bilinear; });
   EXPECT_THAT(diagnose(s, Fault::conservative),

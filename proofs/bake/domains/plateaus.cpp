@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "proofs/bake/domains/draw_name.hpp"
 #include "proofs/bake/domains/threshold.hpp"
 
 namespace mmverify::proofs::bake {
@@ -129,16 +129,7 @@ Case plateau_sample(std::uint64_t seed, Level n, std::uint64_t k) {
   return one;
 }
 
-Case plateau_named(const std::string& name) {
-  unsigned long seed = 0, k = 0;
-  unsigned n = 0;
-  if (std::sscanf(name.c_str(), "plateau-%lu-%u-%lu", &seed, &n, &k) != 3 || n > 12)
-    throw BadCase("'" + name.substr(0, 60) + "': write plateau-SEED-LEVEL-NUMBER, or the texels' digits");
-  Case one = plateau_sample(seed, n, k);
-  if (one.drawn != name)
-    throw BadCase("'" + name.substr(0, 60) + "': no such draw; write plateau-SEED-LEVEL-NUMBER");
-  return one;
-}
+Case plateau_named(const std::string& name) { return case_named(name, plateau_begins, plateau_sample); }
 
 const char* plateau_samples_text() {
   return "textures of 12 to 64 columns and rows of one alpha, at the cutoff or a step beside it, but for a "

@@ -2,9 +2,9 @@
 
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "proofs/bake/domains/draw_name.hpp"
 #include "proofs/bake/domains/threshold.hpp"
 #include "spec/index/index.hpp"
 
@@ -411,16 +411,7 @@ Case stratified(std::uint64_t seed, Level n, std::uint64_t number) {
   return one;
 }
 
-Case drawn_case(const std::string& name) {
-  unsigned long seed = 0, row = 0;
-  unsigned n = 0;
-  if (std::sscanf(name.c_str(), "drawn-%lu-%u-%lu", &seed, &n, &row) != 3 || n > 12)
-    throw BadCase("'" + name.substr(0, 60) + "': write drawn-SEED-LEVEL-ROW, or the texels' digits");
-  Case one = stratified(seed, n, row);
-  if (one.drawn != name)
-    throw BadCase("'" + name.substr(0, 60) + "': no such draw; write drawn-SEED-LEVEL-ROW");
-  return one;
-}
+Case drawn_case(const std::string& name) { return case_named(name, "drawn-", stratified); }
 
 std::uint64_t fast_strata(Level n) {
   constexpr std::array<std::uint64_t, 10> counts{64, 64, 64, 64, 64, 64, 48, 28, 16, 8};

@@ -60,7 +60,7 @@ constexpr bool large_row(std::uint64_t row) { return row % 16 == 15; }
 /// Domain: seed, row below 2^32.
 Case stratified(std::uint64_t seed, Level n, std::uint64_t row);
 
-/// The case whose texels "drawn-SEED-LEVEL-ROW" stands for in a case's text.  Throws BadCase.
+/// The case whose texels "drawn-SEED-LEVEL-NUMBER" stands for in a case's text.  Throws BadCase.
 Case drawn_case(const std::string& name);
 
 /// The number of cases of a level that run through the design once over the fast tier's levels 0..9.  with_plain()
