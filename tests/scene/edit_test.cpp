@@ -353,6 +353,9 @@ TEST(SuspectRecord, IsTheOneWhoseBytesAnotherLevelFills) {
   EXPECT_NE(suspect(two, counts).find("; and 1 more such record"), std::string::npos);
   moved[1].offset = 20;
   EXPECT_EQ(suspect(moved, counts), "") << "its offset is wrong";
+  auto elsewhere = right;
+  elsewhere[2].offset = 8;  // other levels would fill these gaps, too
+  EXPECT_EQ(suspect(elsewhere, {}), "") << "its levels fill the data, so its offset is wrong";
 }
 
 TEST(SuspectRecord, IsNamedByTheValidatorOnce) {
